@@ -42,7 +42,7 @@ namespace
 /// Standard deviations whose squares are sensible.
 constexpr littoral::ValueInterval Deviations = littoral::ValueInterval::From(1e-15, 3e7);
 
-/// What the image at the first port is, null for other data.
+/// Image at the first port, null for other data.
 vtkImageData* ImageAmongData(vtkInformationVector* inputs)
 {
   return vtkImageData::SafeDownCast(vtkDataObject::GetData(inputs));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkConditionalTerrainFilter
- * @brief   make a field on a grid that honours data: conditional simulation and kriging
+ * @brief   make a field on a grid that honours data, by conditional simulation or kriging
  *
  * Input 0 (Data): a vtkPointSet whose points are data, or a vtkImageData of one layer whose points are data except
  * where the value is NaN. Values are the point array 0 of SetInputArrayToProcess (default the active scalars, which
@@ -18,21 +18,22 @@
  * where the table has its column.
  *
  * Output 0: a vtkImageData with a double point array of the name of the values, else `Elevation`: the conditional
- * field, that is the field of vtkTurningBandsTerrainSource with the same model and Seed on the same grid, plus the
- * kriged differences of data and field at the data; or the kriging estimate itself. With KrigingVariance also the point
- * array `KrigingVariance` [unit of the values squared]. Field data: `KrigingNeighbors`.
+ * field, that is the field of vtkTurningBandsTerrainSource with the same model and Seed on the same grid, conditioned
+ * by the kriged residuals at the data; or the kriging estimate itself. With KrigingVariance also the point array
+ * `KrigingVariance` [unit of the values squared]. Field data: `KrigingNeighbors`.
  *
  * Output 1: a vtkTable with a row per datum: `X`, `Y` [m], `Value`, `Field` (the output's field at the datum, also off
- * the points of the grid); with CrossValidation `LeaveOneOutEstimate`, `LeaveOneOutStandardDeviation` (estimate from the other data and
- * its standard deviation, NaN where the others are too few) and `StandardizedError`. Field data: `Model` (name),
- * `ModelId`, `Variance`, `Range`, `SecondRange`, `FractalDimension`, `Nugget`; with CrossValidation `MeanError`,
- * `RootMeanSquareError` and `MeanSquaredStandardizedError`, which is near 1 for a model that knows how far it errs.
+ * the points of the grid); with CrossValidation `LeaveOneOutEstimate`, `LeaveOneOutStandardDeviation` (estimate from
+ * the other data and its standard deviation, NaN where the others are too few) and `StandardizedError`. Field data:
+ * `Model` (name), `ModelId`, `Variance`, `Range`, `SecondRange`, `FractalDimension`, `Nugget`; with CrossValidation
+ * `MeanError`, `RootMeanSquareError` and `MeanSquaredStandardizedError`, which is near 1 if the model gives the right
+ * kriging variances.
  *
  * Output 2: a vtkPolyData with a vertex per datum at (x, y, value), with the columns of output 1 but `X` and `Y` as
  * point arrays.
  *
- * Data without error are met; data with an error or a nugget, which is noise of all data, are smoothed. Data outside
- * the grid count as those inside. Values are the same bytes for any subextent and number of threads or ranks.
+ * Data without error are honoured; data with an error or a nugget, which is noise of all data, are filtered. Data
+ * outside the grid count as those inside. Values are the same bytes for any subextent and number of threads or ranks.
  *
  * NaN among the points, two data without error at one place, a system that is singular to working precision, too few
  * data for the drift, an external drift that is missing at a datum, or a property out of range is reported as one
@@ -117,9 +118,9 @@ public:
 
   ///@{
   /**
-   * Knowledge of the mean, a KrigingKind; default Ordinary. Simple: it is Mean. Ordinary: an unknown constant.
-   * LinearDrift, QuadraticDrift: an unknown polynomial of degree 1 or 2 (universal kriging). ExternalDrift: an unknown
-   * constant and an unknown multiple of DriftArray.
+   * Kind of kriging by the knowledge of the mean, a KrigingKind; default Ordinary. Simple: the known Mean. Ordinary: an
+   * unknown constant. LinearDrift, QuadraticDrift: an unknown polynomial of degree 1 or 2 (universal kriging).
+   * ExternalDrift: an unknown constant plus an unknown multiple of DriftArray.
    */
   vtkSetMacro(KrigingType, int);
   vtkGetMacro(KrigingType, int);
@@ -156,8 +157,8 @@ public:
 
   ///@{
   /**
-   * Number of data that take part in an estimate, the nearest ones, not negative; default 0, all of up to 2000 data and
-   * 50 of more. The field of a few neighbours has small steps where the neighbourhood changes.
+   * Number of data of the moving neighbourhood, the nearest ones, not negative; default 0, all of up to 2000 data (a
+   * unique neighbourhood) and 50 of more. A moving neighbourhood makes small steps where it changes.
    */
   vtkSetMacro(NumberOfNeighbors, int);
   vtkGetMacro(NumberOfNeighbors, int);
@@ -165,9 +166,9 @@ public:
 
   ///@{
   /**
-   * Transformation of the values to normal scores before and back after, for values whose distribution is not Gaussian;
-   * default off. The model is then that of the scores; nothing made is below the least or above the largest datum;
-   * KrigingEstimate is the median, and KrigingVariance is that of the scores. ErrorArray must be None.
+   * Normal score transform of the values and back transform of the field, for values whose distribution is not
+   * Gaussian; default off. The model is then that of the scores; the field stays between the smallest and the largest
+   * datum; KrigingEstimate is the median, and KrigingVariance is that of the scores. ErrorArray must be None.
    */
   vtkSetMacro(NormalScores, bool);
   vtkGetMacro(NormalScores, bool);
@@ -186,7 +187,7 @@ public:
 
   ///@{
   /**
-   * Estimation of each datum from the others, as columns of output 1; default off.
+   * Leave-one-out cross-validation, as columns of output 1; default off.
    */
   vtkSetMacro(CrossValidation, bool);
   vtkGetMacro(CrossValidation, bool);

@@ -76,7 +76,7 @@ bool RunOnPoints(vtkAlgorithm* algorithm, std::size_t count, double first, doubl
 
 }
 
-/// What is kept between requests.
+/// State that is kept between requests.
 class vtkCurrentDriftFilter::vtkInternals : public littoral::MarchingRequests<littoral::DriftHistory>
 {
 };

@@ -40,7 +40,7 @@ vtkStandardNewMacro(vtkDrainageFilter);
 namespace
 {
 
-/// Heights, their flood, ways, areas, streams and the arrays of the output; what carving takes comes to it.
+/// Heights, spill elevations, routing, areas, streams and the arrays of the output; carving needs more.
 constexpr double BytesACell = 100.0;
 constexpr long long MaximumStreamThreshold = 1000000000;
 constexpr double MaximumChannelThreshold = 1e6;
@@ -67,7 +67,7 @@ littoral::OutletMask ChosenOutlets(vtkImageData* image)
   return outlets;
 }
 
-/// What is told of a carving, as field data of two components.
+/// Adds the report of a carving as field data of two components.
 void AddReport(const littoral::CarvingReport& report, vtkDataObject* data)
 {
   const littoral::GroundMeasures& before = report.Before;
@@ -106,16 +106,16 @@ void TakeStatistics(vtkTable* table, littoral::TargetStatistics& numbers)
 
 }
 
-/// A terrain and what its water does.
+/// Terrain with its flow routing and streams.
 struct vtkDrainageFilter::Ground
 {
   littoral::GridSamples Heights;
   littoral::DrainageOutlets Outlets;
   littoral::CarvingReport Report;
   littoral::FlowRouting Routing;
-  std::vector<littoral::CellIndex> Cells; ///< that drain through each one
+  std::vector<littoral::CellIndex> Cells; ///< flow accumulation
   littoral::StreamNetwork Streams;
-  std::vector<double> Levels; ///< of a flood from the outlets [m]
+  std::vector<double> Levels; ///< spill elevations [m]
 };
 
 //----------------------------------------------------------------------------
@@ -159,7 +159,7 @@ int vtkDrainageFilter::FillOutputPortInformation(int port, vtkInformation* info)
 //----------------------------------------------------------------------------
 int vtkDrainageFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  // Water runs through the whole of a terrain.
+  // Flow is not local.
   littoral::RequestAll(inputVector[0]->GetInformationObject(0));
   littoral::RequestAll(inputVector[1]->GetInformationObject(0));
   littoral::RequestAll(inputVector[2]->GetInformationObject(0));
@@ -293,8 +293,9 @@ int vtkDrainageFilter::RequestData(
   ground.Routing = littoral::RouteFlow(ground.Heights, outlets, littoral::AbortableFor(this), poll);
   ground.Cells = littoral::FlowAccumulation(ground.Routing);
   ground.Streams = littoral::FindStreams(ground.Heights, ground.Routing, ground.Cells, this->StreamThreshold);
-  ground.Levels =
-    ground.Routing.DepressionCells == 0 ? ground.Heights.Values : littoral::FloodDepressions(ground.Heights, outlets, poll).SpillElevation;
+  ground.Levels = ground.Routing.DepressionCells == 0
+    ? ground.Heights.Values
+    : littoral::FloodDepressions(ground.Heights, outlets, poll).SpillElevation;
   this->UpdateProgress(0.95);
   this->WriteGround(image, ground, output);
   if (!littoral::AsksForLaterPiece(request, outputVector))

@@ -9,30 +9,31 @@
  * values and not constant. Each value is the height of a cell. Input 1, optional: a vtkImageData of another terrain,
  * the target, with the same array or its active scalars; its size and spacing may differ. Input 2, optional and without
  * a target alone: a vtkTable as output 0 of vtkGroundStatisticsFilter, whose first row replaces HypsometricIntegral,
- * ElevationSkewness and Concavity, each where the table has its column and a number there; KeepHypsometry does not count then.
+ * ElevationSkewness and Concavity, each where the table has its column and a number there; KeepHypsometry does not
+ * count then.
  *
- * With Carve the terrain is graded in rounds until every cell has a way downhill and the slopes of channels fall with
- * their drainage area, S ~ A^-Concavity, while its statistics stay those of the target: the radial spectrum (and with
- * it the variogram), the distribution of heights, and the plane. Without a target these are the terrain's own, but for
- * what KeepHypsometry, HypsometricIntegral, ElevationSkewness and Concavity tell. After MaximumNumberOfIterations the round nearest to the
- * target is taken, and what it misses is in the field data.
+ * With Carve the terrain is graded iteratively until every cell has a flow path downhill and the slopes of channels
+ * fall with their drainage area, S ~ A^-Concavity, while its statistics stay those of the target: the radial spectrum
+ * (and with it the variogram), the distribution of heights, and the plane. Without a target these are the terrain's
+ * own, but for KeepHypsometry, HypsometricIntegral, ElevationSkewness and Concavity. After MaximumNumberOfIterations
+ * the result nearest to the target is taken, and the statistics that it does not meet are in the field data.
  *
  * Output 0: the vtkImageData with the point arrays of the input and `Elevation` double [m], `DrainageArea` double [m^2]
- * (of all cells that drain through a cell, itself included), `FlowDirection` signed char (the neighbour that takes the
- * water, 0 to 7 counter-clockwise in steps of 45 degrees, 0 along x; -1 at outlets), `StreamOrder` unsigned char
- * (Strahler's; 0 where fewer than StreamThreshold cells drain), `DepressionDepth` double [m] (below the level at
- * which water leaves; 0 where it runs). Drainage areas at the outlets sum to the area of the grid.
+ * (flow accumulation times the area of a cell, the cell included), `FlowDirection` signed char (D8: the receiving
+ * neighbour, 0 to 7 counter-clockwise in steps of 45 degrees, 0 along x; -1 at outlets), `StreamOrder` unsigned char
+ * (Strahler's; 0 where fewer than StreamThreshold cells drain), `DepressionDepth` double [m] (below the spill
+ * elevation; 0 outside of depressions). Drainage areas at the outlets sum to the area of the grid.
  *
- * Output 1: a vtkPolyData of the rivers, a polyline each from its head to the stream of higher order that takes it in,
+ * Output 1: a vtkPolyData of the rivers, a polyline each from its head to its confluence with a stream of higher order,
  * or to an outlet. Cell arrays: `StreamOrder` int, `DrainageArea` double [m^2] at its lower end, `Length` double [m],
  * `Slope` double [m/m] from head to end. Point arrays: `DrainageArea` double [m^2], `RGB` (blue, the darker the higher
- * the order). Field data of both outputs, of two components, before and after: `DepressionFraction` (of cells in depressions),
- * `HypsometricIntegral`, `ElevationSkewness`, `Concavity`, `CurvatureSkewness`; and `Iterations`, `Converged` (1 or 0) and
- * `UnmetTargets` (text: the measures that are not met).
+ * the order). Field data of both outputs, of two components, before and after: `DepressionFraction` (cells in
+ * depressions over all cells), `HypsometricIntegral`, `ElevationSkewness`, `Concavity`, `CurvatureSkewness`; and
+ * `Iterations`, `Converged` (1 or 0) and `UnmetTargets` (text: the statistics that are not met).
  *
  * Sources: Barnes et al. 2014 (priority-flood), Lindsay 2016 (breaching), Braun & Willett 2013 (stream power in O(n)).
  *
- * All of the image is asked for, as water runs through the whole of a terrain, whatever part is asked of the filter.
+ * The whole image is requested, whatever part of the output is, since flow is not local.
  * Threads and ranks change no byte. Rivers are in piece 0. A bad input or property is reported as one error.
  *
  * @sa vtkGroundStatisticsFilter
@@ -83,7 +84,7 @@ public:
 
   ///@{
   /**
-   * Number of cells that drain where streams begin, 2 to 10^9; default 100.
+   * Flow accumulation at which streams begin [cells], 2 to 10^9; default 100.
    */
   vtkSetMacro(StreamThreshold, int);
   vtkGetMacro(StreamThreshold, int);
@@ -91,8 +92,8 @@ public:
 
   ///@{
   /**
-   * Carving of the terrain; default on. If off, water runs over the terrain as it is, through depressions by way of the
-   * lowest sill.
+   * Carving of the terrain; default on. If off, flow is routed over the terrain as it is, out of depressions over the
+   * spill point.
    */
   vtkSetMacro(Carve, bool);
   vtkGetMacro(Carve, bool);
@@ -120,7 +121,7 @@ public:
 
   ///@{
   /**
-   * Skew of the heights of the carved terrain, -2 to 2; default 0.4. Used only without a target image and with
+   * Skewness of the heights of the carved terrain, -2 to 2; default 0.4. Used only without a target image and with
    * KeepHypsometry off.
    */
   vtkSetMacro(ElevationSkewness, double);
@@ -129,7 +130,8 @@ public:
 
   ///@{
   /**
-   * Concavity of the channels of the carved terrain, 0 to 1; default 0.45. Used only without a target image.
+   * Concavity index theta of the channels of the carved terrain, S ~ A^-theta, 0 to 1; default 0.45. Used only without
+   * a target image.
    */
   vtkSetMacro(Concavity, double);
   vtkGetMacro(Concavity, double);
@@ -137,7 +139,7 @@ public:
 
   ///@{
   /**
-   * Maximum number of rounds of carving, 1 to 100; default 40. Carving ends before, when the target is met.
+   * Maximum number of iterations of carving, 1 to 100; default 40. Carving ends before, when the target is met.
    */
   vtkSetMacro(MaximumNumberOfIterations, int);
   vtkGetMacro(MaximumNumberOfIterations, int);
@@ -145,8 +147,7 @@ public:
 
   ///@{
   /**
-   * Number of cells that drain from which a channel rules the slope, 1 to 10^6; default 50. Below it the ground is
-   * hillslope.
+   * Flow accumulation of channel heads [cells], 1 to 10^6; default 50. Below it the slope is that of hillslopes.
    */
   vtkSetMacro(ChannelThreshold, double);
   vtkGetMacro(ChannelThreshold, double);

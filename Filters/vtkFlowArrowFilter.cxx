@@ -42,7 +42,7 @@ constexpr double LargestDrawing = 1e9; // [m], whose fourth power is a number in
 constexpr int CornersOfRing = 72;
 constexpr double RingThickness = 0.008; ///< radius of its tube, of the drawing radius
 
-/// From blue where it is slow to amber where it is fastest.
+/// Color of an arrow, from blue at the slowest to amber at the fastest.
 littoral::Color ArrowColor(double share)
 {
   const littoral::Vector3 slow(88.0, 150.0, 190.0);

@@ -26,11 +26,11 @@ vtkStandardNewMacro(vtkGroundStatisticsFilter);
 namespace
 {
 
-/// Heights, flood, routing, areas and sorted copies of a cell.
+/// Heights, spill elevations, routing, areas and sorted copies of a cell.
 constexpr littoral::CellMemory Memory{ 100.0, "measuring" };
 /// Quantiles of the distributions: a row a percent.
 constexpr int NumberOfQuantiles = 101;
-/// A slope-area relation of more cells than grids have.
+/// Largest stream threshold [cells].
 constexpr long long MaximumStreamThreshold = 1000000000;
 
 void WriteNumbers(const littoral::GroundStatistics& ground, vtkTable* table)
@@ -119,7 +119,7 @@ int vtkGroundStatisticsFilter::FillInputPortInformation(int, vtkInformation* inf
 int vtkGroundStatisticsFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  // Water runs through the whole of a terrain.
+  // Flow is not local.
   littoral::RequestAll(inputVector[0]->GetInformationObject(0));
   return 1;
 }

@@ -6,25 +6,25 @@
  *
  * Input: a vtkImageData of one layer, at least 3 x 3, with a scalar point array, the elevation [m]
  * (SetInputArrayToProcess; default the active scalars, which also stand in for an absent `Elevation`), without missing
- * values and not constant. Each value is the height of a cell; water runs to the neighbour of steepest descent of eight
- * and leaves at the border, or at sea level with UseSeaLevel.
+ * values and not constant. Each value is the height of a cell. Flow is routed to the neighbour of steepest descent of
+ * eight (D8); outlets are the border and, with UseSeaLevel, the cells at or below SeaLevel.
  *
- * Output 0: a vtkTable of one row: `DepressionFraction` (of cells in depressions: those that an exact priority-flood raises),
- * `RelativeFillDepth` (mean depth of that flood over the standard deviation of the heights), `HypsometricIntegral` ((mean -
- * minimum)/(maximum - minimum)), `ElevationSkewness`, `ElevationStandardDeviation` [m], `MeanSlope` [m/m] and `SlopeSkewness` (size of the
- * gradient by central differences), `CurvatureStandardDeviation` [1/m] and `CurvatureSkewness` (five-point Laplacian of inner
- * cells, above 0 in valleys), `Concavity` and `Steepness` (S = Steepness A^-Concavity, S the slope to the receiver, A
- * [m^2]; see output 1), `HackExponent` (longest flow length over A), `BifurcationRatio`, `LengthRatio` and `AreaRatio`
- * (Horton's R_B, R_L, R_A; see output 3). NaN where the grid is too small for a number. Hack's exponent and Horton's
- * ratios hardly tell a random surface from real ground.
+ * Output 0: a vtkTable of one row: `DepressionFraction` (cells in depressions, those that a priority-flood fills, over
+ * all cells), `RelativeFillDepth` (mean fill depth of all cells over the standard deviation of the heights),
+ * `HypsometricIntegral` ((mean - minimum)/(maximum - minimum)), `ElevationSkewness`, `ElevationStandardDeviation` [m],
+ * `MeanSlope` [m/m] and `SlopeSkewness` (size of the gradient by central differences), `CurvatureStandardDeviation`
+ * [1/m] and `CurvatureSkewness` (five-point Laplacian of inner cells, above 0 in valleys), `Concavity` and `Steepness`
+ * (S = Steepness A^-Concavity, S the slope to the receiver, A [m^2]; see output 1), `HackExponent` (longest flow length
+ * over A), `BifurcationRatio`, `LengthRatio` and `AreaRatio` (Horton's R_B, R_L, R_A; see output 3). NaN where the grid
+ * is too small for a number. Hack's exponent and Horton's ratios hardly tell a random surface from real ground.
  *
  * Output 1: a vtkTable with a row per bin of drainage area, 20 of equal ratio from 100 cells to a tenth of the grid:
  * `DrainageArea` [m^2], `Slope` [m/m] (mean; 0 on flats and in depressions), `PowerLaw` [m/m], `Cells`. Output 2: a
  * vtkTable of the distributions with 101 rows: `Fraction` of the cells below, `Elevation` [m], `Slope` [m/m],
  * `Curvature` [1/m]. Output 3: a vtkTable with a row per Strahler order: `Order`, `Streams`, `MeanLength` [m],
- * `MeanArea` [m^2]; streams begin where StreamThreshold cells drain.
+ * `MeanArea` [m^2].
  *
- * All of the image is asked for, and some 100 bytes of memory for each of its points. Piece 0 holds the whole tables,
+ * The whole image is requested, and some 100 bytes of memory for each of its points. Piece 0 holds the whole tables,
  * other pieces are empty. A bad input or property is reported as one error.
  *
  * @sa vtkCovarianceFitFilter
@@ -47,7 +47,7 @@ public:
 
   ///@{
   /**
-   * Number of cells that drain where streams begin, 2 to 10^9; default 100. Also the smallest drainage area of Hack's
+   * Flow accumulation at which streams begin [cells], 2 to 10^9; default 100. Also the smallest drainage area of Hack's
    * law.
    */
   vtkSetMacro(StreamThreshold, int);

@@ -41,7 +41,7 @@ vtkStandardNewMacro(vtkParticleFogFilter);
 namespace
 {
 
-/// What a particle and a sample take at most [bytes].
+/// Memory of a particle and a sample at most [bytes].
 constexpr double BytesAParticle = 150.0;
 constexpr double BytesASample = 24.0;
 constexpr double MostSamplesAlong = 1e6;

@@ -41,7 +41,7 @@
 
 vtkStandardNewMacro(vtkParticleLevelOfDetailFilter);
 
-/// What does not depend on the view, and what it was made of.
+/// State that does not depend on the view, and its inputs.
 class vtkParticleLevelOfDetailFilter::vtkInternals
 {
 public:
@@ -58,7 +58,7 @@ public:
 namespace
 {
 
-/// What a particle takes here and in the output at most, without its own arrays [bytes].
+/// Memory of a particle here and in the output at most, without its own arrays [bytes].
 constexpr double BytesAParticle = 400.0;
 
 /// The levels of the output.

@@ -46,7 +46,7 @@ namespace
 
 /// Points that one thread moves at a time.
 constexpr vtkIdType PointsAtOnce = 1 << 13;
-/// How far from sea level the points of its surface may lie [m].
+/// Maximum distance of points of the surface from sea level [m].
 constexpr double SurfaceTolerance = 1e-3;
 
 bool IsAtSeaLevel(vtkPoints* points, double level)
@@ -216,7 +216,7 @@ struct MovedArrays
   }
 };
 
-/// In which depth the trains are, and the highest of them, as field data.
+/// Adds the depth regimes of the trains, and the highest of them, as field data.
 void AddRegimes(const littoral::SeaState& state, vtkDataObject* output)
 {
   double regimes[3] = { 0.0, 0.0, 0.0 };

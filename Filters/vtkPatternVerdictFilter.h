@@ -80,7 +80,7 @@ public:
 
   ///@{
   /**
-   * Function by which patterns are compared, a FunctionType; default PairCorrelation. PairCorrelation: g. BesagL: L.
+   * Summary function of the test, a FunctionType; default PairCorrelation. PairCorrelation: g. BesagL: L.
    */
   vtkSetMacro(Function, int);
   vtkGetMacro(Function, int);
@@ -101,9 +101,8 @@ public:
 
   ///@{
   /**
-   * Degree of the polynomial in x and y that the logarithm of the intensity is, 0 to 3; default 0, the same intensity
-   * everywhere. A trend is for Poisson, Thomas, Matern cluster, log-Gaussian Cox and Matern II processes; the others
-   * have none.
+   * Degree of the log-intensity as a polynomial of x and y, 0 to 3; default 0, homogeneous. A trend is for Poisson,
+   * Thomas, Matern cluster, log-Gaussian Cox and Matern II processes; the others have none.
    */
   vtkSetMacro(TrendDegree, int);
   vtkGetMacro(TrendDegree, int);
@@ -111,8 +110,8 @@ public:
 
   ///@{
   /**
-   * Largest distance that is compared [m], not negative; default 0, a quarter of the shorter side, at most that within
-   * which a thousand points are expected.
+   * Maximum distance of the test and of minimum contrast [m], not negative; default 0, a quarter of the shorter side, at
+   * most that within which a thousand points are expected.
    */
   vtkSetMacro(MaximumDistance, double);
   vtkGetMacro(MaximumDistance, double);
@@ -128,7 +127,7 @@ public:
 
   ///@{
   /**
-   * Level of the test, above 0 and below 1; default 0.05.
+   * Significance level of the test, above 0 and below 1; default 0.05.
    */
   vtkSetMacro(Level, double);
   vtkGetMacro(Level, double);

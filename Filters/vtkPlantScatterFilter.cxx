@@ -121,7 +121,7 @@ struct Plants
 }
 
 //----------------------------------------------------------------------------
-/// What does not depend on the view.
+/// State that does not depend on the view.
 class vtkPlantScatterFilter::vtkInternals
 {
 public:
@@ -130,7 +130,7 @@ public:
 };
 
 //----------------------------------------------------------------------------
-/// What is asked for this time.
+/// Properties and inputs of one request.
 struct vtkPlantScatterFilter::Request
 {
   littoral::View Seen;

@@ -25,9 +25,9 @@
  *
  * Field data of all: `Points`, `Intensity` [1/m2], `WindowArea` [m2].
  *
- * Simulations have the points of the input, uniform in the window; with a table of fits, those that its law or
- * process scatters in the window; for MarkCorrelation the same points with marks in a random order; for cross functions
- * the same points with species in a random order.
+ * Simulations are as many points as the input has, uniform in the window; with a table of fits, patterns of its law or
+ * process; for MarkCorrelation and cross functions random labelling, the same points with marks or species in a random
+ * order.
  *
  * Fewer points, two at one place unless AllowCoincidentPoints is on, one outside the window, a window whose polygon
  * crosses itself, missing or not positive marks, unknown species or a property out of range are reported as one error.
@@ -152,7 +152,7 @@ public:
 
   ///@{
   /**
-   * Largest distance [m], not negative; default 0: for functions of pairs a quarter of the shorter side of the window,
+   * Maximum distance [m], not negative; default 0: for functions of pairs a quarter of the shorter side of the window,
    * at most the distance within which 1000 points are expected; for the others half the diagonal, at most the distance
    * at which a random pattern has F = 1 - 1e-5.
    */
@@ -162,7 +162,7 @@ public:
 
   ///@{
   /**
-   * Number of steps from 0 to the largest distance, 8 to 10000; default 256.
+   * Number of steps from 0 to the maximum distance, 8 to 10000; default 256.
    */
   vtkSetMacro(NumberOfSteps, int);
   vtkGetMacro(NumberOfSteps, int);
@@ -178,7 +178,7 @@ public:
 
   ///@{
   /**
-   * Whether several points may be at one place, as in inventories with rounded coordinates; default off.
+   * Several points at one place, as in inventories with rounded coordinates; default off, an error.
    */
   vtkSetMacro(AllowCoincidentPoints, bool);
   vtkGetMacro(AllowCoincidentPoints, bool);
@@ -227,7 +227,7 @@ public:
 
   ///@{
   /**
-   * Level of the test, above 0 and below 1; default 0.05.
+   * Significance level of the test, above 0 and below 1; default 0.05.
    */
   vtkSetMacro(Level, double);
   vtkGetMacro(Level, double);

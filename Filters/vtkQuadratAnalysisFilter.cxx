@@ -87,7 +87,7 @@ void WriteFrequencies(
   }
 }
 
-/// How the points spread over the quadrats, as field data.
+/// Adds the dispersion of the points over the quadrats as field data.
 void AddPattern(const littoral::QuadratMoments& moments, const littoral::QuadratGrid& grid, vtkTable* table)
 {
   const bool random = moments.DispersionPValue > SignificanceLevel;

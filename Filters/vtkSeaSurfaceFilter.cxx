@@ -37,7 +37,7 @@ namespace
 /// Points that a thread takes at a time.
 constexpr std::size_t RangeLength = 4096;
 
-/// Of the eye for which the water is colored, over the sea [m]: that of a ship's bridge.
+/// Height over the sea of the eye for which the water is colored [m]: that of a ship's bridge.
 constexpr double EyeHeight = 9.0;
 
 /// Arrays of the surface's points.

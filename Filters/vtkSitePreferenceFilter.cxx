@@ -111,7 +111,7 @@ struct KeptSite
   littoral::GroundFactors Ground;
 };
 
-/// What sites tell of themselves.
+/// Arrays of the sites.
 class Sites
 {
 public:

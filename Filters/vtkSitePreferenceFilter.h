@@ -12,14 +12,14 @@
  * and a tolerance: `elevation` and `elevation_tolerance` [m]; `relative_elevation` (0 at the lowest point of the
  * terrain, 1 at the highest); `slope` [degrees]; `aspect` (direction that the slope faces, clockwise from north
  * [degrees]); `wetness` (topographic wetness index ln(a / tan(slope)), a being DrainageArea over the width of a cell
- * [m]; Beven and Kirkby 1979). An empty optimum: the species does not mind. The preference of a species for a site is
+ * [m]; Beven and Kirkby 1979). An empty optimum: no response. The preference of a species for a site is
  * the product over its factors of exp(-(v - optimum)^2 / (2 tolerance^2)) (ter Braak and Looman 1986); aspect counts in
  * proportion to the slope below 5 degrees. Without a table there are four species: Pine prefers high ground, Oak low
  * ground, Birch level ground between, or moist ground where the terrain has a DrainageArea, and Shrub slopes.
  *
  * A site gets species s with probability a(s) p(s) / sum of a p, where a is the abundance and p the preference. With
- * Thinning it gets s with probability a(s) p(s) / sum of a, or none and is left out. A site with the point array `Species`
- * (index of a row) keeps its species; with Thinning it is kept itself with the probability of its preference.
+ * Thinning it gets s with probability a(s) p(s) / sum of a, or none and is left out. A site with the point array
+ * `Species` (index of a row) keeps its species; with Thinning it is kept itself with the probability of its preference.
  *
  * Output: vtkPolyData, a vertex for each site that is kept, at the height of the terrain, with the point arrays of the
  * sites and `Species`, `SiteId` (index of the site, unless the sites have one), `Elevation` [m], `Slope` and `Aspect`
@@ -49,8 +49,8 @@ public:
 
   ///@{
   /**
-   * Sites with few species that like them stay bare; default off: all sites are kept, and those without a species get s
-   * with probability a(s) p(s) / sum of a p; only where all preferences are 0 a site is left out.
+   * Thinning of the sites by the preferences of their species; default off: all sites are kept, and those without a
+   * species get s with probability a(s) p(s) / sum of a p; only where all preferences are 0 a site is left out.
    */
   vtkSetMacro(Thinning, bool);
   vtkGetMacro(Thinning, bool);

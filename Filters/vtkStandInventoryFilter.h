@@ -20,10 +20,10 @@
  *
  * Output: vtkPolyData, a vertex a tree, in double precision. Point arrays: `SiteId` (row of the table, from 0),
  * `Species` (index of the plant, which is that of the prototype in vtkPlantScatterFilter), `DBH` and `Height` [m],
- * `CrownDiameter` [m] (by Jucker et al. 2017, from DBH and height), `Plot` (index in Plots), `Imputed` (0 measured, 1 DBH
- * drawn, 2 height drawn, 3 both) and `SpeciesName`. Field data: `Kinds`, the kinds of the plants, in the order of the
- * table of species, and `PlantDBH`, `PlantHeight` and `PlantCrownDiameter` [m], the medians of the trees that each
- * plant stands for; `Plots`; `Unlisted`, species that are not in the table of species; `RowsDropped`; `Area` [m2],
+ * `CrownDiameter` [m] (by Jucker et al. 2017, from DBH and height), `Plot` (index in Plots), `Imputed` (0 measured, 1
+ * DBH imputed, 2 height imputed, 3 both) and `SpeciesName`. Field data: `Kinds`, the kinds of the plants, in the order
+ * of the table of species, and `PlantDBH`, `PlantHeight` and `PlantCrownDiameter` [m], the medians of the trees that
+ * each plant stands for; `Plots`; `Unlisted`, species that are not in the table of species; `RowsDropped`; `Area` [m2],
  * of the rectangles around the plots.
  *
  * Missing values are functions of Seed and of the row of the tree alone. A missing height is that of the curve, scaled
@@ -176,7 +176,7 @@ public:
 
   ///@{
   /**
-   * The only plot that is read, by its name; default empty, all plots.
+   * Name of the only plot that is read; default empty, all plots.
    */
   vtkSetStringMacro(Plot);
   vtkGetStringMacro(Plot);
@@ -184,7 +184,7 @@ public:
 
   ///@{
   /**
-   * As which species of the table those count that are not in it; default `hardwood`.
+   * Species of the table that stands for those that are not in it; default `hardwood`.
    */
   vtkSetStringMacro(DefaultSpecies);
   vtkGetStringMacro(DefaultSpecies);
@@ -192,7 +192,7 @@ public:
 
   ///@{
   /**
-   * Keeps trees whose status says that they are dead, gone or missing; default off.
+   * Reading of trees whose status says that they are dead, gone or missing; default off.
    */
   vtkSetMacro(KeepDead, bool);
   vtkGetMacro(KeepDead, bool);
@@ -201,7 +201,7 @@ public:
 
   ///@{
   /**
-   * Allows several trees at the same place; default off, an error.
+   * Reading of several trees at the same place; default off, an error.
    */
   vtkSetMacro(AllowCoincident, bool);
   vtkGetMacro(AllowCoincident, bool);
@@ -219,8 +219,8 @@ public:
 
   ///@{
   /**
-   * Standard deviation of drawn heights, as part of what is above 1.37 m, 0 to 0.4; default 0.1. Deviations are
-   * truncated at two standard deviations.
+   * Relative standard deviation of imputed heights above 1.37 m, 0 to 0.4; default 0.1. Deviations are truncated at two
+   * standard deviations.
    */
   vtkSetMacro(HeightVariation, double);
   vtkGetMacro(HeightVariation, double);
@@ -228,8 +228,8 @@ public:
 
   ///@{
   /**
-   * Plants for the trees of a kind, at most, 1 to 20; default 1. With more than one, trees are divided by their
-   * diameters into classes of equally many, each with a plant of its own.
+   * Maximum number of diameter classes of each kind, 1 to 20; default 1. Classes have equally many trees, and a plant
+   * each.
    */
   vtkSetMacro(DiameterClasses, int);
   vtkGetMacro(DiameterClasses, int);

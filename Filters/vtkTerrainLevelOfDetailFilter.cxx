@@ -283,7 +283,7 @@ vtkSmartPointer<vtkPolyData> MakeBlock(const Layout& layout, const littoral::Ter
   return arrays.MakeBlock();
 }
 
-/// What a view shows of a terrain: the patches of its tiles, sorted into blocks by level, seams last.
+/// Terrain as a view shows it: the patches of its tiles, sorted into blocks by level, seams last.
 struct ShownTerrain
 {
   std::vector<littoral::TerrainPatch> Patches;

@@ -18,7 +18,8 @@ namespace
 
 constexpr double RadiansPerDegree = 0.017453292519943295;
 
-/// From a system to longitude and latitude on its own datum, both with x first; null if PROJ knows no way.
+/// Transformation from a system to longitude and latitude on its own datum, both with x first; null if PROJ knows no
+/// way.
 class ToEarth
 {
 public:

@@ -122,7 +122,7 @@ Dataset OpenInner(Dataset outer, const std::string& wanted)
   throw RasterError("it holds no dataset '" + wanted + "'; it has " + variables);
 }
 
-/// What to add to GDAL's words about a file that it does not know.
+/// Hint to add to GDAL's words about a file that it does not know.
 std::string HintFor(const std::string& path)
 {
   std::string suffix = std::filesystem::path(path).extension().string();
@@ -535,7 +535,7 @@ public:
     this->Place(target);
   }
 
-  /// Where the points are: centers of pixels, as metres.
+  /// Sets origin and spacing of the points: centers of pixels, in metres.
   void Place(const OGRSpatialReference& system)
   {
     const Transform transform(this->Last());

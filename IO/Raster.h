@@ -53,7 +53,7 @@ struct RasterOptions
   double NoData = -9999.0;
 };
 
-/// Where the points of a raster are: the centers of its pixels, rows from south to north.
+/// Grid of the points of a raster: the centers of its pixels, rows from south to north.
 struct RasterGrid
 {
   std::array<int, 2> Points{ 0, 0 };
@@ -77,7 +77,7 @@ public:
 
   const RasterGrid& Grid() const;
 
-  /// How heights became metres, as "heights in feet".
+  /// Conversion of heights to metres in words, as "heights in feet".
   const std::string& HeightWords() const;
 
   /**

@@ -66,7 +66,7 @@ void RemoveLeft(const std::string& folder)
   }
 }
 
-/// Where symbolic links lead, also if nothing is there yet.
+/// Target of symbolic links, also if nothing is there yet.
 std::string Followed(std::filesystem::path path)
 {
   namespace fs = std::filesystem;

@@ -28,7 +28,7 @@ public:
 
   /// The first reason why something failed, as the system says it; empty if nothing has.
   const std::string& WhyFailed() const { return this->Reason; }
-  /// Where to write. Throws std::ios_base::failure when the system refuses.
+  /// Stream to write to. Throws std::ios_base::failure when the system refuses.
   std::ostream& Stream() { return this->Output; }
   /// Called with the bytes written from time to time; what it throws ends the write.
   void OnWrite(std::function<void(std::size_t)> watch) { this->Buffer.Watch = std::move(watch); }

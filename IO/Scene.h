@@ -3,8 +3,8 @@
 #ifndef LittoralScene_h
 #define LittoralScene_h
 
-// A scene between VTK and a file: meshes, materials, pictures and nodes. Lengths in metres, z up. Private: never
-// installed.
+// Scene between VTK and a file of glTF: meshes, materials, images, nodes, skins and animations. Lengths in metres, z
+// up. Private: never installed.
 
 #include <array>
 #include <cstddef>
@@ -16,7 +16,7 @@
 namespace littoral
 {
 
-/// What a surface is made of, for renderers that have materials of their own.
+/// Kinds of surfaces, for renderers that have materials of their own.
 enum class SceneKind
 {
   Automatic, ///< told by the data
@@ -34,7 +34,7 @@ enum class SceneKind
 inline constexpr const char* SceneKindNames[] = { "automatic", "bark", "leaf", "grass", "blade", "ground", "water",
   "particle", "sky", "plain" };
 
-/// A file in memory.
+/// Image as a file in memory.
 struct ScenePicture
 {
   std::vector<unsigned char> Png;
@@ -44,11 +44,11 @@ struct SceneMaterial
 {
   std::string Name;
   SceneKind Kind = SceneKind::Plain;
-  int Picture = -1;     ///< whose alpha below 1/2 is a hole; -1: none
-  bool Blended = false; ///< colors have an opacity
+  int Picture = -1;     ///< index of the base color image, a mask where its alpha is below 1/2; -1: none
+  bool Blended = false; ///< alpha mode BLEND: colors have an opacity
 };
 
-/// Vertices, one tuple a vertex in each array that is not empty, and what is drawn of them.
+/// Attributes of vertices, one tuple a vertex in each array that is not empty, and the indices of the primitives.
 struct SceneMesh
 {
   std::string Name;
@@ -66,36 +66,36 @@ struct SceneMesh
   std::vector<std::uint16_t> JointIds; ///< four of the skin's joints
   std::vector<float> JointWeights;     ///< four, with the sum 1
 
-  /// Where the vertices go: differences of positions [m] and normals.
+  /// Morph target: differences of positions [m] and normals.
   struct Target
   {
     std::vector<float> Positions;
     std::vector<float> Normals;
   };
   std::vector<Target> Targets;
-  std::vector<SceneMesh> More; ///< parts with vertices and materials of their own
+  std::vector<SceneMesh> More; ///< further primitives, with vertices and materials of their own
 
   std::size_t GetNumberOfVertices() const { return this->Positions.size() / 3; }
 };
 
-/// Joints that move a mesh.
+/// Skin: joints that move a mesh.
 struct SceneSkin
 {
   std::vector<int> Joints; ///< nodes
-  int Binding = -1;
+  int Binding = -1;        ///< index of the inverse bind matrices
 };
 
-/// Positions of joints at rest, where they are not rotated, in the space of the mesh [m].
+/// Bind pose: positions of joints at rest, without rotations, in the space of the mesh [m].
 struct SceneBinding
 {
   std::vector<float> Rests;
 };
 
-/// How a node moves; what is empty does not move.
+/// Animation of a node; empty channels do not move.
 struct SceneTrack
 {
   int Node = -1;
-  int Stride = 1; ///< times of the scene from a sample to the next one; the last time has one in any case
+  int Stride = 1; ///< keyframes: every so many times of the scene, and the last one
   bool IsSmooth =
     false; ///< cubic curves: three entries a sample, the slope [1/s] before it, its value, the slope after
   std::vector<std::int16_t> Rotations; ///< quaternions x, y, z, w times 32767
@@ -103,7 +103,7 @@ struct SceneTrack
   std::vector<float> Weights;          ///< one for each target of the mesh
 };
 
-/// Places of a mesh, one tuple an instance.
+/// Instances of a mesh (EXT_mesh_gpu_instancing), one tuple each.
 struct SceneInstances
 {
   std::vector<float> Translations; ///< [m]
@@ -120,11 +120,11 @@ struct SceneNode
   std::array<double, 3> Scale{ { 1.0, 1.0, 1.0 } };
   int Mesh = -1;
   int Skin = -1;
-  int Instances = -1;    ///< places of the mesh; -1: one, at the node
-  bool IsTinted = false; ///< whether the tints of the instances hold
+  int Instances = -1;    ///< index of the instances; -1: one, at the node
+  bool IsTinted = false; ///< whether the tints of the instances apply
   std::optional<std::array<double, 3>> Tint;
   std::vector<int> Children;
-  std::vector<int> CoarserLevels; ///< nodes that stand for this one from afar, and are no children
+  std::vector<int> CoarserLevels; ///< nodes of coarser levels of detail (MSFT_lod), which are no children
 };
 
 struct SceneCamera
@@ -150,15 +150,15 @@ struct Scene
   std::vector<SceneMesh> Meshes;
   std::vector<SceneInstances> Instances;
   std::vector<SceneNode> Nodes;
-  std::vector<int> Sources; ///< nodes below the root
-  std::vector<int> Skinned; ///< nodes beside the root: meshes with a skin, whose place is that of their joints
+  std::vector<int> Sources; ///< nodes of the sources, below the root
+  std::vector<int> Skinned; ///< nodes of skinned meshes, beside the root, placed by their joints
   std::vector<SceneBinding> Bindings;
   std::vector<SceneSkin> Skins;
   std::vector<float> Times; ///< [s]
   std::vector<SceneTrack> Tracks;
   std::optional<SceneCamera> Camera;
   std::optional<SceneSun> Sun;
-  std::string Extras; ///< an object as JSON, or nothing
+  std::string Extras; ///< a JSON object, or empty
 };
 
 }

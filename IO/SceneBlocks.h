@@ -3,7 +3,7 @@
 #ifndef LittoralSceneBlocks_h
 #define LittoralSceneBlocks_h
 
-// What the blocks of a source are. Private: never installed.
+// Kinds of the blocks of a source. Private: never installed.
 
 #include "Scene.h"
 
@@ -22,7 +22,7 @@ class vtkPolyData;
 namespace littoral
 {
 
-/// A block with the name that it has; "Block 2" for the third one where it has none.
+/// Block with its name; "Block 2" for the third one without a name.
 struct NamedBlock
 {
   std::string Name;
@@ -39,13 +39,13 @@ std::vector<NamedBlock> NamedBlocks(vtkMultiBlockDataSet* blocks);
 /// Whether blocks are levels of plants, as vtkPlantSource and those that work on plants put them out.
 bool ArePlants(vtkMultiBlockDataSet* blocks);
 
-/// Whether plants are one, with each level in the place of the others; false for a scattered forest.
+/// Whether blocks are the levels of a single plant; false for a scattered forest.
 bool AreLevelsOfOne(vtkMultiBlockDataSet* plants);
 
 /// Whether plants tell segments of seaweeds.
 bool AreSeaweeds(vtkMultiBlockDataSet* plants);
 
-/// What a block is made of, as its arrays tell; a block of plants by its name.
+/// Kind of surface of a block by its arrays; of a block of plants by its name.
 SceneKind KindOf(vtkPolyData* block, const std::string& name, bool isOfPlant, bool isOfSeaweed);
 
 /// Throws InvalidInput if points are no joints of moving plants.
@@ -54,10 +54,10 @@ void RequireJoints(vtkPolyData* joints, const std::string& owner);
 /// Throws InvalidInput if the blocks of moving plants do not follow their joints.
 void RequireMotion(vtkMultiBlockDataSet* plants, const std::string& owner);
 
-/// The block of points that places prototypes, see vtkPlantScatterFilter; null if there is none.
+/// Block of the instances of prototypes, see vtkPlantScatterFilter; null if there is none.
 vtkPolyData* InstancesOf(vtkMultiBlockDataSet* blocks);
 
-/// The number of a prototype that a block is a part of; -1 if it is none.
+/// Index of the prototype of a block; -1 if it has none.
 int PrototypeOf(vtkPolyData* part);
 
 /// Whether a part of a prototype has the tints of its instances.
@@ -69,7 +69,7 @@ bool IsOfSeaweed(vtkPolyData* part);
 /// Throws InvalidInput if points do not place prototypes.
 void RequireInstances(vtkPolyData* points, const std::string& owner);
 
-/// The places of the instances that are chosen by their prototypes.
+/// Instances of the prototypes that `isChosen` accepts.
 SceneInstances PlacesOf(vtkPolyData* points, const std::function<bool(int prototype)>& isChosen);
 
 }

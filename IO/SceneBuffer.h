@@ -12,8 +12,8 @@
 namespace littoral
 {
 
-/// The one buffer of a model: arrays one after the other, each at a multiple of four bytes. Functions return the index
-/// of the accessor, or of the buffer view.
+/// Buffer of a glTF model: arrays one after the other, each at a multiple of four bytes. Functions return the index of
+/// the accessor, or of the buffer view.
 class SceneBuffer
 {
 public:
@@ -40,7 +40,7 @@ public:
   /// Joints of vertices, four each.
   int AddJoints(const std::vector<std::uint16_t>& joints);
 
-  /// Their weights, four each with the sum 1, in units of 1/65535.
+  /// Weights of the joints of vertices, four each with the sum 1, in units of 1/65535.
   int AddWeights(const std::vector<float>& weights);
 
   /// Samples of rotations, whose parts are in units of 1/32767. Those that follow one another share a view, as do
@@ -48,7 +48,7 @@ public:
   int AddRotations(const std::vector<std::int16_t>& rotations);
   int AddSamples(const std::vector<float>& numbers, int components);
 
-  /// Translations by the negative of places, as matrices.
+  /// Inverse bind matrices: translations by the negative of places.
   int AddInverses(const std::vector<float>& places);
 
   /// Indices of so many vertices, in 16 bits where these are enough.

@@ -43,8 +43,8 @@ Value NumbersOf(const std::array<double, 3>& numbers)
   return Value(Value::Array{ Value(numbers[0]), Value(numbers[1]), Value(numbers[2]) });
 }
 
-/// From 2.9 on the library has members of its own for lights and levels, and removes the extensions of nodes where
-/// these are empty.
+/// Members of the library for lights and levels from 2.9 on, which removes the extensions of nodes where these are
+/// empty.
 template <typename Node>
 auto SetLight(Node& node, int light) -> decltype(node.light, void())
 {
@@ -87,7 +87,7 @@ Value ObjectOf(const std::string& json)
   return model.extras;
 }
 
-/// A scene on its way into a file.
+/// Model of the library for a scene.
 class ModelMaker
 {
 public:

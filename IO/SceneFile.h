@@ -12,10 +12,10 @@
 namespace littoral
 {
 
-/// A GLB file tells its length in 32 bits [bytes].
+/// Largest GLB file, whose length has 32 bits [bytes].
 inline constexpr double MaximumSceneFile = 4294967295.0;
 
-/// Told the share that is done, 0 to 1; says whether to go on.
+/// Callback with the part that is done, 0 to 1; returns whether to go on.
 using SceneProgress = std::function<bool(double)>;
 
 /// Throws InvalidInput if a text is no object of JSON.

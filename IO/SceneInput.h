@@ -3,7 +3,7 @@
 #ifndef LittoralSceneInput_h
 #define LittoralSceneInput_h
 
-// Data of VTK as a scene. Private: never installed.
+// Sources and options of a scene. Private: never installed.
 
 #include "Scene.h"
 
@@ -15,7 +15,7 @@ class vtkDataObject;
 namespace littoral
 {
 
-/// Data with the name that they have in the scene.
+/// Source of a scene: data with their name.
 struct SceneSource
 {
   std::string Name;
@@ -23,16 +23,18 @@ struct SceneSource
   vtkDataObject* Data = nullptr;
 };
 
+/// Forms of instances.
 enum class SceneInstanceForm
 {
-  GpuInstancing, ///< a node for all places of a mesh
-  Nodes          ///< a node for each
+  GpuInstancing, ///< a node for all instances of a mesh
+  Nodes          ///< a node for each instance
 };
 
+/// Levels of detail that are written.
 enum class SceneLevelForm
 {
   Switched, ///< all levels, as coarser ones of a node
-  AsShown,  ///< instances at the level that they have, single plants in full
+  AsShown,  ///< instances at the level that they have in the input, single plants at High
   High,
   Medium,
   Low
@@ -44,7 +46,7 @@ struct SceneOptions
   SceneLevelForm Levels = SceneLevelForm::Switched;
   bool HasVelocity = false;
   bool HasMotion = false;
-  double JointTolerance = 0.0; ///< [m]
+  double JointTolerance = 0.0; ///< largest error of skins [m]
 };
 
 /// Throws InvalidInput if a scene with a name and sources cannot be written. Nothing is copied yet.

@@ -87,7 +87,7 @@ Vector3 ToPlant(const PlantPlace& plant, const Vector3& place)
   return (glm::conjugate(TurnOf(plant.Azimuth)) * (place - plant.Foot)) / plant.Scale;
 }
 
-/// What a mesh has of some vertices; triangles, lines and points whose first vertex is among them.
+/// Part of a mesh with some vertices; triangles, lines and points whose first vertex is among them.
 SceneMesh Subset(const SceneMesh& mesh, const std::vector<std::uint32_t>& vertices)
 {
   SceneMesh part;
@@ -125,7 +125,7 @@ SceneMesh Subset(const SceneMesh& mesh, const std::vector<std::uint32_t>& vertic
   return part;
 }
 
-/// What vertices of a part follow.
+/// Joints and weights of the vertices of a part.
 struct Holds
 {
   explicit Holds(vtkPolyData* data)
@@ -477,7 +477,7 @@ JointTree MovingPlants::TreeOf(const Plant& plant)
 }
 
 //----------------------------------------------------------------------------
-/// How the colors of a plant differ from those of another one: by those of the last part, leaves or crown.
+/// Factor of the colors of a plant over those of another one: by the colors of the last part, leaves or crown.
 std::optional<std::array<double, 3>> MovingPlants::TintOf(const Plant& plant, const Plant& other) const
 {
   std::size_t part = this->Parts.size();

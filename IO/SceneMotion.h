@@ -3,7 +3,7 @@
 #ifndef LittoralSceneMotion_h
 #define LittoralSceneMotion_h
 
-// Things of a scene that move: surfaces by targets, plants by joints. Private: never installed.
+// Animations of a scene: surfaces by morph targets, plants by joints. Private: never installed.
 
 #include "Data/PlantTable.h"
 #include "Plants/JointReduction.h"
@@ -23,14 +23,14 @@ class vtkPolyData;
 namespace littoral
 {
 
-/// Where data are: the index of the source, and those of blocks within it.
+/// Place of data in the input: the index of the source, and those of blocks within it.
 struct SceneAddress
 {
   std::size_t Source = 0;
   std::vector<unsigned int> Blocks;
 };
 
-/// A surface whose points move; its cells stay.
+/// Surface whose points move, as a mesh with morph targets; its cells stay.
 class MovingSurface
 {
 public:
@@ -46,7 +46,7 @@ public:
   /// Notes the points at a time [s]. Why that failed, in words for a user.
   void Follow(const std::vector<SceneSource>& sources, double time);
 
-  /// Gives the mesh its targets and the node its weights, if anything has moved.
+  /// Adds morph targets to the mesh and weights to the node, if any point has moved.
   void Finish(Scene& scene);
 
 private:
@@ -58,11 +58,11 @@ private:
   std::vector<SceneMesh::Target> Frames; ///< positions and normals
 };
 
-/// Plants that tell their joints.
+/// Plants with joints, as skinned meshes.
 class MovingPlants
 {
 public:
-  /// The node has the plants below it.
+  /// Plants below a node.
   MovingPlants(SceneAddress address, std::string name, int node, vtkMultiBlockDataSet* plants);
 
   /// A block at the first time, with its mesh.

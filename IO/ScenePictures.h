@@ -10,7 +10,7 @@ class vtkPolyData;
 namespace littoral
 {
 
-/// The picture that good data carry, as PNG.
+/// Texture of valid data, as PNG.
 ScenePicture PictureOf(vtkPolyData* data);
 
 }

@@ -35,7 +35,7 @@ int LevelOf(int prototype)
   return (prototype - 1) % Levels;
 }
 
-/// Which prototype an instance is drawn as at a level of its species; whether it is drawn at that level at all.
+/// Whether an instance whose own level is given is drawn at a level.
 bool IsDrawn(int own, int level, SceneLevelForm form)
 {
   return SpeciesOf(own) == SpeciesOf(level) && (form != SceneLevelForm::AsShown || own == level);

@@ -21,7 +21,7 @@ class vtkPolyData;
 namespace littoral
 {
 
-/// Reads good sources into a scene, and follows those that move.
+/// Reader of valid sources into a scene, with the samples of those that move.
 class SceneReader
 {
 public:
@@ -37,11 +37,11 @@ public:
   /// Notes where things are at a time [s] since the first one. Why that failed, in words for a user.
   void Follow(const std::vector<SceneSource>& sources, double time);
 
-  /// Ends the motion that was followed.
+  /// Adds the animations to the scene.
   void Finish();
 
 private:
-  /// What a block inherits from those around it.
+  /// Properties that a block inherits from those around it.
   struct Surroundings
   {
     SceneKind Kind = SceneKind::Automatic; ///< as the caller says

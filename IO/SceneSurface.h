@@ -26,21 +26,21 @@ void RequireSurface(vtkPolyData* data, const std::string& owner);
 /// Throws InvalidInput if an image is no terrain, one layer of elevations.
 void RequireTerrain(vtkImageData* image, const std::string& owner);
 
-/// A good terrain as polygonal data: a point for each sample, with normals and, where the image has none, colors of the
-/// ground.
+/// Polygonal data of a valid terrain: a point for each sample, with normals and, where the image has none, colors of
+/// the ground.
 vtkSmartPointer<vtkPolyData> TerrainOf(vtkImageData* image);
 
-/// What the mesh of a terrain will take in a file [bytes].
+/// Size of the mesh of a terrain in a file [bytes].
 double TerrainBytes(vtkImageData* image);
 
-/// What the mesh of good data will take in a file [bytes].
+/// Size of the mesh of valid data in a file [bytes].
 double MeshBytes(vtkPolyData* data, bool hasVelocity);
 
-/// The mesh of good data, without name and material. Its place is that of the node: data in double precision may be far
-/// from the origin.
+/// Mesh of valid data, without name and material, relative to the place of its node: data in double precision may be
+/// far from the origin.
 SceneMesh MeshOf(vtkPolyData* data, bool hasVelocity, std::array<double, 3>& place);
 
-/// Where the vertices of such a mesh are, and their normals.
+/// Positions and normals of the vertices of such a mesh.
 SceneMesh::Target PlacesAt(vtkPolyData* data, const std::array<double, 3>& place);
 
 /// The point array of colors, bytes of three or four components; null where there is none.

@@ -25,7 +25,7 @@ struct VolumeLattice
   bool operator==(const VolumeLattice& other) const { return this->Origin == other.Origin && this->Step == other.Step; }
 };
 
-/// How vectors change with the space that they live in.
+/// Transformation of vectors with the space that they live in.
 enum class VolumeVectors
 {
   Relative, ///< as velocities and displacements do

@@ -149,7 +149,7 @@ VolumeVectors VectorsOf(vtkDataSetAttributes* arrays, int index)
   }
 }
 
-/// Where the samples of one association of an image are, without their values.
+/// Samples of one association of an image, without their values.
 struct SampleSet
 {
   VolumeLattice Lattice;

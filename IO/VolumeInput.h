@@ -15,7 +15,7 @@ class vtkDataObject;
 namespace littoral
 {
 
-/// What this rank's part of the input holds.
+/// Part of the input that this rank holds.
 struct VolumeInput
 {
   std::vector<Volume> Volumes;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGLTFSceneWriter
- * @brief   write landscapes as a scene of glTF 2.0 (.glb)
+ * @brief   write landscapes as a glTF 2.0 scene (.glb)
  *
  * Inputs: any number of sources at port 0, each a vtkPolyData, a vtkImageData that is a terrain (one layer with the
  * point array `Elevation` [m] or else active scalars), or blocks of them (vtkMultiBlockDataSet, or
@@ -150,7 +150,7 @@ public:
 
   ///@{
   /**
-   * Velocities of vertices, from the point array `Velocity` [m/s], as attribute `_VELOCITY`; default off.
+   * Writing of the point array `Velocity` [m/s] as the attribute `_VELOCITY` of vertices; default off.
    */
   vtkSetMacro(WriteVelocity, bool);
   vtkGetMacro(WriteVelocity, bool);
@@ -159,7 +159,7 @@ public:
 
   ///@{
   /**
-   * A perspective camera in the scene, with the position, focal point, direction up and angle below; default off.
+   * Writing of a perspective camera, with the position, focal point, view up and view angle below; default off.
    */
   vtkSetMacro(WriteCamera, bool);
   vtkGetMacro(WriteCamera, bool);
@@ -200,7 +200,7 @@ public:
 
   ///@{
   /**
-   * Sunlight in the scene, by the extension KHR_lights_punctual; default off.
+   * Writing of the sun as a directional light, by the extension KHR_lights_punctual; default off.
    */
   vtkSetMacro(WriteSun, bool);
   vtkGetMacro(WriteSun, bool);
@@ -233,8 +233,8 @@ public:
 
   ///@{
   /**
-   * Extras of the scene, an object as JSON: what renderers need to know of water, fog, volumes and sky; default ``,
-   * none. Empty objects and lists in it are left out.
+   * Extras of the scene, a JSON object: properties of water, fog, volumes and sky for renderers; default ``, none.
+   * Empty objects and lists in it are left out.
    */
   vtkSetMacro(Extras, std::string);
   vtkGetMacro(Extras, std::string);
@@ -242,11 +242,10 @@ public:
 
   ///@{
   /**
-   * Motion in the scene: the sources at times from StartTime to EndTime, FramesPerSecond a second, as samples of an
-   * animation that begins at 0 s; default off, the sources as they are. Plants with the block `Joints` (see
-   * vtkBeamTreeDeformationFilter::SetGenerateJoints()) move by joints, without the flutter of leaves; other surfaces
-   * whose points move do so by morph targets. Colors and levels of detail stay as they are at StartTime, and so does
-   * what else changes.
+   * Writing of an animation: keyframes of the sources from StartTime to EndTime, FramesPerSecond a second, on a time
+   * line that begins at 0 s; default off, the sources as they are. Plants with the block `Joints` (see
+   * vtkBeamTreeDeformationFilter::SetGenerateJoints()) are skinned meshes, without the flutter of leaves; other
+   * surfaces whose points move have morph targets. Colors, levels of detail and all else stay as they are at StartTime.
    */
   vtkSetMacro(WriteMotion, bool);
   vtkGetMacro(WriteMotion, bool);
@@ -255,7 +254,7 @@ public:
 
   ///@{
   /**
-   * First time of the motion [s], any finite number; default 0.
+   * Start of the animation [s], any finite number; default 0.
    */
   vtkSetMacro(StartTime, double);
   vtkGetMacro(StartTime, double);
@@ -263,7 +262,7 @@ public:
 
   ///@{
   /**
-   * End of the motion [s], above StartTime; default 5. The last sample is the last one that is not later.
+   * End of the animation [s], above StartTime; default 5. The last keyframe is the last one that is not later.
    */
   vtkSetMacro(EndTime, double);
   vtkGetMacro(EndTime, double);
@@ -271,7 +270,7 @@ public:
 
   ///@{
   /**
-   * Samples of the motion a second, 0.01 to 1000; default 24.
+   * Keyframes of the animation a second, 0.01 to 1000; default 24.
    */
   vtkSetMacro(FramesPerSecond, double);
   vtkGetMacro(FramesPerSecond, double);
@@ -279,8 +278,8 @@ public:
 
   ///@{
   /**
-   * Distance by which skins may be off in any sample [m], 0 to 10; default 0.001. A larger one needs fewer joints: a
-   * joint is left out where another one moves its part of the skin as well as that. 0 keeps all joints.
+   * Largest error of skins in any keyframe [m], 0 to 10; default 0.001. A larger one needs fewer joints: a joint is
+   * left out where another one moves its part of the skin within it. 0 keeps all joints.
    */
   vtkSetMacro(JointTolerance, double);
   vtkGetMacro(JointTolerance, double);

@@ -44,7 +44,7 @@ constexpr int FitPort = 0;
 constexpr int IntensityPort = 1;
 constexpr int WindowPort = 2;
 constexpr int MostSpecies = 100;
-/// Of a point while it is made and as output [bytes].
+/// Memory of a point while it is made and as output [bytes].
 constexpr double BytesOfPoint = 140.0;
 
 using littoral::ProcessPattern;

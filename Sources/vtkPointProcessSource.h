@@ -8,13 +8,13 @@
  * for more than one species, and `Mark` if Marks is on. The processes (Illian et al. 2008) have structure at all
  * distances, in contrast to the laws of vtkQuadratPointSource:
  *
- * - Poisson: random points;
- * - Thomas: clusters of Poisson size, ClusterSize on the average, normal about random parents, of deviation
+ * - Poisson: complete spatial randomness;
+ * - Thomas: clusters of Poisson size of the mean ClusterSize, normal about Poisson parents with the standard deviation
  *   ClusterScale; K(r) = pi r^2 + (1 - exp(-r^2 / 4 ClusterScale^2)) ClusterSize / Intensity;
  * - MaternCluster: the same, uniform on discs of radius ClusterScale;
- * - LogGaussianCox: random points of the intensity exp(Z), where Z is a Gaussian field by turning bands with the
- *   covariance Variance exp(-r / Range); g(r) = exp(Variance exp(-r / Range));
- * - MaternII: random points, of which each falls that has an older one nearer than Distance;
+ * - LogGaussianCox: Poisson points of the intensity exp(Z), with a Gaussian field Z by turning bands of the covariance
+ *   Variance exp(-r / Range); g(r) = exp(Variance exp(-r / Range));
+ * - MaternII: Poisson points, of which each is deleted that has an older one nearer than Distance;
  * - Strauss: density proportional to Activity^n Interaction^s for n points of which s pairs are nearer than Distance;
  * - SoftCore: density proportional to exp(-sum over pairs of (Distance / r)^(2 / Softness)), of a given number of
  * points on a torus, the bounding box and twice Distance on each side.
@@ -28,8 +28,8 @@
  *   no points. The array is IntensityArray. It replaces the trend of the table.
  * - Window (port 2): vtkPolyData with one polygon, which replaces Origin and Size.
  *
- * Field data: `IsExact`, 0 where a Strauss pattern is that of a birth-death process after 32 lifetimes, since no end of
- * the exact simulation was seen by then, and of a SoftCore pattern, whose points were moved 20 to 200 times; else 1.
+ * Field data: `IsExact`, 0 for a Strauss pattern of a birth-death process after a burn-in of 32 lifetimes, where perfect
+ * simulation takes too long, and for a SoftCore pattern, after 20 to 200 Metropolis sweeps; else 1.
  *
  * A piece holds a part of the points; all pieces together hold the same points for any number of pieces. A parameter
  * out of range, an intensity that is negative or 0 everywhere, and more points than fit into memory are reported as one
@@ -128,7 +128,7 @@ public:
 
   ///@{
   /**
-   * Mean number of points on 1 m2, positive; default 0.01. A MaternII process has less than 1 / (pi Distance^2), a
+   * Intensity, the mean number of points on 1 m2, positive; default 0.01. A MaternII process has less than 1 / (pi Distance^2), a
    * SoftCore process at most 2 / Distance^2. Not used by Strauss.
    */
   vtkSetMacro(Intensity, double);
@@ -180,7 +180,7 @@ public:
 
   ///@{
   /**
-   * Intensity that a Strauss process would have without interaction [1/m2], positive; default 0.02.
+   * Activity beta of a Strauss process, its intensity without interaction [1/m2], positive; default 0.02.
    */
   vtkSetMacro(Activity, double);
   vtkGetMacro(Activity, double);
@@ -188,8 +188,8 @@ public:
 
   ///@{
   /**
-   * Factor of a Strauss process for each pair of points nearer than Distance, 0 (there is none) to 1 (random); default
-   * 0.1.
+   * Interaction gamma of a Strauss process, the factor of its density for each pair of points nearer than Distance, 0
+   * (hard core) to 1 (Poisson); default 0.1.
    */
   vtkSetMacro(Interaction, double);
   vtkGetMacro(Interaction, double);
@@ -197,8 +197,8 @@ public:
 
   ///@{
   /**
-   * Softness of SoftCore, whose pairs have the potential (Distance / r)^(2 / Softness): 0.05, almost none nearer than
-   * Distance, to 0.8, an interaction that reaches far; default 0.4.
+   * Softness kappa of SoftCore, whose pairs have the potential (Distance / r)^(2 / kappa): 0.05, almost a hard core, to
+   * 0.8, an interaction of long range; default 0.4.
    */
   vtkSetMacro(Softness, double);
   vtkGetMacro(Softness, double);
@@ -238,8 +238,7 @@ public:
 
   ///@{
   /**
-   * Interaction of Strauss points of different species, 0 (they are never nearer than Distance) to 1 (they take no
-   * notice of each other); default 1.
+   * Interaction gamma_12 of Strauss points of different species, 0 (hard core) to 1 (none); default 1.
    */
   vtkSetMacro(CrossInteraction, double);
   vtkGetMacro(CrossInteraction, double);
@@ -247,7 +246,7 @@ public:
 
   ///@{
   /**
-   * Whether points have a log-normal mark, as a diameter; default off.
+   * Log-normal marks, as diameters; default off.
    */
   vtkSetMacro(Marks, bool);
   vtkGetMacro(Marks, bool);
@@ -264,7 +263,7 @@ public:
 
   ///@{
   /**
-   * Standard deviation of the marks over their mean, 0 to 3; default 0.3.
+   * Coefficient of variation of the marks, 0 to 3; default 0.3.
    */
   vtkSetMacro(MarkVariation, double);
   vtkGetMacro(MarkVariation, double);
@@ -272,7 +271,7 @@ public:
 
   ///@{
   /**
-   * Part of the variance of the logarithm of the marks that the points of a cluster share, 0 to 1; default 0.
+   * Correlation of the log-marks of two points of a cluster, 0 to 1; default 0.
    */
   vtkSetMacro(MarkClusterCorrelation, double);
   vtkGetMacro(MarkClusterCorrelation, double);

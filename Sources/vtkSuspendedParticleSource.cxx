@@ -201,7 +201,7 @@ private:
 
 }
 
-/// What the user's boxes are.
+/// Boxes of the user.
 class vtkSuspendedParticleSource::vtkInternals
 {
 public:

@@ -118,7 +118,7 @@ public:
 
   ///@{
   /**
-   * Shortest wavelength of a band-limited field [m], not negative; default 0, no limit. Without a limit the points
+   * Minimum wavelength of a band-limited field [m], not negative; default 0, no limit. Without a limit the points
    * sample a surface with detail at all scales, and waves shorter than about six spacings are simulated as a moving
    * average of noise at the points instead of lines.
    */

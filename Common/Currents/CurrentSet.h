@@ -42,7 +42,7 @@ public:
   /// Whether no snapshot is missing for some moments.
   bool AreKnown(const TimeGrid& grid, const std::vector<StepMoment>& moments) const;
 
-  /// Their sum at moments for which no snapshot is missing. It refers to the snapshots of this set.
+  /// Sum of the series at moments for which no snapshot is missing. It refers to the snapshots of this set.
   StepCurrents At(const TimeGrid& grid, const std::vector<StepMoment>& moments) const;
 };
 

@@ -13,7 +13,7 @@
 namespace littoral
 {
 
-/// What becomes of a point in a current.
+/// Fate of a point in a current.
 enum class DriftFate : unsigned char
 {
   Free = 0,

@@ -87,7 +87,7 @@ struct FlowField::Row
   void (FlowField::*AddEndless)(const Local&, const WaterLayer&);
 };
 
-/// In the order of the enumeration.
+/// Rows in the order of the enumeration.
 const FlowField::Row FlowField::Rows[NumberOfFlowTypes] = {
   // name, unit of strength, axis, core, point, captures, solenoidal; divisor, whole water, images
   { { "Uniform", "m/s", true, false, false, false, true }, 1.0, true, IsLevelUniform, nullptr, MirrorUniform, nullptr },

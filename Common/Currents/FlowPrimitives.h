@@ -25,7 +25,8 @@ enum class FlowType
 
 inline constexpr int NumberOfFlowTypes = 4;
 
-/// What sets a type of flow apart for its users. A new type is an enumerator, a row of FlowField and its velocity.
+/// Name and parameters of a type of flow, for its users. A new type is an enumerator, a row of FlowField and its
+/// velocity.
 struct FlowTraits
 {
   const char* Name;         ///< as in the enumeration
@@ -124,9 +125,10 @@ private:
 
     /// The flow at a place, of an arm from the center, with a factor in place of Factor.
     Vector3 Flow(const Vector3& arm, double squaredArm, double factor) const;
-    /// What the part of the axis has of the flow of all of it, at the squared distance q2 from the axis and s along it.
+    /// Flow of this segment of the axis over that of the whole axis, at the squared distance q2 from the axis and s
+    /// along it.
     double PartShare(double q2, double s) const;
-    /// What is left of the flow at a place, 0 to 1.
+    /// Attenuation of the flow at a place, 0 to 1.
     double Share(const Vector3& place, double squaredArm) const;
   };
   /// The far images of a source between two walls: an even vertical line, less the part where images are summed.

@@ -21,7 +21,7 @@ LITTORAL_INLINE SimdDouble4 Lanes(const Source* const sources[LaneCount], const 
   return { number(*sources[0]), number(*sources[1]), number(*sources[2]), number(*sources[3]) };
 }
 
-/// How far a place is beyond the ends of the boxes along an axis; 0 within.
+/// Distance of a place beyond the ends of the boxes along an axis; 0 within.
 LITTORAL_INLINE SimdDouble4 Beyond(const Source* const sources[LaneCount], int axis, const SimdDouble4& place)
 {
   const SimdDouble4 below = Lanes(sources, [axis](const Source& one) { return one.Whole.Low[axis]; }) - place;
@@ -55,8 +55,8 @@ LITTORAL_SIMD_CLONES void AddFlowOf(
     const SimdDouble4 armX = x - Lanes(sources, [](const Source& one) { return one.Center.x; });
     const SimdDouble4 armY = y - Lanes(sources, [](const Source& one) { return one.Center.y; });
     const SimdDouble4 armZ = z - Lanes(sources, [](const Source& one) { return one.Center.z; });
-    const SimdDouble4 softened = armX * armX + armY * armY + armZ * armZ +
-      Lanes(sources, [](const Source& one) { return one.CoreSquared; });
+    const SimdDouble4 softened =
+      armX * armX + armY * armY + armZ * armZ + Lanes(sources, [](const Source& one) { return one.CoreSquared; });
     const SimdDouble4 factor = share * Lanes(sources, [](const Source& one) { return one.Factor; });
     const SimdDouble4 over = factor / (softened * Sqrt(softened));
     const SimdDouble4 flow[3] = { over * armX, over * armY, over * armZ };

@@ -21,7 +21,7 @@ class SplineAxis
 public:
   static constexpr int MaximumWeights = 4;
 
-  /// Which coefficients make up a value, from First on, and by how much.
+  /// Coefficients that make up a value, from First on, and their weights.
   struct Weights
   {
     int First = 0;
@@ -29,7 +29,7 @@ public:
   };
 
   SplineAxis() = default;
-  /// Where the samples are; strictly rising or falling.
+  /// Axis with samples at these places, strictly rising or falling.
   explicit SplineAxis(const std::vector<double>& nodes);
 
   static bool IsMonotone(const std::vector<double>& nodes);

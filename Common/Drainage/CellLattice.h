@@ -13,11 +13,11 @@
 namespace littoral
 {
 
-/// A cell of a grid, counted along x first.
+/// Index of a cell of a grid, x fastest.
 using CellIndex = std::int32_t;
 
-/// The cells around each value of a grid and their eight neighbours. Directions 0 to 7 run counter-clockwise in steps
-/// of 45 degrees, 0 along x.
+/// Cells of a grid, one around each height, and their eight neighbours. Directions 0 to 7 run counter-clockwise in
+/// steps of 45 degrees, 0 along x.
 class CellLattice
 {
 public:
@@ -44,11 +44,11 @@ public:
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
   CellIndex Count() const { return static_cast<CellIndex>(static_cast<std::int64_t>(this->Width) * this->Height); }
-  /// Of one cell [m^2].
+  /// Area of a cell [m^2].
   double CellArea() const { return this->Area; }
-  /// To the neighbour in a direction [m].
+  /// Distance to the neighbour in a direction [m].
   double Distance(int direction) const { return this->Distances[direction]; }
-  /// What leads to the neighbour's index.
+  /// Difference of the neighbour's index and the cell's.
   CellIndex Offset(int direction) const { return this->Offsets[direction]; }
 
   /// Calls visit(neighbour, direction) for the neighbours within the grid, by direction.

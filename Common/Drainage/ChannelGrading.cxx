@@ -32,7 +32,7 @@ std::vector<double> GradeAlong(const GridSamples& heights, const FlowRouting& ro
       falls[n] = direction < 0 ? 0.0 : slope * lattice.Distance(direction);
     }
   });
-  // z_r = min(z_r, z - fall), from the divides down
+  // z_r = min(z_r, z - S d), from the divides downstream
   std::vector<double> lowered = heights.Values;
   for (std::size_t n = routing.Order.size(); n-- > 0;)
   {
@@ -43,7 +43,7 @@ std::vector<double> GradeAlong(const GridSamples& heights, const FlowRouting& ro
       lowered[receiver] = std::min(lowered[receiver], lowered[cell] - falls[cell]);
     }
   }
-  // z = max(z, z_r + fall), from the outlets up
+  // z = max(z, z_r + S d), from the outlets upstream
   std::vector<double> graded = heights.Values;
   for (const CellIndex cell : routing.Order)
   {

@@ -13,14 +13,14 @@
 namespace littoral
 {
 
-/// The least slope along the ways of water, the steady state of stream power: S = k_s (A / ReferenceCells)^-Concavity,
-/// and that times MaximumCells / A above MaximumCells.
+/// Minimum slope along flow paths, the steady state of the stream power law: S = k_s (A / ReferenceCells)^-Concavity,
+/// and that times MaximumCells / A above MaximumCells. A is the drainage area.
 struct ChannelLaw
 {
-  double Steepness = 0.01;                                    ///< k_s, the slope at the reference area [m/m]
-  double ReferenceCells = 100.0;                              ///< drainage area [cells]
-  double Concavity = 0.45;                                    ///< m/n
-  double ChannelThreshold = 50.0;                                 ///< drainage area of the smallest channel [cells]
+  double Steepness = 0.01;        ///< steepness index k_s, the slope at the reference area [m/m]
+  double ReferenceCells = 100.0;  ///< reference drainage area [cells]
+  double Concavity = 0.45;        ///< concavity index m/n
+  double ChannelThreshold = 50.0; ///< drainage area of the smallest channel [cells]
   double MaximumCells = std::numeric_limits<double>::infinity(); ///< drainage area up to which the law is known [cells]
   double HillslopeFraction = 0.1; ///< part of the law's slope at ChannelThreshold that holds on hillslopes
 
@@ -28,10 +28,12 @@ struct ChannelLaw
 };
 
 /**
- * Ground on which no slope along given ways is below the law: the part `cut` of the way from the ground that is filled
- * for it (each cell raised to its receiver's height and the fall from it, from the outlets up) to the ground that is
- * cut for it (each receiver lowered, from the divides down). Both, and so all between them, drain everywhere along the
- * ways.
+ * Heights graded along the flow paths so that no slope is below the law, (1 - cut) z_fill + cut z_cut:
+ *
+ *   z_fill = max(z, z_r + S d) from the outlets upstream,  z_cut: z_r = min(z_r, z - S d) from the divides downstream,
+ *
+ * with the height z_r of the receiver at the distance d. Both, and so all between them, drain everywhere along the
+ * flow paths.
  */
 std::vector<double> GradeAlong(const GridSamples& heights, const FlowRouting& routing,
   const std::vector<CellIndex>& accumulation, const ChannelLaw& law, double cut,

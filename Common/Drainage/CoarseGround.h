@@ -10,14 +10,15 @@
 namespace littoral
 {
 
-/// The same ground on half as many cells along each side, of its long waves alone: plane and cosine transform, of which
-/// the coefficients that the coarse grid has are kept.
+/// Terrain on half as many cells along each axis, low-pass filtered: its plane, and the coefficients of its cosine
+/// transform that the coarse grid has.
 GridSamples CoarseGround(const GridSamples& ground, const ParallelFor& parallel = SerialFor);
 
-/// Gives ground the plane and the long waves of coarse ground that was CoarseGround() of it before it changed.
+/// Replaces the plane and the long waves of a terrain by those of coarse terrain, CoarseGround() of it that was
+/// changed.
 void TakeLongWaves(GridSamples& ground, const GridSamples& coarse, const ParallelFor& parallel = SerialFor);
 
-/// A coarse cell is an outlet where one of the cells that it covers is one.
+/// Outlets of the coarse grid: cells that cover an outlet.
 DrainageOutlets CoarseOutlets(const DrainageOutlets& outlets, const GridSamples& ground);
 
 }

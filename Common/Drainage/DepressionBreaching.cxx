@@ -17,7 +17,7 @@ namespace littoral
 namespace
 {
 
-/// Fall of a channel that ends at an outlet which is not lower: part of the relief for each of its cells.
+/// Fall from cell to cell of a channel that ends at an outlet which is not lower, as part of the relief.
 constexpr double MinimumFall = 1e-7;
 
 /// Cuts channels into the ground.
@@ -34,7 +34,7 @@ public:
     this->Fall = MinimumFall * (*high - *low);
   }
 
-  /// The flood in the order of heights: each cell's way out, pits in the order in which they are reached.
+  /// Priority-flood: the backlink of each cell, pits in the order in which they are reached.
   void Flood(const std::vector<double>& heights)
   {
     this->Pits.clear();
@@ -137,7 +137,7 @@ private:
       [&](CellIndex a, CellIndex b) { return this->Heights[a] < this->Heights[b]; });
   }
 
-  /// The flood with outlets alone.
+  /// Starts the flood at the outlets.
   void BeginFlood(const std::vector<double>& heights)
   {
     const CellIndex count = this->Lattice.Count();
@@ -174,7 +174,7 @@ private:
     return cell;
   }
 
-  /// Floods no more than it takes to know the way out of a pit.
+  /// Continues the flood until it reaches a pit.
   void FloodUntil(CellIndex pit, const std::vector<double>& heights)
   {
     if (this->Backlink.empty())
@@ -187,7 +187,7 @@ private:
     }
   }
 
-  /// A cell at which the channel of a pit can end.
+  /// Whether the channel of a pit can end at a cell.
   bool IsEnd(CellIndex cell, CellIndex pit) const
   {
     return this->Outlets[cell] || this->Heights[cell] < this->Heights[pit];
@@ -206,7 +206,7 @@ private:
     this->Cut(pit);
   }
 
-  /// Cuts the way from a pit to its last cell, whose floor falls evenly.
+  /// Cuts the channel from a pit to the end of its path; the bed falls evenly.
   void Cut(CellIndex pit)
   {
     const double from = this->Heights[pit];
@@ -235,8 +235,8 @@ private:
     }
   }
 
-  /// The end of the way from a pit whose depths of cut, times the distances, sum to the least (Dijkstra 1959); -1 if
-  /// it is not among the first cells.
+  /// End of the path of least cost from a pit (Dijkstra 1959), c = sum of max(z - z_pit, 0) d; -1 if it is not among
+  /// the first cells.
   CellIndex CheapestEnd(CellIndex pit, std::size_t maximumVisits)
   {
     const double bottom = this->Heights[pit];
@@ -281,13 +281,13 @@ private:
   double Fall;
   const double* FloodedHeights = nullptr;
   FloodQueue Rim;                      ///< of the flood
-  std::vector<CellIndex> Backlink;       ///< the flood's way out of each cell that it has reached; -1
+  std::vector<CellIndex> Backlink;     ///< cell from which the flood came; -1: not reached
   std::vector<std::uint8_t> IsFlooded; ///< by the flood
   std::vector<CellIndex> Pits;
-  std::vector<CellIndex> Way;  ///< from the cell after the pit to the end
-  std::vector<double> Cost;    ///< of the way from the pit that saw a cell last
+  std::vector<CellIndex> Way;  ///< path from the cell after the pit to the end
+  std::vector<double> Cost;    ///< of the path from the pit that visited a cell last
   std::vector<CellIndex> Seen; ///< that pit
-  std::vector<CellIndex> From; ///< the cell before on the way
+  std::vector<CellIndex> From; ///< the cell before on the path
   FloodQueue Front;            ///< of the search
   BreachCount Done;
 };

@@ -12,26 +12,26 @@
 namespace littoral
 {
 
-/// The way a channel takes out of a depression.
+/// Path of the channel that breaches a depression.
 enum class BreachPath
 {
-  FloodOrder = 0, ///< over the lowest sill, as the rising flood does: one pass
-  LeastCost = 1,  ///< where the depths of the cut sum to the least
+  FloodOrder = 0, ///< backlinks of the priority-flood, over the spill point: one pass
+  LeastCost = 1,  ///< path of least cost, the sum of cut depths times distances
 };
 
-/// What breaching did.
+/// Result of breaching.
 struct BreachCount
 {
-  std::size_t Pits = 0;    ///< from which channels were cut
-  std::size_t Lowered = 0; ///< cells
-  double Volume = 0.0;     ///< [m^3] of ground that was removed
+  std::size_t Pits = 0;    ///< pits that were breached
+  std::size_t Lowered = 0; ///< cells that were lowered
+  double Volume = 0.0;     ///< excavated volume [m^3]
 };
 
 /**
- * Cuts a channel from the bottom of each depression to the next ground that is lower, or to an outlet, so that every
- * cell has a way downhill (complete breaching, Lindsay 2016). No cell is raised. The floor of a channel falls evenly to
- * the ground where it ends; where that is an outlet that is not lower, the outlet is lowered to just below the pit.
- * LeastCost visits at most `most` cells for a pit, and then takes the way of FloodOrder.
+ * Breaches depressions: cuts a channel from each pit to the next lower cell, or to an outlet, so that every cell has a
+ * path downhill (complete breaching, Lindsay 2016). No cell is raised. The bed of a channel falls evenly to its end;
+ * where that is an outlet that is not lower, the outlet is lowered to just below the pit. LeastCost visits at most
+ * `maximumVisits` cells for a pit, and then takes the path of FloodOrder.
  */
 BreachCount BreachDepressions(GridSamples& heights, const OutletMask& outlets, BreachPath path,
   const Poll& poll = NoPoll, std::size_t maximumVisits = 131072);

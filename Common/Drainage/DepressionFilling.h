@@ -14,19 +14,19 @@
 namespace littoral
 {
 
-/// What a flood that rises from the outlets finds.
+/// Result of a priority-flood from the outlets.
 struct DepressionFlood
 {
-  std::vector<double> SpillElevation;     ///< [m], the lowest height of water that can leave: at least the ground's
-  std::vector<CellIndex> Backlink; ///< the neighbour from which the flood came, nearer to an outlet; outlets: themselves
-  std::size_t DepressionCells = 0;          ///< cells below their level
-  double Volume = 0.0;           ///< [m^3] of all depressions
+  std::vector<double> SpillElevation; ///< lowest elevation from which water can leave, at least the ground's [m]
+  std::vector<CellIndex> Backlink;    ///< neighbour from which the flood came, nearer to an outlet; outlets: themselves
+  std::size_t DepressionCells = 0;    ///< cells below their spill elevation
+  double Volume = 0.0;                ///< volume of all depressions [m^3]
 };
 
 /**
- * Exact levels of filled depressions over eight neighbours (priority-flood, Barnes, Lehman & Mulla 2014). Flats keep
- * one level; Backlink leads out of them by the fewest steps from their rim. Cells of equal height are flooded in the
- * order in which they were reached, so the result is unique.
+ * Spill elevations w over eight neighbours by priority-flood (Barnes, Lehman & Mulla 2014), w = max(z, w of the cell
+ * before). Flats keep one level; Backlink leads out of them by the fewest steps from their rim. Cells of equal height
+ * are flooded in the order in which they were reached, so the result is unique.
  */
 DepressionFlood FloodDepressions(const GridSamples& heights, const OutletMask& outlets, const Poll& poll = NoPoll);
 

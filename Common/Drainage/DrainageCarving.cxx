@@ -24,52 +24,52 @@ namespace littoral
 namespace
 {
 
-/// Part of the target's slope in small channels that is the least slope of the channel law.
+/// Slope of the channel law over the target's in small channels: at the start, and at most.
 constexpr double MinimumSlopeFraction = 0.2;
 constexpr double MaximumSlopeFraction = 0.5;
 
-/// Part of cutting in grading; the rest is filling.
+/// Fraction of cut in grading, against fill: at the start, and at most.
 constexpr double CutFraction = 0.3;
 constexpr double MaximumCutFraction = 0.6;
 
-/// Standard deviation of what grading may change, part of that of the heights; the law's slopes are made so much
-/// flatter where it is more, some times.
+/// Maximum standard deviation of the change by grading over that of the heights; beyond it the slopes of the law are
+/// multiplied by FlatteningFactor, some times.
 constexpr double MaximumChange = 0.4;
 constexpr double FlatteningFactor = 0.7;
 constexpr int MaximumFlattenings = 8;
 
-/// Drainage area to which Incision belongs [cells], and m of the stream power that erodes.
+/// Drainage area to which Incision belongs [cells], and area exponent m of the stream power law.
 constexpr double IncisionCells = 100.0;
 constexpr double ErosionExponent = 0.3;
 
-/// Part of the work at which the rounds begin.
+/// Part of the work at which the iterations begin.
 constexpr double ErosionPart = 0.4;
 
-/// Part of the target's power that a ring has at least, or else more waves are added.
+/// Minimum power of a ring over the target's, below which waves are added.
 constexpr double MinimumPowerFraction = 0.1;
 
-/// Gains of rings in one round.
+/// Gains of rings in one iteration.
 constexpr double MinimumGain = 0.3;
 constexpr double MaximumGain = 3.0;
 
-/// Slope of the plane against the target's.
+/// Slope of the plane over the target's.
 constexpr double MinimumPlaneGain = 0.8;
 constexpr double MaximumPlaneGain = 1.25;
 
-/// Ground of more cells is carved on half as many along each side before; then fewer steps of erosion and rounds are
+/// Terrain of more cells is first carved on half as many along each axis; then fewer erosion steps and iterations are
 /// left to do.
 constexpr std::size_t MaximumCellsAtOnce = std::size_t{ 1 } << 18;
 constexpr int FineErosionSteps = 3;
 constexpr double CoarsePart = 0.2; ///< of the work
 
-/// Rounds of coarse ground: its cells are no place's, so to meet the target there would bend the law.
+/// Iterations on the coarse grid: statistics depend on the size of cells, so the target would mislead the law there.
 constexpr int CoarseIterations = 1;
 
-/// Rounds without a better one after which no better one is waited for; fewer where coarse ground has told the law.
+/// Iterations without improvement after which carving ends; fewer where the coarse grid has set the law.
 constexpr int MaximumStalledIterations = 12;
 constexpr int MaximumStalledFineIterations = 3;
 
-/// A measure against what it shall be: 1 at its tolerance.
+/// Deviation of a statistic from the target's, 1 at its tolerance.
 struct Deviation
 {
   const char* Name;
@@ -96,17 +96,18 @@ std::vector<Deviation> DeviationsOf(
   const GroundMeasures& measures, const GroundMeasures& target, const CarvingTolerances& tolerances)
 {
   return {
-    { "share of sunk cells", measures.DepressionFraction / tolerances.DepressionFraction },
+    { "depression fraction", measures.DepressionFraction / tolerances.DepressionFraction },
     { "hypsometric integral",
       Relative(measures.HypsometricIntegral - target.HypsometricIntegral, tolerances.HypsometricIntegral) },
-    { "skew of heights", Relative(measures.ElevationSkewness - target.ElevationSkewness, tolerances.ElevationSkewness) },
+    { "skewness of elevation",
+      Relative(measures.ElevationSkewness - target.ElevationSkewness, tolerances.ElevationSkewness) },
     { "semivariance", SemivarianceMisfit(measures, target) / tolerances.Semivariance },
     { "concavity", Relative(measures.Concavity - target.Concavity, tolerances.Concavity) },
-    { "skew of curvature", Relative(measures.CurvatureSkewness, tolerances.CurvatureSkewness) },
+    { "skewness of curvature", Relative(measures.CurvatureSkewness, tolerances.CurvatureSkewness) },
   };
 }
 
-/// The rounds of CarveDrainage().
+/// The steps of CarveDrainage().
 class Carver
 {
 public:
@@ -179,7 +180,7 @@ public:
   }
 
 private:
-  /// The law of grading, corrected from round to round.
+  /// Parameters of grading, corrected from iteration to iteration.
   struct GradingLaw
   {
     double Concavity = 0.0;
@@ -251,7 +252,7 @@ private:
     });
   }
 
-  /// The long waves of coarse ground that was carved, and what that took.
+  /// Carves the terrain on a coarse grid first, and takes over its long waves, gains and law.
   void CarveCoarse()
   {
     GridSamples coarse = CoarseGround(this->Terrain, this->Parallel);
@@ -272,12 +273,12 @@ private:
 
   double CellArea() const { return this->Terrain.Spacing[0] * this->Terrain.Spacing[1]; }
 
-  /// Rivers cut into the ground, whose statistics are restored before each step.
+  /// Erodes by the stream power law; statistics are restored before each step.
   void Erode(int steps)
   {
     const CellLattice lattice(this->Terrain);
     StreamPowerLaw law;
-    law.Uplift = 0.0; // the spectrum that is restored lifts
+    law.Uplift = 0.0; // restoring the statistics takes its place
     law.AreaExponent = ErosionExponent;
     law.Erodibility = this->Parameters.Incision * std::sqrt(lattice.CellArea()) *
       std::pow(IncisionCells * lattice.CellArea(), -ErosionExponent);
@@ -287,7 +288,7 @@ private:
       this->Advance(this->Begun, ErosionPart, step, steps);
       this->RestoreStatistics();
       const OutletMask outlets = this->Parameters.Outlets.Of(this->Terrain);
-      // Coarse ground has told where rivers run; what is left to breach is short.
+      // The coarse grid has set where rivers run; breaches that are left are short.
       BreachDepressions(
         this->Terrain, outlets, this->Begun > 0.0 ? BreachPath::LeastCost : BreachPath::FloodOrder, poll);
       const FlowRouting routing = RouteFlow(this->Terrain, outlets, this->Parallel, poll);
@@ -296,7 +297,7 @@ private:
     }
   }
 
-  /// Lowers the border, which no river cuts, to the ground beside it: else it would be left standing as a wall.
+  /// Lowers the border, which is not eroded, to the cells beside it: else it would be left standing as a wall.
   void LowerRim()
   {
     GridSamples& terrain = this->Terrain;
@@ -329,7 +330,7 @@ private:
       ground, this->Parameters.Outlets.Of(ground), this->Parallel, poll, this->Target.Measures.MaximumArea);
   }
 
-  /// Of neighbours along x and y.
+  /// Root mean square of the slopes to the next cells along x and y [m/m].
   double MeanSlope() const
   {
     const std::vector<double> semivariance = SemivarianceAlongAxes(this->Terrain, { 1 }, this->Parallel);
@@ -339,7 +340,7 @@ private:
   void RestoreSpectrum()
   {
     GridSamples& field = this->Terrain;
-    // What is no part of the field stays as it is: the plane, replaced by the target's.
+    // The plane is no part of the field: it is replaced by the target's.
     PlaneTrend plane = RemovePlane(field);
     CosineTransform(field, this->Parallel);
     const RingSpectrum spectrum = SpectrumOfCoefficients(field, this->Parallel);
@@ -368,8 +369,8 @@ private:
     AddPlane(field, plane, this->Parallel);
   }
 
-  /// Breaches, and grades along the ways of water. Where long rivers would lift the ground by more than it may be
-  /// changed, the law is made flatter.
+  /// Breaches, and grades along the flow paths. Where long rivers would change heights by more than MaximumChange, the
+  /// law is made flatter.
   GradedGround Grade()
   {
     const littoral::Poll poll = [this] { this->Poll(); };
@@ -397,7 +398,8 @@ private:
     return graded;
   }
 
-  /// Drainage area up to which the target tells of slopes, where the terrain has much larger ones.
+  /// Largest drainage area of the target's slope-area relation [cells]; infinite unless the terrain has much larger
+  /// ones.
   double MaximumCellsOfLaw() const
   {
     const double known = this->Target.Measures.MaximumArea / this->CellArea();
@@ -405,7 +407,7 @@ private:
     return known * (1.0 + 1e-9) < tenth ? known : std::numeric_limits<double>::infinity();
   }
 
-  /// Standard deviation of what grading changes [m].
+  /// Standard deviation of the change by grading [m].
   double ChangeOf(const std::vector<double>& graded) const
   {
     const auto count = static_cast<double>(graded.size());
@@ -420,7 +422,7 @@ private:
     return std::sqrt(std::max(0.0, squares - mean * mean));
   }
 
-  /// Adds what grading changes, spread over the valleys.
+  /// Adds the change by grading, spread over the valleys.
   void SpreadGrading()
   {
     GradedGround graded = this->Grade();
@@ -445,8 +447,8 @@ private:
     });
   }
 
-  /// Corrects the channel law, the part of cuts and the gains of the rings by what the last round left, at a rate that
-  /// falls from round to round.
+  /// Corrects the channel law, the fraction of cut and the gains of the rings by the deviations of the last iteration,
+  /// at a rate of 0 to 1.
   void Correct(const GroundMeasures& measures, double rate)
   {
     const double missing = this->Target.Measures.Concavity - measures.Concavity;
@@ -454,11 +456,12 @@ private:
     {
       this->Law.Concavity = std::clamp(this->Law.Concavity + rate * std::clamp(0.7 * missing, -0.15, 0.15), -0.3, 1.2);
       const double steeper = std::exp(-2.0 * rate * std::clamp(missing, -0.15, 0.15));
-      this->Law.SlopeFraction = std::clamp(this->Law.SlopeFraction * steeper, 0.5 * MinimumSlopeFraction, MaximumSlopeFraction);
+      this->Law.SlopeFraction =
+        std::clamp(this->Law.SlopeFraction * steeper, 0.5 * MinimumSlopeFraction, MaximumSlopeFraction);
     }
-    // Cuts bend the ground up, fills bend it down.
-    this->Law.Cut =
-      std::clamp(this->Law.Cut - 0.1 * rate * std::clamp(measures.CurvatureSkewness, -1.0, 1.0), 0.0, MaximumCutFraction);
+    // Cut raises the skewness of curvature, fill lowers it.
+    this->Law.Cut = std::clamp(
+      this->Law.Cut - 0.1 * rate * std::clamp(measures.CurvatureSkewness, -1.0, 1.0), 0.0, MaximumCutFraction);
     const std::vector<int> lags = SemivarianceLags(this->Terrain.Width, this->Terrain.Height);
     std::vector<double> wanted;
     for (std::size_t n = 0; n < lags.size(); ++n)
@@ -486,9 +489,9 @@ private:
   const CarvingProgress& Progress;
   double Steepness; ///< the target's slope at the law's reference area
   GradingLaw Law;
-  BandGains Gains{ {}, { 1, 1, 1, 1, 1, 1, 1, 1, 1 }, 1.0 }; ///< beside those that give the target's spectrum
-  std::optional<SemivarianceBands> Bands;                    ///< of the field whose spectrum was restored last
-  double Begun = 0.0;                                        ///< part of the work that the coarse ground was
+  BandGains Gains{ {}, { 1, 1, 1, 1, 1, 1, 1, 1, 1 }, 1.0 }; ///< gains beside those to the target's spectrum
+  std::optional<SemivarianceBands> Bands;                    ///< bands of the field whose spectrum was restored last
+  double Begun = 0.0;                                        ///< part of the work that the coarse grid was
   double Done = 0.0;
 };
 
@@ -596,7 +599,8 @@ CarvingTarget TargetOf(const GridSamples& terrain, const TargetStatistics& numbe
   {
     const GroundMeasures& own = target.Measures;
     const double mean = own.Lowest + own.HypsometricIntegral * (own.Highest - own.Lowest);
-    target.Heights = LognormalQuantiles(mean, own.StandardDeviation, numbers.HypsometricIntegral, numbers.ElevationSkewness);
+    target.Heights =
+      LognormalQuantiles(mean, own.StandardDeviation, numbers.HypsometricIntegral, numbers.ElevationSkewness);
     target.Measures.HypsometricIntegral = numbers.HypsometricIntegral;
     target.Measures.ElevationSkewness = numbers.ElevationSkewness;
   }

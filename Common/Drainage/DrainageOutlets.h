@@ -12,24 +12,24 @@
 namespace littoral
 {
 
-/// Whether water leaves the grid at a cell, 1 or 0 for each.
+/// Mask of the outlets: 1 where water leaves the grid, else 0, for each cell.
 using OutletMask = std::vector<std::uint8_t>;
 
-/// Every cell at the border.
+/// Mask of the cells at the border.
 OutletMask BorderOutlets(int width, int height);
 
-/// Every cell at or below sea level [m], and every cell at the border.
+/// Mask of the cells at or below sea level [m], and of those at the border.
 OutletMask SeaOutlets(const GridSamples& heights, double seaLevel);
 
-/// What lets water out.
+/// Cells at which water leaves the grid.
 enum class OutletChoice
 {
   Border = 0,   ///< every cell at the border
   SeaLevel = 1, ///< those, and every cell at or below a level
-  Chosen = 2,   ///< given cells alone
+  Chosen = 2,   ///< cells of a given mask alone
 };
 
-/// Where water leaves the grid.
+/// Outlets of a grid, through which water leaves it.
 struct DrainageOutlets
 {
   OutletChoice Choice = OutletChoice::Border;
@@ -39,7 +39,7 @@ struct DrainageOutlets
   OutletMask Of(const GridSamples& heights) const;
 };
 
-/// Why water cannot be routed over these heights: too few rows, missing values, no outlet; empty when it can.
+/// Why flow cannot be routed over these heights: too few rows, missing values, no outlet; empty when it can.
 std::string WhyUndrainable(const GridSamples& heights, const OutletMask& outlets);
 
 }

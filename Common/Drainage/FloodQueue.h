@@ -22,10 +22,10 @@ namespace littoral
 class FloodQueue
 {
 public:
-  /// Of one interval.
+  /// Queue of a single interval.
   FloodQueue() = default;
 
-  /// For heights that are known to lie between two.
+  /// Queue for heights that are known to lie between two.
   FloodQueue(double lowest, double highest, std::size_t cells)
     : Waiting(cells / CellsOfInterval + 1)
     , Lowest(lowest)
@@ -56,7 +56,7 @@ public:
     this->Raise(entry);
   }
 
-  /// In a queue of one interval.
+  /// Smallest height of a queue of one interval.
   double LowestHeight() const { return this->Heap.front().Height; }
 
   /// Takes the lowest cell out.

@@ -13,7 +13,7 @@ namespace littoral
 namespace
 {
 
-/// The neighbour of steepest descent; -1 where none is lower.
+/// Neighbour of steepest descent, max (z - z_r) / d; -1 where none is lower.
 CellIndex SteepestNeighbour(const std::vector<double>& heights, const CellLattice& lattice, CellIndex cell)
 {
   CellIndex receiver = -1;
@@ -131,7 +131,7 @@ std::vector<CellIndex> FlowAccumulation(const FlowRouting& routing)
   std::vector<CellIndex> cells(routing.Receiver.size(), 1);
   for (std::size_t n = routing.Order.size(); n-- > 0;)
   {
-    // A_r += A, from the divides down
+    // A_r += A, from the divides downstream
     const CellIndex cell = routing.Order[n];
     if (routing.Receiver[cell] != cell)
     {

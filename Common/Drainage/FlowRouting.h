@@ -14,27 +14,27 @@
 namespace littoral
 {
 
-/// The ways of water over a grid, one from each cell.
+/// Flow routing over a grid: a single receiver for each cell.
 struct FlowRouting
 {
-  std::vector<CellIndex> Receiver; ///< the neighbour to which a cell's water goes; outlets: themselves
-  std::vector<CellIndex> Order;    ///< all cells, each after its receiver, catchment by catchment
-  std::size_t DepressionCells = 0;            ///< cells in depressions
-  double Volume = 0.0;             ///< [m^3] of the depressions
+  std::vector<CellIndex> Receiver; ///< neighbour to which a cell drains; outlets: themselves
+  std::vector<CellIndex> Order;    ///< the stack: all cells, each after its receiver, catchment by catchment
+  std::size_t DepressionCells = 0; ///< cells in depressions
+  double Volume = 0.0;             ///< volume of the depressions [m^3]
 };
 
 /**
- * Each cell's receiver is its neighbour of steepest descent (D8, O'Callaghan & Mark 1984), the first by direction of
- * equal ones. Where depressions or flats leave none, it is steepest on the filled ground, and on flats the way of the
- * flood. The order is the stack of Braun & Willett (2013), in O(n).
+ * Single flow direction (D8, O'Callaghan & Mark 1984): each cell's receiver is its neighbour of steepest descent, max
+ * (z - z_r) / d, the first by direction of equal ones. Where depressions or flats leave none, it is that of the filled
+ * heights, and on flats the backlink of the priority-flood. The order is the stack of Braun & Willett (2013), in O(n).
  */
 FlowRouting RouteFlow(const GridSamples& heights, const OutletMask& outlets, const ParallelFor& parallel = SerialFor,
   const Poll& poll = NoPoll);
 
-/// The stack of given receivers, outlets by their index.
+/// Stack of given receivers, outlets by their index.
 std::vector<CellIndex> StackOrder(const std::vector<CellIndex>& receivers);
 
-/// Number of cells that drain through each cell, itself included.
+/// Flow accumulation: the number of cells that drain through each cell, itself included.
 std::vector<CellIndex> FlowAccumulation(const FlowRouting& routing);
 
 /// Drainage area of each cell [m^2], itself included: FlowAccumulation() times the area of a cell.

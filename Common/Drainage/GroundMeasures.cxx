@@ -18,8 +18,8 @@ namespace
 constexpr int SlopeAreaBins = 20;
 constexpr double MinimumCells = 100.0;
 
-/// Drainage area at which the concavity ends [cells]: a tenth of the grid, or less where that is asked for; 0 where it
-/// is less than a decade.
+/// Largest drainage area of the slope-area relation [cells]: a tenth of the grid, or less where that is asked for; 0
+/// where it is less than a decade.
 double MaximumCellsOf(double count, double most)
 {
   const double tenth = 0.1 * count;
@@ -77,7 +77,7 @@ std::vector<double> Laplacians(const GridSamples& heights, const ParallelFor& pa
   return curvature;
 }
 
-/// Up to a drainage area of so many cells.
+/// Measures the slope-area relation up to a drainage area [cells].
 void MeasureSlopeArea(const std::vector<CellIndex>& cells, const std::vector<double>& slopes, const OutletMask& outlets,
   double maximumCells, GroundMeasures& measures)
 {
@@ -209,8 +209,8 @@ std::vector<double> SemivarianceAlongAxes(
   return semivariance;
 }
 
-GroundMeasures MeasureGround(
-  const GridSamples& heights, const OutletMask& outlets, const ParallelFor& parallel, const Poll& poll, double maximumArea)
+GroundMeasures MeasureGround(const GridSamples& heights, const OutletMask& outlets, const ParallelFor& parallel,
+  const Poll& poll, double maximumArea)
 {
   GroundMeasures measures;
   const auto count = static_cast<double>(heights.Values.size());
@@ -232,10 +232,12 @@ GroundMeasures MeasureGround(
   const FlowRouting routing = RouteFlow(heights, outlets, parallel, poll);
   const double area = heights.Spacing[0] * heights.Spacing[1];
   measures.DepressionFraction = static_cast<double>(routing.DepressionCells) / count;
-  measures.RelativeFillDepth = measures.StandardDeviation > 0.0 ? routing.Volume / (area * count) / measures.StandardDeviation : 0.0;
+  measures.RelativeFillDepth =
+    measures.StandardDeviation > 0.0 ? routing.Volume / (area * count) / measures.StandardDeviation : 0.0;
   const double maximumCells = MaximumCellsOf(count, maximumArea / area);
   measures.MaximumArea = maximumCells * area;
-  MeasureSlopeArea(FlowAccumulation(routing), SlopesToReceivers(heights, routing, parallel), outlets, maximumCells, measures);
+  MeasureSlopeArea(
+    FlowAccumulation(routing), SlopesToReceivers(heights, routing, parallel), outlets, maximumCells, measures);
   return measures;
 }
 

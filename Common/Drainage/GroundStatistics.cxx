@@ -122,8 +122,7 @@ std::vector<double> EvenQuantiles(std::vector<double> values, int count)
   return quantiles;
 }
 
-double HackExponent(
-  const std::vector<double>& lengths, const std::vector<CellIndex>& accumulation, CellIndex threshold)
+double HackExponent(const std::vector<double>& lengths, const std::vector<CellIndex>& accumulation, CellIndex threshold)
 {
   std::vector<double> logAreas;
   std::vector<double> logLengths;

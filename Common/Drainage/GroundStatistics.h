@@ -15,7 +15,7 @@
 namespace littoral
 {
 
-/// Moments of a sample, its extremes, and its skew, the third central moment over the cube of the standard deviation.
+/// Extremes and moments of a sample; skewness g = m_3 / m_2^(3/2).
 struct SampleShape
 {
   double Minimum = 0.0;
@@ -40,14 +40,14 @@ std::vector<double> EvenQuantiles(std::vector<double> values, int count);
 double HackExponent(
   const std::vector<double>& lengths, const std::vector<CellIndex>& accumulation, CellIndex threshold = 100);
 
-/// What tells a landscape from a random surface.
+/// Geomorphometric and hydrological statistics of a terrain.
 struct GroundStatistics
 {
   GroundMeasures Measures;
   SampleShape Slopes;     ///< [m/m]
   SampleShape Curvature;  ///< [1/m]
   double Steepness = 0.0; ///< k_s of S = k_s A^-theta, A in m^2; NaN where there is no concavity theta
-  double Hack = 0.0;      ///< exponent
+  double Hack = 0.0;      ///< exponent h of Hack's law
   HortonRatios Horton{};
   std::vector<StreamOrderClass> Streams;
 };

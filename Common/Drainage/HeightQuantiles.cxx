@@ -102,7 +102,7 @@ std::vector<RankedHeight> SortedHeights(const std::vector<double>& heights, cons
   return ranked;
 }
 
-/// The lognormal distribution (e^(s z) - 1) / s of a Gaussian z, without its ends beyond one and the same probability.
+/// The lognormal distribution (e^(s z) - 1) / s of a normal z, truncated at both ends at the same probability.
 struct TruncatedLognormal
 {
   static constexpr int Points = 400;
@@ -133,7 +133,7 @@ struct TruncatedLognormal
     const double t = static_cast<double>(point) / Points;
     return t * t * t * (10.0 - 15.0 * t + 6.0 * t * t);
   }
-  /// Of the trapezoid rule.
+  /// Weight of a point in the trapezoid rule.
   static double Weight(int point)
   {
     return 0.5 * (Position(std::min(point + 1, Points)) - Position(std::max(point - 1, 0)));
@@ -151,7 +151,7 @@ constexpr double MaximumShape = 4.0;
 constexpr double MinimumCut = 1e-8;
 constexpr double MaximumCut = 0.1;
 
-/// Whose skew without its ends is the given one, not negative.
+/// Truncated distribution of a skewness, not negative, with the probability `cut` left out at each end.
 TruncatedLognormal WithSkew(double skew, double cut)
 {
   const boost::math::normal_distribution<double> normal;

@@ -12,34 +12,36 @@
 namespace littoral
 {
 
-/// A distribution of heights: its quantiles, linear between the given ones.
+/// Distribution of elevations by quantiles, linear between the given ones: the hypsometric curve.
 struct HeightQuantiles
 {
   std::vector<double> Probabilities; ///< increasing, between 0 and 1
   std::vector<double> Heights;       ///< increasing [m]
 
   double At(double probability) const;
-  /// Number of the first quantile above a probability, and the height at a probability of which it is known.
+  /// Index of the first quantile above a probability, and the height at a probability whose index is known.
   std::size_t After(double probability) const;
   double Below(std::size_t next, double probability) const;
 };
 
-/// Of given heights. Equal ones, as of whole metres, are taken as a height at the middle of their ranks: so the
+/// Quantiles of a sample of elevations. Equal ones, as of whole metres, stand at the middle of their ranks, so that the
 /// distribution has no steps.
 HeightQuantiles QuantilesOf(const std::vector<double>& heights);
 
 /**
- * A distribution of a mean and a standard deviation [m], a skew, and a hypsometric integral (mean - lowest) / (highest
- * - lowest): lognormal (Gauss's for skew 0, mirrored below), without its ends beyond one and the same probability. The
- * integral must be within HypsometricIntegralRange().
+ * Truncated lognormal distribution of a mean and a standard deviation [m], a skewness, and a hypsometric integral (mean
+ * - lowest) / (highest - lowest): normal for the skewness 0, mirrored below, truncated at both ends at the same
+ * probability. The integral must be within HypsometricIntegralRange().
  */
 HeightQuantiles LognormalQuantiles(double mean, double deviation, double integral, double skew);
 
-/// The least and the greatest hypsometric integral of such distributions of a skew, which is at most 2 in size.
+/// Minimum and maximum hypsometric integral of such distributions of a skewness, -2 to 2.
 std::array<double, 2> HypsometricIntegralRange(double skew);
 
-/// Replaces each height by the distribution's at the same rank; equal heights by their index. No two become equal.
-void MapQuantiles(std::vector<double>& heights, const HeightQuantiles& quantiles, const ParallelFor& parallel = SerialFor);
+/// Quantile mapping: replaces each height by the distribution's quantile at its rank, z' = Q((r - 1/2) / n); equal
+/// heights are ranked by their index. No two become equal.
+void MapQuantiles(
+  std::vector<double>& heights, const HeightQuantiles& quantiles, const ParallelFor& parallel = SerialFor);
 
 }
 

@@ -13,28 +13,29 @@ namespace littoral
 {
 
 /**
- * Power of a field by wave number, over rings of the cosine transform: the transform of the grid mirrored at its edges,
- * which makes no jump there. Power is a density, mean |c|^2 times the area of a cell, so that grids of other size and
- * spacing can be compared.
+ * Radially averaged power spectral density, over rings of wave number of the cosine transform: the transform of the
+ * grid mirrored at its edges, which makes no jump there. P = <|c|^2> dx dy, so that grids of other size and spacing can
+ * be compared.
  */
 struct RingSpectrum
 {
   double Step = 0.0;         ///< width of a ring [cycles/m]
-  std::vector<double> Power; ///< [m^4] of ring r, centered at r Step; 0 in rings without waves
+  std::vector<double> Power; ///< density of ring r, centered at r Step [m^4]; 0 in rings without waves
 
-  /// Linear between rings; that of the last ring beyond it.
+  /// Density at a wave number [cycles/m], linear between rings; that of the last ring beyond it.
   double At(double waveNumber) const;
 };
 
-/// The coefficients of the cosine transform, orthonormal: their squares sum to those of the values. In place.
+/// Orthonormal cosine transform in place, X_k = sqrt((2 - [k = 0]) / N) sum x_n cos(pi k (n + 1/2) / N) along each
+/// axis.
 void CosineTransform(GridSamples& values, const ParallelFor& parallel = SerialFor);
 void InverseCosineTransform(GridSamples& values, const ParallelFor& parallel = SerialFor);
 
-/// Of the coefficients of a field whose plane was removed.
+/// Spectrum by the coefficients of the cosine transform of a field without its plane.
 RingSpectrum SpectrumOfCoefficients(const GridSamples& coefficients, const ParallelFor& parallel = SerialFor);
 
-/// Multiplies each coefficient by a gain that depends on its wave number: gains of rings of a width [cycles/m], linear
-/// between.
+/// Radial filter: multiplies each coefficient by the gain at its wave number, linear between gains at rings of a width
+/// [cycles/m].
 void MultiplyRings(
   GridSamples& coefficients, double step, const std::vector<double>& gains, const ParallelFor& parallel = SerialFor);
 

@@ -13,34 +13,35 @@
 namespace littoral
 {
 
-/// Changes of amplitude.
+/// Factors of amplitudes.
 struct BandGains
 {
-  std::vector<double> Rings;         ///< of each ring of the spectrum
-  std::array<double, 9> LongWaves{}; ///< of coefficient (i, j), i and j below 3, at 3 j + i, beside that of its ring
+  std::vector<double> Rings; ///< gain of each ring of the spectrum
+  std::array<double, 9>
+    LongWaves{}; ///< gain of coefficient (i, j), i and j below 3, at 3 j + i, beside that of its ring
   double Plane = 1.0;
 };
 
 /**
- * What bands of waves of a field, and its plane, give to its semivariances along x and y. Each of the eight longest
- * waves is a band of its own; the others have rings of the spectrum, of which each band has a fourth more than the one
- * before.
+ * Contributions of bands of waves of a field, and of its plane, to its semivariances along x and y. Each of the eight
+ * longest waves is a band of its own; the others have rings of the spectrum, of which each band has a fourth more than
+ * the one before.
  */
 class SemivarianceBands
 {
 public:
-  /// Of the coefficients of a cosine transform, in so many rings of a width [cycles/m], and a plane.
+  /// Bands of the coefficients of a cosine transform with so many rings of a width [cycles/m], and of a plane.
   SemivarianceBands(const GridSamples& coefficients, double step, std::size_t rings, const PlaneTrend& plane,
     const ParallelFor& parallel = SerialFor);
 
-  /// Of the bands: long waves, rings, plane.
+  /// Number of bands: long waves, rings, plane.
   std::size_t Count() const { return LongWaves + this->First.size() + 1; }
 
-  /// Part of a band in the semivariance of a lag [cells]: half the mean squared difference of the pairs within the grid
-  /// of each of its waves alone.
+  /// Contribution of a band to the semivariance of a lag [cells]: half the mean squared difference of the pairs within
+  /// the grid, summed over its waves.
   double PartOf(std::size_t band, int lag) const { return this->PartOf(band, lag, this->WavesOf(lag)); }
 
-  /// Variance of the heights that a band gives.
+  /// Contribution of a band to the variance of the heights.
   double VarianceOf(std::size_t band) const;
 
   /// Gains after which semivariances are `wanted` times what they are at lags [cells] while the variance stays, as far

@@ -13,7 +13,7 @@ namespace littoral
 namespace
 {
 
-/// Whether a cell's water stays in the grid.
+/// Whether a cell drains to another one.
 bool Flows(const FlowRouting& routing, CellIndex cell)
 {
   return routing.Receiver[cell] != cell;
@@ -25,7 +25,7 @@ double StepLength(const FlowRouting& routing, const CellLattice& lattice, CellIn
   return lattice.Distance(lattice.DirectionTo(cell, routing.Receiver[cell]));
 }
 
-/// Cells of streams into which no stream of their own order comes.
+/// Marks of the heads of streams: cells of streams into which no stream of their own order comes.
 std::vector<bool> HeadsOf(const FlowRouting& routing, const std::vector<int>& orders)
 {
   std::vector<bool> isHead(orders.size());

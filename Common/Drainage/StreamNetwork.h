@@ -12,35 +12,36 @@
 namespace littoral
 {
 
-/// A stream from its head to where a stream of higher order takes it in, or to an outlet.
+/// Strahler stream: from its head to its confluence with a stream of higher order, or to an outlet.
 struct River
 {
-  std::vector<CellIndex> Cells; ///< downstream, two or more; the last belongs to the stream that takes it in, if any
-  int Order = 1;                ///< Strahler's
-  double Area = 0.0;            ///< [m^2] drained by the last cell of its own
-  double Length = 0.0;          ///< [m] along the cells
-  double Slope = 0.0;           ///< [m/m] from head to end
+  std::vector<CellIndex> Cells; ///< downstream, two or more; the last is that of the confluence or the outlet
+  int Order = 1;                ///< Strahler order
+  double Area = 0.0;            ///< drainage area of the last cell before the confluence [m^2]
+  double Length = 0.0;          ///< length along the cells [m]
+  double Slope = 0.0;           ///< mean slope from head to end [m/m]
 };
 
-/// The streams of a routed grid.
+/// Stream network of a routed grid.
 struct StreamNetwork
 {
-  std::vector<int> Orders;   ///< Strahler's order of each cell; 0 where there is no stream
+  std::vector<int> Orders;   ///< Strahler order of each cell; 0 where there is no stream
   std::vector<River> Rivers; ///< by the index of their heads
 };
 
 /**
- * Strahler's orders (1957) of the cells that drain at least `threshold` cells, themselves included: 1 at heads; where
- * streams of one order meet, one more; else the highest order that comes in. The number of cells must grow downstream.
+ * Strahler orders (1957) of the cells with a flow accumulation of at least `threshold` cells: 1 at heads; where streams
+ * of one order meet, one more; else the highest order that comes in. Accumulation must grow downstream.
  */
 std::vector<int> StrahlerOrders(
   const FlowRouting& routing, const std::vector<CellIndex>& accumulation, CellIndex threshold);
 
-/// Orders and streams. Streams of a single cell, as outlets where two meet, are left out of Rivers.
+/// Stream network with the Strahler orders. Streams of a single cell, as outlets where two meet, are left out of
+/// Rivers.
 StreamNetwork FindStreams(const GridSamples& heights, const FlowRouting& routing,
   const std::vector<CellIndex>& accumulation, CellIndex threshold);
 
-/// Length of the longest way of water to each cell from above [m]; 0 where none comes in.
+/// Length of the longest flow path to each cell from upstream [m], L_r = max(L_r, L + d); 0 where no cell drains to it.
 std::vector<double> LongestFlowLengths(const FlowRouting& routing, const CellLattice& lattice);
 
 /// Streams of one order, for Horton's laws.
@@ -52,18 +53,18 @@ struct StreamOrderClass
   double MeanArea = 0.0;   ///< [m^2]
 };
 
-/// A class for each order from 1 to the highest.
+/// Classes of the orders from 1 to the highest.
 std::vector<StreamOrderClass> ClassesByOrder(const std::vector<River>& rivers);
 
 /**
- * Horton's ratios (1945) from lines of least squares through the logarithms of number, mean length and mean area over
- * the order; NaN where there are fewer than two orders.
+ * Horton's ratios (1945) by least squares of ln N = a - w ln R_B, ln L = b + w ln R_L and ln A = c + w ln R_A over the
+ * orders w; NaN where there are fewer than two orders.
  */
 struct HortonRatios
 {
-  double Bifurcation; ///< R_B, falling numbers
-  double Length;      ///< R_L, growing lengths
-  double Area;        ///< R_A, growing areas
+  double Bifurcation; ///< R_B, bifurcation ratio of the numbers of streams
+  double Length;      ///< R_L, ratio of mean lengths
+  double Area;        ///< R_A, ratio of mean drainage areas
 };
 HortonRatios RatiosOf(const std::vector<StreamOrderClass>& classes);
 

@@ -35,7 +35,7 @@ public:
     this->Part = (variance - whole(r)) * count / (2.0 * ((r + 1.0) * (r + 1.0) - variance));
   }
 
-  /// Of one line, mirrored at its ends.
+  /// Smooths one line, mirrored at its ends.
   void Apply(double* line, int length)
   {
     const int reach = this->Radius + 1;

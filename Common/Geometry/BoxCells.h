@@ -11,9 +11,9 @@ namespace littoral
 {
 
 /**
- * Which of many boxes may hold a place: a regular grid of cells over all of them, with a list of boxes for each cell.
- * Cells are half as wide as the mean box, at most 32 along an axis, so that a few large boxes among small ones need
- * little memory.
+ * Search for the boxes that may hold a place: a regular grid of cells over all of them, with a list of boxes for each
+ * cell. Cells are half as wide as the mean box, at most 32 along an axis, so that a few large boxes among small ones
+ * need little memory.
  */
 class BoxCells
 {

@@ -11,7 +11,7 @@ namespace littoral
 namespace
 {
 
-/// How far beyond the edge a place still counts as on it, in cells: what rounding makes of a place on the edge.
+/// Distance beyond the edge at which a place still counts as on it [cells], by rounding.
 constexpr double EdgeTolerance = 1e-6;
 
 /// Weight 0 leaves a value out, even if it is no number.

@@ -27,10 +27,10 @@ public:
   /// The cell of an object; cells are counted row by row, from the smallest x and y.
   int CellOf(std::size_t object) const { return this->Cells[object]; }
 
-  /// How many objects a cell holds.
+  /// Number of objects in a cell.
   int NumberIn(int cell) const { return this->Count[cell]; }
 
-  /// How many cells hold anything.
+  /// Number of cells that hold an object.
   int NumberOfFilled() const { return this->Filled; }
 
   /// The box of what a cell holds; without meaning for an empty cell.

@@ -12,7 +12,7 @@
 namespace littoral
 {
 
-/// Where a texture lies in an atlas, in texture coordinates of the atlas.
+/// Area of a texture in an atlas, in texture coordinates of the atlas.
 struct AtlasArea
 {
   double Corner[2] = { 0.0, 0.0 };

@@ -31,7 +31,8 @@ Vector3 RoundedTo(const Vector3& a, double step)
   return step > 0.0 ? step * glm::round(a / step) : a;
 }
 
-/// What a rise of 1 m at a place is the arm of: z x place.
+/// z x p with the vertical z: |a x (z x p)| is the shift of a place p on the screen by a rise of 1 m, times its squared
+/// depth, for a view along a.
 Vector3 Swept(const Vector3& place)
 {
   return { -place.y, place.x, 0.0 };

@@ -49,7 +49,7 @@ std::string WhyInvalid(const View& view);
 /// makes it 1/f times as long.
 double LevelDistance(const View& view, const Vector3& place);
 
-/// How far light comes through the scene from a place [m]: from it to the eye, or to the plane of the eye in a parallel
+/// Length of the path of light from a place through the scene [m]: to the eye, or to the plane of the eye in a parallel
 /// projection.
 double SightDistance(const View& view, const Vector3& place);
 
@@ -93,13 +93,13 @@ public:
   bool MayShow(const Box& box) const;
   bool MayShow(const Vector3& center, double radius) const;
 
-  /// How tall a length [m] across the view appears in the middle of the picture at a distance [m], in pixels; infinite
-  /// at distance 0. In a parallel projection at any distance.
+  /// Size on the screen [pixels] of a length [m] across the view, in the middle of the picture at a distance [m];
+  /// infinite at distance 0. In a parallel projection at any distance.
   double PixelsOf(double length, double distance) const;
 
   /**
-   * How far apart on the screen [pixels] two places of a box may be of which one is straight above the other by at most
-   * a rise [m], if either is on the picture, for any view within the margins; infinite where one may be at the eye.
+   * Bound of the distance on the screen [pixels] of two places of a box, one straight above the other by at most a rise
+   * [m], if either is on the picture, for any view within the margins; infinite where one may be at the eye.
    *
    * In units of the picture's distance, places p and q = p + u z at depths p_d and q_d are |a x (z x p)| u / (p_d q_d)
    * apart, for a view along a from the origin. What is above u / d off the axis of a perspective, up to 1 / cos^2 of

@@ -13,10 +13,11 @@
 namespace littoral
 {
 
-/// A place in the space where the field is isotropic [m].
+/// Location in reduced coordinates, in which the field is isotropic [m].
 using ReducedPlace = std::array<double, 2>;
 
-/// Places of the plane as places of the space where the field is isotropic.
+/// Transformation to reduced coordinates: rotation by the anisotropy angle a, then stretching of the short axis by the
+/// anisotropy ratio r, (x', y') = (x cos a + y sin a, r (y cos a - x sin a)).
 class ReducedSpace
 {
 public:
@@ -39,16 +40,16 @@ private:
 };
 
 /**
- * The covariance of a field, without the noise of the data, at any distance up to a farthest one: cubic in even steps,
- * with the model's own values and slopes at their ends. Where a cubic is off by more than 1e-9 of the variance, which
- * is near the origin of a rough field and at a kink, it is the model itself.
+ * Table of the covariance of a field C(h), nugget apart, up to a farthest distance: cubic Hermite interpolation in even
+ * steps. Where a cubic is off by more than 1e-9 of the variance, which is near the origin of a rough field and at a
+ * kink, it is the model itself.
  */
 class CovarianceTable
 {
 public:
   CovarianceTable(const CovarianceParameters& field, double farthest, std::size_t steps);
 
-  /// Covariance at a distance [m] in the space where the field is isotropic.
+  /// Covariance at a distance in reduced coordinates [m].
   double At(double distance) const
   {
     const double position = distance * this->StepsPerMetre;
@@ -85,7 +86,7 @@ private:
 
   CovarianceParameters Field;
   double StepsPerMetre;
-  double FirstPosition; ///< in steps, before which the table is too coarse
+  double FirstPosition; ///< position from which the table is accurate [steps]
   double LastPosition;
   std::vector<std::array<double, 4>> Cubics;
 };

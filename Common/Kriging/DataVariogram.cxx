@@ -29,7 +29,7 @@ struct PairSums
   std::array<double, Classes> Count{};
 };
 
-/// Values less what the drift's functions explain by least squares.
+/// Residuals of the values from the drift by ordinary least squares.
 std::vector<double> Residuals(const KrigingData& data, KrigingType type)
 {
   const DriftFunctions functions(

@@ -13,13 +13,13 @@
 namespace littoral
 {
 
-/// The fewest data from whose pairs a model is fitted.
+/// Minimum number of data for the fit of a model.
 inline constexpr std::size_t MinimumDataForVariogram = 20;
 
 /**
- * The variogram of scattered data: pairs up to half the diagonal of their rectangle, in 15 classes of equal width
- * (Matheron's estimator). A plane is removed first where the drift is not constant. Of more than 4000 data every n-th
- * is taken, the least n that leaves at most so many.
+ * Experimental variogram of scattered data by Matheron's estimator, gamma(h) = sum (z_i - z_j)^2 / (2 N(h)): pairs up
+ * to half the diagonal of their bounding rectangle, in 15 lag classes of equal width, of the residuals from the drift.
+ * Of more than 4000 data every n-th is taken, the smallest n that leaves at most so many.
  */
 std::vector<LagBin> DataVariogram(const KrigingData& data, KrigingType type, const ParallelFor& parallel = SerialFor);
 

@@ -11,21 +11,22 @@
 namespace littoral
 {
 
-/// The functions whose sum, with unknown factors, is the mean of the field: 1, x, y, x^2, x y, y^2, or 1 and an
-/// external quantity. Coordinates and quantity are scaled to about -1 ... 1, which no estimate depends on.
+/// Drift functions f_m, whose sum with unknown coefficients is the mean of the field, m(x) = sum c_m f_m(x): 1, x, y,
+/// x^2, x y, y^2, or 1 and an external drift. Coordinates and drift are scaled to about -1 ... 1, which no estimate
+/// depends on.
 class DriftFunctions
 {
 public:
   static constexpr std::size_t MaximumCount = 6;
   using Values = std::array<double, MaximumCount>;
 
-  /// Scaled to places that are given by `count` indices, which may be null: all of them.
+  /// Functions scaled to the places with the `count` indices; null: all places.
   DriftFunctions(
     KrigingType type, const std::vector<KrigingPlace>& places, const std::size_t* indices, std::size_t count);
 
   std::size_t GetCount() const { return this->Count; }
 
-  /// The functions at a place; those beyond Count are 0.
+  /// Values of the functions at a place; those beyond Count are 0.
   Values At(const KrigingPlace& place) const;
 
 private:
@@ -35,7 +36,7 @@ private:
   KrigingPlace Half; ///< half the extents, 1 where that is 0
 };
 
-/// The number of functions of a kind of mean: 0, 1, 3, 6, 2.
+/// Number of drift functions of a kind of kriging: 0, 1, 3, 6, 2.
 std::size_t NumberOfDriftFunctions(KrigingType type);
 
 }

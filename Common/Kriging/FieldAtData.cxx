@@ -23,12 +23,12 @@ namespace
 constexpr double SnapDistance = 1e-6;
 /// Spacings from the origin beyond which the indices of points are no numbers any more.
 constexpr double FarthestIndex = 1e9;
-/// Mean spacings within which points and data tell of the short waves at a datum.
+/// Radius of the neighbourhood of a datum for its short waves [mean spacings].
 constexpr double DrawRadius = 3.0;
-/// Data before in the list that do, at most, and data that are looked at to find them.
+/// Data before in the list that take part, at most, and data that are searched for them.
 constexpr std::size_t MaximumDataBefore = 16;
 constexpr std::size_t DataLookedAt = 33;
-/// Part of the variance that keeps a system solvable where data are at one place.
+/// Nugget as a part of the variance that keeps a system solvable where data are at one place.
 constexpr double Jitter = 1e-9;
 
 /// A place in columns and rows of a grid.
@@ -55,7 +55,7 @@ struct GridPosition
       this->Row <= window.Last[1];
   }
 
-  /// Where the field is isotropic [m].
+  /// Reduced coordinates, in which the field is isotropic [m].
   ReducedPlace Reduced(const PlaneLattice& lattice) const
   {
     return { this->Column * lattice.StepX[0] + this->Row * lattice.StepY[0],
@@ -63,13 +63,13 @@ struct GridPosition
   }
 };
 
-/// The short waves at a datum, in parts that are fixed before any value is known.
+/// Simple kriging of the short waves at a datum.
 struct ShortDraw
 {
-  double FromPoints = 0.0;
-  std::vector<std::size_t> Data; ///< before it in the list
-  std::vector<double> Weights;   ///< of the short waves there
-  double Deviation = 0.0;        ///< of what neither points nor data tell
+  double FromPoints = 0.0;       ///< sum over the points of the grid
+  std::vector<std::size_t> Data; ///< data before it in the list
+  std::vector<double> Weights;   ///< kriging weights of their short waves
+  double Deviation = 0.0;        ///< kriging standard deviation
 };
 
 /// Draws the short waves at data, given those at the points of a grid.

@@ -12,7 +12,7 @@
 namespace littoral
 {
 
-/// The place of a point of a grid [m], as everything computes it that must meet data there.
+/// Place of a point of a grid [m], rounded as everywhere, so that data on grid points are honoured there.
 inline KrigingPlace PlaceOfPoint(const PlaneGrid& grid, int column, int row)
 {
   return { grid.Origin[0] + column * grid.Spacing[0], grid.Origin[1] + row * grid.Spacing[1], 0.0 };
@@ -22,10 +22,10 @@ inline KrigingPlace PlaceOfPoint(const PlaneGrid& grid, int column, int row)
 void SnapToGrid(const PlaneGrid& grid, std::vector<KrigingPlace>& places);
 
 /**
- * A turning bands field at data, whose lines are tabulated for a window. At a point of the grid in the window it is the
- * value there, to the byte. Elsewhere it is the long waves, and short waves that are drawn given those at the points
- * around and at data before in the list: their kriging estimate, plus normal noise of the kriging variance. So field
- * and data have the covariance of the model.
+ * Turning bands field at the data, whose lines are tabulated for a window. At a point of the grid in the window it is
+ * the value there, to the byte. Elsewhere it is the long waves, and short waves by sequential Gaussian simulation,
+ * given those at the points around and at data before in the list: normal with their simple kriging estimate and
+ * variance. So field and data have the covariance of the model.
  *
  * Throws KrigingFailure where a place is more than 1e9 spacings from the grid's origin.
  */

@@ -28,7 +28,7 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t StepsForAll = 4096;
 constexpr std::size_t StepsForNeighbors = 65536;
 
-/// Largest miss of an exact datum, in the larger of the field's standard deviation and the largest value.
+/// Largest residual of an exact datum, in the larger of the field's standard deviation and the largest value.
 constexpr double MaximumResidual = 1e-10;
 
 /// Places whose variances are computed together: as many in each call, so that no sum depends on how many are wanted.
@@ -92,7 +92,7 @@ double FarthestDistance(
 
 }
 
-/// What both ways to estimate know.
+/// Data, covariances and drift that both neighbourhoods need.
 class Kriging::Internals
 {
 public:
@@ -168,7 +168,7 @@ public:
   {
     const Vector values = Eigen::Map<const Vector>(this->Data.Values.data(), this->DriftMatrix.rows());
     this->Solver.Dual(values, this->DriftMatrix, this->Weights, this->Factors);
-    // What the sums at the data lack, once more through the factor.
+    // Iterative refinement: the residuals, once more through the factor.
     Vector b;
     Vector c;
     this->Solver.Dual(this->Residuals(values), this->DriftMatrix, b, c);
@@ -234,10 +234,11 @@ public:
     std::vector<LeaveOneOutEstimate> left(count);
     for (Eigen::Index n = 0; n < count; ++n)
     {
-      // Nothing is left to say of a datum without which the drift has no answer.
+      // Without this datum the drift is not determined.
       const bool has = diagonal(n) * (this->Table.GetVariance() + this->Noise(n)) > 1e-9;
       const double value = this->Data.Values[n];
-      left[n] = has ? LeaveOneOutEstimate{ value - this->Weights(n) / diagonal(n), 1.0 / diagonal(n) } : LeaveOneOutEstimate{ NaN, NaN };
+      left[n] = has ? LeaveOneOutEstimate{ value - this->Weights(n) / diagonal(n), 1.0 / diagonal(n) }
+                    : LeaveOneOutEstimate{ NaN, NaN };
     }
     return left;
   }
@@ -316,7 +317,7 @@ private:
     }
   }
 
-  /// Values less the sums at the data, noise included.
+  /// Residuals of the dual system, z - (K b + F c).
   Vector Residuals(const Vector& values) const
   {
     Vector residuals = values;
@@ -389,7 +390,7 @@ public:
   }
 
 private:
-  /// Data of a neighbourhood and its equations, kept from place to place.
+  /// Work space of the system of a neighbourhood.
   struct Local
   {
     std::vector<std::size_t> Neighbors;

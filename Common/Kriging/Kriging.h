@@ -15,23 +15,23 @@
 namespace littoral
 {
 
-/// How a field is estimated from data.
+/// Options of kriging.
 struct KrigingOptions
 {
   KrigingType Type = KrigingType::Ordinary;
-  /// Data that take part in an estimate, the nearest ones in the space where the field is isotropic; 0: all.
+  /// Size of the moving neighbourhood: the data nearest in reduced coordinates; 0: all data, a unique neighbourhood.
   std::size_t Neighbors = 0;
-  /// Opposite corners of the rectangle in which estimates are wanted. What is tabulated depends on it, and thereby the
-  /// last digits.
+  /// Opposite corners of the rectangle in which estimates are wanted. The table of covariances depends on it, and
+  /// thereby the last digits.
   KrigingPlace Low;
   KrigingPlace High;
 };
 
-/// What the other data say of a datum.
+/// Leave-one-out estimate: a datum kriged from the others.
 struct LeaveOneOutEstimate
 {
-  double Estimate; ///< NaN where the others are too few
-  double Variance; ///< of the datum less the estimate, with the noise of the datum
+  double Estimate; ///< kriging estimate; NaN where the others are too few
+  double Variance; ///< variance of the datum less the estimate, with the noise of the datum
 };
 
 /// Why an estimate is impossible, in words for a user.
@@ -41,12 +41,13 @@ class KrigingFailure : public InvalidInput
 };
 
 /**
- * Best linear unbiased estimates of a random field from data (Matheron 1963; Chiles and Delfiner 2012, chapter 3). Data
- * have noise of the variance Nugget + ErrorVariance; what is estimated is the field without noise, so exact data are
- * met and others are smoothed.
+ * Kriging: best linear unbiased estimates of a random field from data (Matheron 1963; Chiles and Delfiner 2012, chapter
+ * 3). Data have noise of the variance Nugget + ErrorVariance; the field without noise is estimated, so exact data are
+ * honoured and others are filtered.
  *
- * With all data, the equations are factored once, and an estimate is a sum over the data (dual kriging). With
- * neighbours, each estimate solves a system of its own. Memory grows with the data, for all data with their square.
+ * With a unique neighbourhood the system is factored once, and an estimate is a sum over the data (dual kriging), z*(x)
+ * = sum b_i C(x - x_i) + sum c_m f_m(x). With a moving neighbourhood each estimate solves a system of its own
+ * (KrigingSolver). Memory grows with the data, with a unique neighbourhood with their square.
  *
  * Numbers do not depend on threads, nor on which places are asked for in one call.
  */
@@ -62,25 +63,25 @@ public:
   Kriging& operator=(const Kriging&) = delete;
 
   /**
-   * Takes other values at the same places. Throws KrigingFailure if the estimates at exact data would miss them by more
-   * than 1e-10 of the larger of the field's standard deviation and the largest value.
+   * Takes other values at the same places. Throws KrigingFailure if the residuals at exact data exceed 1e-10 of the
+   * larger of the field's standard deviation and the largest value.
    */
   void SetValues(std::vector<double> values);
 
-  /// Estimates at `count` places. Variances are of the field less the estimate; null where they are not wanted. On any
+  /// Estimates at `count` places, and kriging variances of the field less the estimate; null: not wanted. On any
   /// thread; throws KrigingFailure where the system of a neighbourhood is singular.
   void Estimate(const KrigingPlace* places, std::size_t count, double* estimates, double* variances = nullptr) const;
 
   /**
-   * Each datum estimated from the others: with all data from the diagonal of the inverse (Dubrule 1983), with
-   * neighbours by leaving it out.
+   * Cross-validation: each datum kriged from the others; with a unique neighbourhood by the diagonal of the inverse
+   * (Dubrule 1983), with a moving one by leaving it out.
    */
   std::vector<LeaveOneOutEstimate> LeaveOneOut(const ParallelFor& parallel = SerialFor) const;
 
-  /// Number of data that take part in an estimate.
+  /// Number of data of a neighbourhood.
   std::size_t GetNeighbors() const;
 
-  /// Bytes that so many data need, neighbourhoods or not, beside the columns of variances that each thread has in work.
+  /// Memory of so many data and neighbours [bytes], beside the columns of variances that each thread has in work.
   static double MemoryFor(std::size_t data, std::size_t neighbors);
 
 private:

@@ -15,10 +15,10 @@ namespace littoral
 {
 
 /**
- * The kriging equations for some data, K l + F m = k and F' l = f (Chiles and Delfiner 2012, section 3.4), with the
- * covariance matrix K of the data, noise included, the drift functions F at the data and f at the target, and the
- * covariances k of the data with the target. By the Cholesky factor K = L L', with t = L^-1 k, A = L^-1 F, u = L^-1 z,
- * G = A' A and d = f - A' t:
+ * Kriging system of some data, K l + F m = k and F' l = f (Chiles and Delfiner 2012, section 3.4), with the covariance
+ * matrix K of the data, noise included, the drift functions F at the data and f at the target, the covariances k of the
+ * data with the target, kriging weights l and Lagrange multipliers m. By the Cholesky factor K = L L', with t = L^-1 k,
+ * A = L^-1 F, u = L^-1 z, G = A' A and d = f - A' t:
  *
  *   estimate  t'u + d' G^-1 A' u,   variance  C(0) - t't + d' G^-1 d.
  */
@@ -28,9 +28,9 @@ public:
   using Matrix = Eigen::MatrixXd;
   using Vector = Eigen::VectorXd;
 
-  /// Part of the variance of a datum that has to be its own: below, the data before it tell all about it.
+  /// Minimum pivot: the variance of a datum given those before it, as a part of its variance.
   static constexpr double MinimumPivot = 1e-13;
-  /// The same of a drift function over the data.
+  /// Minimum pivot of a drift function over the data.
   static constexpr double MinimumDriftPivot = 1e-10;
 
   /// Factors K, of which the lower half is given and changed, and F; false with a reason in words if one is singular.
@@ -45,7 +45,8 @@ public:
                   "a rougher model";
       return false;
     }
-    // A = L^-1 F, G = A' A, by a QR whose steps show what part of each function the ones before do not have.
+    // A = L^-1 F, G = A' A = R' R by QR; the diagonal of R is the part of each function that the ones before do not
+    // have.
     const Eigen::Index count = drifts.cols();
     if (count == 0)
     {
@@ -69,7 +70,7 @@ public:
     return true;
   }
 
-  /// What is to be done, in words for a user, if Factor() failed.
+  /// Advice in words for a user if Factor() failed.
   const std::string& Reason() const { return this->Why; }
 
   /// t = L^-1 k
@@ -92,7 +93,7 @@ public:
     return root.solve(root.transpose().solve(v));
   }
 
-  /// The dual weights: b and c with K b + F c = z, F' b = 0, so that an estimate is k' b + f' c.
+  /// Dual weights b and c with K b + F c = z, F' b = 0, so that an estimate is k' b + f' c.
   void Dual(const Vector& z, const Matrix& drifts, Vector& b, Vector& c) const
   {
     b = this->Cholesky.solve(z);
@@ -110,7 +111,7 @@ private:
   {
     for (Eigen::Index n = 0; n < diagonal.size(); ++n)
     {
-      // The square of L's diagonal is the variance of a datum that those before it leave open.
+      // The square of L's diagonal is the variance of a datum given those before it.
       const double own = this->Cholesky.matrixLLT()(n, n);
       if (!(own * own > MinimumPivot * diagonal(n)))
       {

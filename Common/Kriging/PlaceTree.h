@@ -13,7 +13,7 @@
 namespace littoral
 {
 
-/// Finds the nearest of many places: a k-d tree.
+/// Search for the nearest of many places, by a k-d tree.
 class PlaceTree
 {
 public:

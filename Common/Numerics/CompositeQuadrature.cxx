@@ -16,7 +16,7 @@ namespace
 {
 
 constexpr int MostHalvings = 40;
-/// When there are more, no panel is halved any more: the function is noise.
+/// Limit of the number of panels, beyond which none is halved any more: the function is noise.
 constexpr std::size_t MostPanels = 20000;
 /// Newton's last step, relative to the place [bits]; what it leaves is of the square of that.
 constexpr int LastStep = 26;

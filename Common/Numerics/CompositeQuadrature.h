@@ -23,14 +23,14 @@ class CompositeQuadrature
 public:
   using Function = std::function<double(double)>;
 
-  /// Without panels; all integrals are 0.
+  /// Rule without panels; all integrals are 0.
   CompositeQuadrature() = default;
 
-  /// Of a function that is not negative, finite between its cuts, two or more of them, increasing. Panels and their
-  /// halves agree to a part of their integral, which must be above what rounding makes of the function.
+  /// Rule for a function that is not negative, finite between its cuts, two or more of them, increasing. Panels and
+  /// their halves agree to a part of their integral, which must be above what rounding makes of the function.
   CompositeQuadrature(const Function& function, const std::vector<double>& cuts, double agreement);
 
-  /// Of the same function between two places; 0 outside of the cuts, and where high is not above low.
+  /// Integral of the same function between two places; 0 outside of the cuts, and if high is not above low.
   double Integral(const Function& function, double low, double high) const;
 
   /// The place up to which the same function has a part, 0 to 1, of its whole integral, which must be positive.

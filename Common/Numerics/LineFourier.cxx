@@ -29,7 +29,7 @@ constexpr double Sin72 = 0.95105651629515357212;
 constexpr double Cos144 = -0.80901699437494742410;
 constexpr double Sin144 = 0.58778525229247312917;
 
-/// Where a stage reads (Radix values, a step apart) and writes (the same, one after the other), and its turns.
+/// Reads (Radix values, a step apart) and writes (as many, one after the other) of a stage, and its turns.
 template <typename Real>
 struct Butterfly
 {

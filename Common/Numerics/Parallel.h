@@ -24,7 +24,7 @@ inline void SerialFor(std::size_t count, const RangeTask& task)
   task(0, count);
 }
 
-/// What long work on one thread calls now and then, so that its caller can report, or end the work by an exception.
+/// Callback of long work on one thread, by which its caller can report, or end the work by an exception.
 using Poll = std::function<void()>;
 
 inline void NoPoll() {}

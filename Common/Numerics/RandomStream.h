@@ -10,8 +10,8 @@
 namespace littoral
 {
 
-/// What random numbers are drawn for. Two purposes never share a number, so that a new draw in one place leaves every
-/// other place as it was. Values are part of the results: never renumber them.
+/// Purposes of random numbers. Two purposes never share a number, so that a new draw in one place leaves every other
+/// place as it was. Values are part of the results: never renumber them.
 enum class RandomPurpose : std::uint32_t
 {
   ElevationLines = 1,

@@ -257,7 +257,7 @@ LITTORAL_INLINE glm::qua<double> LaneOf(const glm::qua<SimdDouble4>& lanes, int 
 
 }
 
-/// For GLM, which asks whether its numbers are floating-point.
+/// Trait for GLM, which asks whether its numbers are floating-point.
 template <>
 class std::numeric_limits<littoral::SimdDouble4> : public std::numeric_limits<double>
 {

@@ -10,7 +10,7 @@
 namespace littoral
 {
 
-/// Between what the components of vectors lie, and the squares of their lengths.
+/// Bounds of the components of vectors and of the squares of their lengths.
 struct VectorRange
 {
   static constexpr float Infinity = std::numeric_limits<float>::infinity();

@@ -26,7 +26,7 @@ struct FogGrid
   }
 };
 
-/// What a particle hides, and where.
+/// Extinction cross section of a particle, and its place.
 struct FogParticle
 {
   Vector3 Place;

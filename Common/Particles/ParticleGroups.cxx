@@ -27,7 +27,7 @@ int LongestSide(const Box& box)
   return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
 }
 
-/// Where to cut a row of particles, so that all groups but the last one of it are full.
+/// Length of the first part of a row of particles that is cut in two, so that all groups but the last are full.
 std::size_t HalfOf(std::size_t count, std::size_t group)
 {
   const std::size_t groups = (count + group - 1) / group;

@@ -14,7 +14,7 @@
 namespace littoral
 {
 
-/// How particles are put into groups of a master and its slaves.
+/// Parameters of the grouping of particles into a master and its slaves.
 struct GroupOptions
 {
   int Slaves = 3;             ///< a master, 0 to 1000
@@ -62,7 +62,7 @@ public:
   /// The master of a particle; the particle itself if it has none.
   int MasterOf(int particle) const { return this->Masters[particle]; }
 
-  /// Where a slave keeps from its master [m]; zero for others.
+  /// Offset that a slave keeps from its master [m]; zero for others.
   const Vector3& OffsetOf(int particle) const { return this->Offsets[particle]; }
 
 private:

@@ -18,7 +18,7 @@ namespace
 /// Cells that one thread tests at a time.
 constexpr std::size_t CellsAtOnce = 16;
 
-/// What the selection of some cells finds. Masters in Middle count from the start of the part's own masters.
+/// Selection of some cells. Masters in Middle count from the start of the part's own masters.
 struct Part
 {
   std::vector<ShownParticle> Near;

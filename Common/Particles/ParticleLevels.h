@@ -31,7 +31,7 @@ struct ParticleLevelOptions
 /// Why these are no options, in words for a user; empty when they are.
 std::string WhyInvalid(const ParticleLevelOptions& options);
 
-/// How much of a particle each level shows; the sum is 1.
+/// Weights of the levels in the display of a particle; their sum is 1.
 struct LevelWeights
 {
   double Near;
@@ -61,16 +61,16 @@ struct ParticleSelection
   std::vector<ShownParticle> Far;
   long long CellsShown = 0;
   long long CellsInAll = 0;
-  long long Orbits = 0;      ///< that are to be computed
-  long long TrainSum = 0;    ///< of trains over orbits: the work
-  long long Shown = 0;       ///< particles with a weight in Near or Middle
+  long long Orbits = 0;           ///< that are to be computed
+  long long TrainSum = 0;         ///< of trains over orbits: the work
+  long long Shown = 0;            ///< particles with a weight in Near or Middle
   double MaximumSlaveError = 0.0; ///< error of a slave [m]
 };
 
 /**
- * What a view needs of the particles in cells from firstCell up to endCell. Cells are tested first, particles then:
- * with the ball that holds the orbit, so that what may be seen is never lost. Particles that are left out keep their
- * places; the selection depends on the view of the moment alone.
+ * Particles that a view needs, of the cells from firstCell up to endCell. Cells are tested first, particles then: with
+ * the ball that holds the orbit, so that what may be seen is never lost. Particles that are left out keep their places;
+ * the selection depends on the view of the moment alone.
  *
  * A master is at the same place in Near and Middle, and changes between them without a band. Masters outside of the
  * view are in Middle, with weight 0, where slaves need them.

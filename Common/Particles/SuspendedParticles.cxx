@@ -120,14 +120,14 @@ Shade CopepodAt(double x, double y)
   return { std::clamp(0.95 - 0.3 * gut * body + 0.05 * rings, 0.0, 1.0), std::clamp(opacity, 0.0, 1.0) };
 }
 
-/// What sets a kind apart: its name and its picture over -1 to 1.
+/// Row of a kind: its name and its picture over -1 to 1.
 struct KindRow
 {
   const char* Name;
   Shade (*At)(double x, double y);
 };
 
-/// In the order of the enumeration.
+/// Rows in the order of the enumeration.
 constexpr KindRow Kinds[] = {
   { "Diatom", DiatomAt },
   { "Flake", FlakeAt },
@@ -154,7 +154,7 @@ struct SceneRow
   std::vector<Layer> Layers;
 };
 
-/// In the order of the enumeration.
+/// Rows in the order of the enumeration.
 const std::vector<SceneRow>& Scenes()
 {
   using K = ParticleKind;

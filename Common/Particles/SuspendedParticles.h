@@ -13,7 +13,7 @@
 namespace littoral
 {
 
-/// What a particle looks like. Values are part of the data: never renumber.
+/// Kinds of particles, by their looks. Values are part of the data: never renumber.
 enum class ParticleKind
 {
   Diatom = 0,  ///< a round alga with a pattern of rays
@@ -42,7 +42,7 @@ struct ParticleBox
 /// Why a box cannot be filled, in words for a user; empty if it can. `index` is what it is called by.
 std::string WhyInvalid(const ParticleBox& box, int index);
 
-/// How many particles a box holds: the amount itself, or the amount times the volume, rounded.
+/// Number of particles in a box: the amount itself, or the amount times the volume, rounded.
 double NumberIn(const ParticleBox& box, bool amountIsCount);
 
 /// A sea with kinds where they live.
@@ -82,7 +82,7 @@ PictureAxes OrientationOf(int boxId, long long index, int seed);
 /// Columns and rows of the picture of a particle.
 inline constexpr int ParticlePictureSize = 96;
 
-/// What a particle looks like: nearly white where it is lit, to be colored; transparent where it is not.
+/// Picture of a particle: nearly white where it is lit, to be colored; transparent where it is not.
 TextureImage ParticlePicture(ParticleKind kind);
 
 }

@@ -18,7 +18,7 @@ namespace
 /// Rows of the field that are made at a time.
 constexpr std::size_t RowsAtOnce = 32;
 
-/// The Gaussian field of the logarithm of the intensity: the same for any window of the plane.
+/// Gaussian field of the log-intensity: the same for any window of the plane.
 TurningBandsParameters FieldOf(const ProcessScene& scene)
 {
   TurningBandsParameters bands;
@@ -61,7 +61,7 @@ public:
   }
 
 private:
-  /// Points of intensity exp(z - s2 / 2) times the mean one.
+  /// Poisson points of the intensity lambda exp(z - s^2 / 2), with the variance s^2 of z.
   void DrawSquare(long long i, long long j, double z, ProcessPattern& pattern) const
   {
     const double side = this->Lattice.GetSide();

@@ -44,7 +44,7 @@ std::vector<double> TwoSidedRanks(const std::vector<double>& values)
   return ranks;
 }
 
-/// For each curve its two-sided ranks at all distances, smallest first. Curves are rows; column k is `valuesAt(k)`.
+/// Two-sided ranks of each curve at all distances, smallest first. Curves are rows; column k is `valuesAt(k)`.
 template <typename ValuesAt>
 std::vector<std::vector<double>> SortedRanks(
   std::size_t curves, const std::vector<std::size_t>& columns, const ValuesAt& valuesAt)

@@ -15,7 +15,7 @@ namespace littoral
 {
 
 /**
- * What curves of simulated patterns say about a measured one.
+ * Envelope test of a measured curve against those of simulated patterns.
  *
  * The global test is that of extreme rank lengths (Myllymäki et al. 2017). At each distance a curve has the rank 1 if
  * it is the lowest or the highest of all, 2 next to these, and so on, the mean of the ranks of curves that are equal
@@ -26,10 +26,10 @@ namespace littoral
  */
 struct CurveEnvelope
 {
-  std::vector<double>
-    Low; ///< pointwise: the k-th smallest of the simulated, k = level (simulations + 1) / 2, at least 1
-  std::vector<double> High; ///< pointwise: the k-th largest
-  std::vector<double> Mean; ///< of the simulated
+  /// Pointwise envelope: the k-th smallest of the simulated curves, k = level (simulations + 1) / 2, at least 1.
+  std::vector<double> Low;
+  std::vector<double> High; ///< pointwise envelope: the k-th largest
+  std::vector<double> Mean; ///< mean of the simulated curves
   std::vector<double> GlobalLow;
   std::vector<double> GlobalHigh;
   double PValue = 1.0;
@@ -48,30 +48,31 @@ std::string WhyNoEnvelope(int simulations, double level);
 CurveEnvelope FindCurveEnvelope(
   const std::vector<double>& measured, const std::vector<std::vector<double>>& simulated, double level = 0.05);
 
-/// A law: makes the pattern of a number 0, 1, 2... from its own random numbers.
+/// Null model: makes the pattern of a number 0, 1, 2... from its own random numbers.
 using PatternOfNumber = std::function<std::vector<PlanePosition>(int number)>;
 
-/// What is measured of a pattern, a curve of a fixed length.
+/// Summary function of a pattern, a curve of a fixed length.
 using CurveOfPattern = std::function<std::vector<double>(const std::vector<PlanePosition>& points)>;
 
-/// The curve of a simulation of a number.
+/// Curve of a simulation of a number.
 using CurveOfNumber = std::function<std::vector<double>(int number)>;
 
-/// The curves of so many simulations, on all threads that the loop has.
+/// Curves of so many simulations, on all threads of the loop.
 std::vector<std::vector<double>> SimulateCurves(
   const CurveOfNumber& curve, int simulations, const ParallelFor& parallel = SerialFor);
 
-/// The curves of so many patterns of a law.
+/// Curves of so many patterns of a null model.
 std::vector<std::vector<double>> SimulateCurves(
   const PatternOfNumber& law, const CurveOfPattern& curve, int simulations, const ParallelFor& parallel = SerialFor);
 
-/// So many points, uniform in a window and independent of each other: pattern `number` of a seed.
+/// Binomial point process of so many points in a window: pattern `number` of a seed.
 std::vector<PlanePosition> UniformPattern(const ObservationWindow& window, std::size_t points, int seed, int number);
 
-/// A random order of so many things, each equally likely: order `number` of a seed.
+/// Random permutation of so many things: permutation `number` of a seed, as for random labelling.
 std::vector<std::size_t> RandomOrder(std::size_t count, int seed, int number);
 
-/// The seed of simulation `number` of a law that has a seed of its own: seeds of different simulations are unrelated.
+/// Seed of simulation `number` of a null model that has a seed of its own: seeds of different simulations are
+/// unrelated.
 int SeedOfSimulation(int seed, int number);
 
 }

@@ -23,7 +23,7 @@ constexpr double RangeTolerance = 1e-12;
 /// Distances that are closer than this part of the range are the same to the Kaplan-Meier estimate.
 constexpr double SameDistance = 1e-5;
 
-/// Of a place the distance to the nearest point, and that to the edge [m].
+/// Distances of a place to the nearest point and to the edge [m].
 struct NearestDistance
 {
   double Point;

@@ -12,22 +12,22 @@
 namespace littoral
 {
 
-// Distributions of distances to the nearest point of a pattern: from its points (G), and from anywhere in the window
-// (F, the empty space). Baddeley, Rubak and Turner (2015), chapter 8. The same bytes for any parallel loop.
+// Nearest-neighbour distance distribution G and empty-space function F of a pattern. Baddeley, Rubak and Turner (2015),
+// chapter 8. The same bytes for any parallel loop.
 
-/// What is done about nearest points that may lie beyond the edge, at the distance b.
+/// Edge corrections of nearest-neighbour distances, at the distance b from the edge.
 enum class DistanceCorrection
 {
   None = 0,        ///< nothing
-  Border = 1,      ///< only places with b >= r count for r
+  Border = 1,      ///< reduced sample: only places with b >= r count for r
   KaplanMeier = 2, ///< distances above b are censored at b (Baddeley and Gill 1997)
 };
 
-/// Values at all distances; each is 1 - exp(-intensity pi r^2) for a random pattern, J is 1.
+/// Values at all distances; G = F = 1 - exp(-lambda pi r^2) and J = 1 for complete spatial randomness.
 struct DistanceFunctions
 {
-  std::vector<double> G; ///< the part of the points whose nearest other point is at most at r
-  std::vector<double> F; ///< the part of the window that is at most at r from a point
+  std::vector<double> G; ///< part of the points whose nearest neighbour is at most r away
+  std::vector<double> F; ///< part of the window that is at most r from a point
   std::vector<double> J; ///< (1 - G) / (1 - F); below 1 for clusters, above for regular patterns; NaN where F is 1
 };
 

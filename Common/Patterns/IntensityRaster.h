@@ -11,15 +11,15 @@
 namespace littoral
 {
 
-/// How the values of a raster make an intensity.
+/// Scale of the values of an intensity raster.
 enum class IntensityScale
 {
   Relative = 0, ///< proportional to the values: their mean stands for the intensity of the process
   Absolute = 1, ///< the values themselves [1/m2], in place of the intensity of the process
 };
 
-/// An intensity that is constant on each cell of a grid. Cell (i, j) is about the point Center + (i, j) * Spacing, and
-/// there is none outside.
+/// Intensity that is constant on each cell of a grid, 0 outside. Cell (i, j) is about the point Center + (i, j) *
+/// Spacing.
 struct IntensityRaster
 {
   std::array<double, 2> Center{ 0.0, 0.0 };  ///< [m], of cell (0, 0)
@@ -38,7 +38,7 @@ struct IntensityRaster
 /// Why a raster makes no intensity, in words for a user; empty when it does.
 std::string WhyInvalid(const IntensityRaster& raster);
 
-/// A raster as factors of the intensity of a process, from 0 up to the highest; without one the factor is 1 everywhere.
+/// Raster as factors of the intensity of a process, from 0 up to the highest; 1 everywhere without a raster.
 class IntensityFactor
 {
 public:
@@ -51,7 +51,7 @@ public:
 
   double Highest() const { return this->Maximum; }
 
-  /// The share of the points of the highest intensity that stay at a place.
+  /// Retention probability of the thinning at a place, the intensity over the highest one.
   double ShareAt(double x, double y) const
   {
     if (!this->Raster)

@@ -17,7 +17,7 @@ namespace
 constexpr int CellsOfSide = 128;
 /// Newton's steps, of which most fits need six.
 constexpr int MaximumIterations = 50;
-/// Where the logarithms of the intensity no longer change.
+/// Tolerance of the last step of the logarithms of the intensity.
 constexpr double StepTolerance = 1e-10;
 /// A trend that spans more than this factor within the window is that of points on a part of it.
 constexpr double MaximumLogSpan = 40.0;
@@ -91,7 +91,7 @@ public:
     return value;
   }
 
-  /// How much the logarithm of the intensity changes over the window.
+  /// Range of the logarithm of the intensity over the window.
   double SpanOf(const Eigen::VectorXd& b) const
   {
     double low = HUGE_VAL;

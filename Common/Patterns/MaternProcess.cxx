@@ -20,7 +20,7 @@ struct Proposal
   double Age;
 };
 
-/// Random points, of which each falls that has an older one within the distance; squares are not shorter than that.
+/// Poisson points before the thinning, each with an age; squares are not shorter than the inhibition distance.
 class ProposedSquares
 {
 public:
@@ -74,7 +74,7 @@ ProcessPattern DrawMaternII(const ProcessScene& scene)
   const double intensity = ProposedIntensity(scene.Process.Intensity, scene.Process.Distance);
   const ProcessLattice lattice(std::max(scene.Process.Distance, std::sqrt(2.0 / intensity)));
   const ProposedSquares squares(scene, lattice, intensity);
-  // All proposals of the squares in reach, then those without an older one in the nine squares about them.
+  // Dependent thinning: of the proposals of the squares in reach, those without an older one in the nine squares about.
   CellBlock block = lattice.Covering(scene.Box);
   CellBlock reached = { { block.First[0] - 1, block.First[1] - 1 }, { block.Last[0] + 1, block.Last[1] + 1 } };
   const std::size_t columns = reached.Columns();

@@ -16,9 +16,9 @@ namespace littoral
 namespace
 {
 
-/// What counts as on the edge, as a part of the size of the window: coordinates are rounded to single precision.
+/// Width of the edge, as a part of the size of the window: coordinates are rounded to single precision.
 constexpr double EdgeTolerance = 1e-6;
-/// What counts as no area, as a part of the bounding box.
+/// Smallest area of a window, as a part of the bounding box.
 constexpr double MinimumArea = 1e-9;
 
 /// Twice the area of a triangle, above 0 if it turns counterclockwise.
@@ -306,12 +306,12 @@ double ObservationWindow::CommonArea(double dx, double dy) const
 }
 
 std::string WhyInvalid(
-  const std::vector<PlanePosition>& points, const ObservationWindow& window, std::size_t least, bool mayCoincide)
+  const std::vector<PlanePosition>& points, const ObservationWindow& window, std::size_t minimum, bool mayCoincide)
 {
-  if (points.size() < least)
+  if (points.size() < minimum)
   {
     return "The pattern has " + std::to_string(points.size()) + " points; it must have at least " +
-      std::to_string(least) + ".";
+      std::to_string(minimum) + ".";
   }
   for (std::size_t n = 0; n < points.size(); ++n)
   {

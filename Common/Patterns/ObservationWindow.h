@@ -52,7 +52,7 @@ public:
   /// The part of a circle about a point in the window that lies in the window, 0 to 1; the radius [m] is above 0.
   double CircleInside(const PlanePosition& center, double radius) const;
 
-  /// Area of what the window and the window moved by (dx, dy) [m] have in common [m2].
+  /// Set covariance: area of the intersection of the window and the window moved by (dx, dy) [m], [m2].
   double CommonArea(double dx, double dy) const;
 
 private:

@@ -122,7 +122,8 @@ void FindParts(double stepsOfMetre, double most, double firstCut, double secondC
 std::shared_ptr<const CommonAreaTable> AreasOf(
   const ObservationWindow& window, const PairOptions& options, double reach, const ParallelFor& parallel)
 {
-  if (options.Correction != EdgeCorrection::Translation || (options.Areas && options.Areas->GetMaximumDistance() >= reach))
+  if (options.Correction != EdgeCorrection::Translation ||
+    (options.Areas && options.Areas->GetMaximumDistance() >= reach))
   {
     return options.Areas;
   }
@@ -246,7 +247,7 @@ public:
   bool HasMarks() const { return this->WantsMarks; }
 
 private:
-  /// Where kernels begin and end that are so many steps wide on each side, within a step.
+  /// Ends within a step of kernels that are so many steps wide on each side.
   static std::array<double, PartsOfStep + 1> CutsOf(double width)
   {
     const double rest = width - std::floor(width);

@@ -38,8 +38,8 @@ enum class EdgeCorrection
 /// Equidistant distances r(k) = k * Maximum / Steps [m], k = 0 ... Steps.
 struct DistanceRange
 {
-  double Maximum = 0.0;
-  int Steps = 512;
+  double Maximum = 0.0; ///< largest distance [m]
+  int Steps = 512;      ///< number of steps
 
   double operator[](int k) const { return this->Maximum * k / this->Steps; }
   std::size_t Count() const { return static_cast<std::size_t>(this->Steps) + 1; }
@@ -49,7 +49,7 @@ struct DistanceRange
 /// expected: where estimates can be trusted.
 DistanceRange DefaultDistances(const ObservationWindow& window, std::size_t points, int steps = 512);
 
-/// Which functions to find, and how.
+/// Options of the functions of pairs.
 struct PairOptions
 {
   DistanceRange Distances;
@@ -60,10 +60,10 @@ struct PairOptions
   double HalfWidth = 0.0;
   /// Standard deviation of the Gaussian kernel of the mark correlation [m]; 0: Silverman's rule for the distances.
   double MarkWidth = 0.0;
-  /// Of the points, 1 / intensity, where the intensity changes from place to place; empty: it is the same everywhere.
-  /// Not for Border and cross functions.
+  /// Weights of the points, 1 / intensity, for an inhomogeneous pattern; empty: homogeneous. Not for Border and cross
+  /// functions.
   std::vector<double> Weights;
-  /// For many patterns in one window: its areas up to Largest and the half width; null: found anew for each pattern.
+  /// Areas up to Maximum and the half width, for many patterns in one window; null: found anew for each pattern.
   std::shared_ptr<const CommonAreaTable> Areas;
 };
 
@@ -93,8 +93,8 @@ struct PairFunctions
 PairFunctions FindPairFunctions(const std::vector<PlanePosition>& points, const ObservationWindow& window,
   const PairOptions& options, const ParallelFor& parallel = SerialFor);
 
-/// With the mark correlation of positive marks, one for each point:
-/// k_mm(r) = sum of m_i m_j kernel(r - d_ij) e_ij / (sum of kernel(r - d_ij) e_ij * mean(m)^2).
+/// Functions of one pattern with the mark correlation of positive marks, one for each point: k_mm(r) = sum of m_i m_j
+/// kernel(r - d_ij) e_ij / (sum of kernel(r - d_ij) e_ij * mean(m)^2).
 PairFunctions FindPairFunctions(const std::vector<PlanePosition>& points, const std::vector<double>& marks,
   const ObservationWindow& window, const PairOptions& options, const ParallelFor& parallel = SerialFor);
 

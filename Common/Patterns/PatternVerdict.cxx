@@ -97,7 +97,8 @@ private:
   {
     PairOptions pairs;
     pairs.Distances = DefaultDistances(window, points.size(), options.Steps);
-    pairs.Distances.Maximum = options.Contrast.MaximumDistance > 0.0 ? options.Contrast.MaximumDistance : pairs.Distances.Maximum;
+    pairs.Distances.Maximum =
+      options.Contrast.MaximumDistance > 0.0 ? options.Contrast.MaximumDistance : pairs.Distances.Maximum;
     pairs.Correction = EdgeCorrection::Translation;
     pairs.WantsG = options.Function == VerdictFunction::PairCorrelation;
     pairs.WantsK = !pairs.WantsG;

@@ -18,7 +18,7 @@
 namespace littoral
 {
 
-/// The function by which a pattern is judged.
+/// Summary function of the test.
 enum class VerdictFunction
 {
   PairCorrelation = 0, ///< g
@@ -29,13 +29,13 @@ enum class VerdictFunction
 /// threads.
 inline constexpr int PollsOfLaw = 4;
 
-/// How processes and laws are judged.
+/// Options of the fits and tests of processes and laws.
 struct VerdictOptions
 {
-  ContrastOptions Contrast; ///< of the fits
+  ContrastOptions Contrast; ///< options of the fits
   VerdictFunction Function = VerdictFunction::PairCorrelation;
-  int Simulations = 99;
-  double Level = 0.05;
+  int Simulations = 99; ///< simulated patterns of each process and law
+  double Level = 0.05;  ///< significance level
   int Seed = 1;
   int Steps = 64;                      ///< number of distances at which the function is compared
   std::array<int, 2> Quadrats{ 0, 0 }; ///< of the laws; 0 0: about as many nearly square ones as points
@@ -44,12 +44,12 @@ struct VerdictOptions
 /// Why there can be no verdict, in words for a user; empty when there can.
 std::string WhyInvalid(const VerdictOptions& options);
 
-/// What is said of a process or a law.
+/// Verdict on a process or a law.
 enum class PatternVerdict
 {
   Best = 0,               ///< the largest p of all that are not rejected
-  NotDistinguishable = 1, ///< the envelope test does not reject it
-  Worse = 2,              ///< it does
+  NotDistinguishable = 1, ///< not rejected by the envelope test
+  Worse = 2,              ///< rejected by the envelope test
   DoesNotExist = 3,       ///< the pattern admits no such process or law
 };
 
@@ -67,12 +67,11 @@ struct JudgedLaw
   QuadratFit Law;     ///< of a law of counts in quadrats
   CurveEnvelope Envelope;
   PatternVerdict Verdict = PatternVerdict::DoesNotExist;
-
   const char* Name() const;
   bool Exists() const { return this->IsProcess ? this->Process.Exists : this->Law.Exists; }
 };
 
-/// All processes and laws, best first, and what they were judged by.
+/// All processes and laws, best first, with the measured function.
 struct PatternJudgement
 {
   std::vector<JudgedLaw> Laws;

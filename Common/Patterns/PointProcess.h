@@ -27,30 +27,30 @@ enum class PointProcess
 inline constexpr int NumberOfPointProcesses = 7;
 
 /**
- * A stationary and isotropic process with its parameters. Intensity is the mean number of points on 1 m2.
+ * A stationary and isotropic process with its parameters. Intensity lambda is the mean number of points on 1 m2.
  * | process        | points                                                                                     |
  * |----------------|--------------------------------------------------------------------------------------------|
- * | Poisson        | independent: random                                                                        |
- * | Thomas         | clusters of Poisson size, mean ClusterSize, normal about a parent, deviation ClusterScale   |
+ * | Poisson        | independent: complete spatial randomness                                                    |
+ * | Thomas         | clusters of Poisson size, mean ClusterSize, normal offsets from a parent of ClusterScale    |
  * | MaternCluster  | the same, uniform on a disc of radius ClusterScale about the parent                         |
- * | LogGaussianCox | Poisson, of intensity exp(Z): Z is Gaussian with covariance Variance exp(-r / Range)        |
- * | MaternII       | random points, of which each falls that has an older one nearer than Distance               |
+ * | LogGaussianCox | Poisson of intensity exp(Z), with a Gaussian field Z of covariance Variance exp(-r / Range) |
+ * | MaternII       | Poisson, of which each point is deleted that has an older one nearer than Distance          |
  * | Strauss        | density Activity^n Interaction^s, where s pairs of the n points are nearer than Distance    |
- * | SoftCore       | density exp(-sum over pairs of (Distance / r)^(2 / Softness)) of a given number of points        |
- * Parents are random, of intensity Intensity / ClusterSize, and are no points themselves.
+ * | SoftCore       | density exp(-sum over pairs of (Distance / r)^(2 / Softness)) of a given number of points   |
+ * Parents are Poisson, of intensity kappa = Intensity / ClusterSize, and are no points themselves.
  */
 struct PointProcessParameters
 {
   PointProcess Process = PointProcess::Thomas;
-  double Intensity = 0.01;   ///< [1/m2]
-  double ClusterSize = 5.0;  ///< mean number of points of a cluster
-  double ClusterScale = 5.0; ///< [m]
-  double Variance = 1.0;     ///< of the logarithm of the intensity
-  double Range = 20.0;       ///< [m], distance at which its correlation is 1/e
-  double Distance = 5.0;     ///< [m], of inhibition
-  double Activity = 0.02;    ///< [1/m2], intensity that the points would have without interaction
-  double Interaction = 0.1;  ///< 0: none nearer than Distance, 1: random
-  double Softness = 0.4;     ///< 0.05: almost a hard core of Distance, to 0.8: one that is felt far away
+  double Intensity = 0.01;   ///< lambda [1/m2], positive
+  double ClusterSize = 5.0;  ///< mean number of points of a cluster, mu, above 0, at most 1e4
+  double ClusterScale = 5.0; ///< standard deviation sigma of the offsets, or radius R of the disc [m], positive
+  double Variance = 1.0;     ///< variance of the log-intensity, above 0, at most 10
+  double Range = 20.0;       ///< distance at which the correlation of the log-intensity is 1/e [m], positive
+  double Distance = 5.0;     ///< inhibition distance, interaction radius, or sigma of the soft core [m], positive
+  double Activity = 0.02;    ///< beta of Strauss, the intensity without interaction [1/m2], positive
+  double Interaction = 0.1;  ///< gamma of Strauss, 0 (hard core) to 1 (Poisson)
+  double Softness = 0.4; ///< kappa of the soft core, 0.05 (almost a hard core) to 0.8 (an interaction of long range)
 };
 
 /// The row of a process: everything that sets it apart but the simulation, see ProcessPattern, and the fit, see
@@ -84,10 +84,10 @@ const char* PointProcessName(PointProcess process);
 /// Why these parameters make no process, in words for a user; empty when they do.
 std::string WhyInvalid(const PointProcessParameters& process);
 
-/// Mean number of parents on 1 m2 of a process of clusters.
+/// Intensity of the parents of a cluster process, kappa = Intensity / ClusterSize [1/m2].
 double ParentIntensity(const PointProcessParameters& process);
 
-/// Intensity of the random points from which a Matern II process of the given intensity and distance is left [1/m2]:
+/// Intensity p of the Poisson process before the thinning of a Matern II process of an intensity and a distance [1/m2]:
 /// Intensity = (1 - exp(-p pi Distance^2)) / (pi Distance^2).
 double ProposedIntensity(double intensity, double distance);
 

@@ -12,8 +12,8 @@
 namespace littoral
 {
 
-/// Poisson numbers of one mean, by the inverse of the cumulated probabilities: one look-up in equal cells of (0, 1) and
-/// a step or two.
+/// Poisson numbers of one mean, by inversion of the cumulative distribution function: one look-up in equal cells of (0,
+/// 1) and a step or two.
 class PoissonTable
 {
 public:
@@ -35,7 +35,7 @@ private:
   std::vector<int> Guide;
 };
 
-/// A Poisson number of any mean, of the draws of an object from one on: the sum of numbers of a mean of at most 16.
+/// Poisson number of any mean, by the draws of an object from `draw` on: the sum of numbers of a mean of at most 16.
 long long PoissonCount(double mean, const RandomStream& random, std::uint64_t object, std::uint64_t draw);
 
 }

@@ -3,7 +3,7 @@
 #ifndef LittoralProcessDraws_h
 #define LittoralProcessDraws_h
 
-// How each process is drawn in a box, for ProcessPattern.
+// Simulation of each process in a box, for ProcessPattern.
 
 #include "Numerics/Parallel.h"
 #include "Patterns/IntensityRaster.h"
@@ -20,7 +20,7 @@ namespace littoral
 /// A process in the bounding box of a window.
 struct ProcessScene
 {
-  PointProcessParameters Process; ///< of the highest intensity of the raster
+  PointProcessParameters Process; ///< process of the highest intensity of the raster
   const ProcessOptions& Options;
   IntensityFactor Factor;
   PatternArea Box;
@@ -37,29 +37,29 @@ inline double FieldSide(const PointProcessParameters& process)
   return process.Range / 16.0;
 }
 
-/// How far points of a cluster lie from their parent at most [m].
+/// Maximum distance of the points of a cluster from their parent [m].
 double ClusterReach(const PointProcessParameters& process);
 
-/// Around the box of a window, where a Strauss or soft-core process has points too [m].
+/// Margin around the box of a window in which a Strauss or soft-core process is simulated too [m].
 inline double StraussMargin(const PointProcessParameters& process)
 {
   return 2.0 * process.Distance;
 }
 
-/// How often each point is moved from its random place: 20 to 200 times, the more crowded the more.
+/// Number of Metropolis sweeps, 20 to 200: the more crowded, the more.
 int SoftCoreSweeps(const PointProcessParameters& process);
 
 /// Draws the points of one square.
 using SquareTask = std::function<void(long long i, long long j, ProcessPattern& pattern)>;
 
-/// Puts what is drawn in the squares of a block together in their order, some squares of `each` points at a time.
+/// Draws the squares of a block in parallel, some squares of `each` points at a time, and joins their points in order.
 ProcessPattern DrawSquares(
   const ProcessScene& scene, const CellBlock& block, double each, const std::function<SquareTask()>& makeTask);
 
-/// Puts parts of a pattern together, and frees them.
+/// Joins parts of a pattern, and frees them.
 ProcessPattern Joined(std::vector<ProcessPattern>& parts);
 
-/// Adds a point if it lies in the box and the raster keeps it.
+/// Adds a point if it lies in the box and is not thinned by the raster.
 void KeepPoint(
   const ProcessScene& scene, const PlanePosition& point, const PointIdentity& identity, ProcessPattern& pattern);
 

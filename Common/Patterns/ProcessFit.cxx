@@ -27,7 +27,7 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 /// Places along each side of the bounding box at which a pseudo-likelihood is summed.
 constexpr int PlacesOfSide = 256;
-/// Activities above so many intensities are those of packed points, between which next to no birth finds a place.
+/// Largest activity over intensity: beyond it points are packed, and hardly a birth is accepted.
 constexpr double MaximumActivity = 100.0;
 /// Distances that are tried for a Strauss process.
 constexpr int DistancesTried = 64;
@@ -92,8 +92,8 @@ private:
   ContrastOptions Options;
 };
 
-/// Whether parameters found have a meaning: clusters that are wider than what was compared, or hold next to nothing or
-/// more than all, are none.
+/// Whether fitted parameters are plausible: not clusters that are wider than the distances compared, nor of almost no
+/// points or more than all.
 bool IsFound(const PointProcessParameters& process, double largest, double points)
 {
   if (process.Process == PointProcess::LogGaussianCox)
@@ -171,7 +171,7 @@ ProcessFit FitByContrast(PointProcess process, const std::vector<PlanePosition>&
   return best;
 }
 
-/// Square of the distance of each point to its nearest other one, the smallest.
+/// Smallest distance of two points [m].
 double ShortestDistance(const std::vector<PlanePosition>& points)
 {
   std::vector<PlanePosition> sorted = points;
@@ -187,7 +187,7 @@ double ShortestDistance(const std::vector<PlanePosition>& points)
   return shortest;
 }
 
-/// How many places have t points within the distance, and how many points have, t = 0, 1, 2...
+/// Numbers of places, and of points, that have t neighbours within the distance, t = 0, 1, 2...
 struct NeighbourCounts
 {
   std::vector<double> Points;
@@ -255,8 +255,8 @@ NeighbourCounts CountNeighbours(
   return counts;
 }
 
-/// ln PL = sum over points of ln(Activity Interaction^t) - Activity * integral of Interaction^t; at the best Activity,
-/// which is the number of points over the integral.
+/// Log-pseudo-likelihood ln PL = sum over points of ln(beta gamma^t) - beta * integral of gamma^t, at its maximum over
+/// beta, the number of points over the integral.
 double LogPseudoLikelihood(const NeighbourCounts& counts, double interaction, double& activity)
 {
   double integral = 0.0;
@@ -323,7 +323,7 @@ ProcessFit FitStrauss(
 namespace
 {
 
-/// The distance whose pseudo-likelihood is largest, with the same border for all.
+/// Fit of the Distance with the largest pseudo-likelihood, with the same border for all.
 ProcessFit FitStraussDistance(const std::vector<PlanePosition>& points, const ObservationWindow& window,
   double intensity, const ParallelFor& parallel)
 {

@@ -15,21 +15,21 @@
 namespace littoral
 {
 
-/// Which function of the pattern a process of clusters or a Cox process is fitted to.
+/// Summary function by whose contrast cluster and Cox processes are fitted.
 enum class ContrastFunction
 {
   Ripley = 0,          ///< K
   PairCorrelation = 1, ///< g
 };
 
-/// How processes are fitted by minimum contrast (Diggle 1983; Waagepetersen 2007).
+/// Options of fits by minimum contrast (Diggle 1983; Waagepetersen 2007).
 struct ContrastOptions
 {
   ContrastFunction Function = ContrastFunction::Ripley;
   EdgeCorrection Correction = EdgeCorrection::Isotropic;
   double MaximumDistance = 0.0; ///< [m], distance up to which functions are compared; 0: that of DefaultDistances()
-  double Power = 0.25;  ///< q
-  int TrendDegree = 0;  ///< of the logarithm of the intensity over the window, 0 (none) to MaximumTrendDegree
+  double Power = 0.25;          ///< q
+  int TrendDegree = 0;          ///< of the logarithm of the intensity over the window, 0 (none) to MaximumTrendDegree
 };
 
 /// Why a contrast cannot be, in words for a user; empty when it can.
@@ -40,9 +40,9 @@ struct ProcessFit
 {
   PointProcessParameters Process;
   IntensityTrend Trend;             ///< none unless it was asked for, and for Strauss and the soft core
-  bool Exists = false;              ///< false where the pattern has no such process: its parameters run away
-  double Contrast = 0.0;            ///< by minimum contrast [m^(4 q) m for K, m for g]; else NaN
-  double LogPseudoLikelihood = 0.0; ///< by pseudo-likelihood; else NaN
+  bool Exists = false;              ///< false where the fit has no maximum or minimum within bounds
+  double Contrast = 0.0;            ///< of fits by minimum contrast [m^(4 q) m for K, m for g]; else NaN
+  double LogPseudoLikelihood = 0.0; ///< of fits by pseudo-likelihood; else NaN
 };
 
 /**
@@ -64,31 +64,32 @@ struct ProcessFit
 ProcessFit FitProcess(PointProcess process, const std::vector<PlanePosition>& points, const ObservationWindow& window,
   const ContrastOptions& options, const ParallelFor& parallel = SerialFor);
 
-/// The trend that options ask for, FitTrend(); none without a degree.
+/// Trend of the degree of the options, by FitTrend(); none for the degree 0.
 IntensityTrend TrendOf(
   const std::vector<PlanePosition>& points, const ObservationWindow& window, const ContrastOptions& options);
 
-/// The same with TrendOf() the points, which all processes share.
+/// Fits with the TrendOf() the points, which all processes share.
 ProcessFit FitProcess(PointProcess process, const std::vector<PlanePosition>& points, const ObservationWindow& window,
   const ContrastOptions& options, const IntensityTrend& trend, const ParallelFor& parallel = SerialFor);
 
-/// A Strauss process of a given Distance, of the points that lie farther than the border [m] from the edge; it is not
-/// below the distance.
+/// Fits a Strauss process of a given Distance by the maximum of the pseudo-likelihood, with border correction [m],
+/// which is not below the distance.
 ProcessFit FitStrauss(
   const std::vector<PlanePosition>& points, const ObservationWindow& window, double distance, double border);
 
-/// A soft-core process by the maximum of the pseudo-likelihood over Distance at each Softness of 0.05, 0.1 ... 0.75,
-/// and over those. Points nearer to the edge than the border [m] are neighbours only; neighbours count up to three mean
-/// distances of points. The integral is a sum over 128 by 128 places and the points (Berman and Turner 1992). It exists
-/// where the logarithm of the pseudo-likelihood exceeds that of random points by more than 5, as by chance one random
-/// pattern in twenty.
+/// Fits a soft-core process by the maximum of the pseudo-likelihood over Distance at each Softness of 0.05, 0.1 ...
+/// 0.75, and over those. Border correction [m]: points nearer to the edge are neighbours only; neighbours count up to
+/// three mean distances of points. The integral is a sum over 128 by 128 places and the points (Berman and Turner
+/// 1992). The fit exists if its log-pseudo-likelihood exceeds that of random points by more than 5, as by chance one
+/// random pattern in twenty.
 ProcessFit FitSoftCore(const std::vector<PlanePosition>& points, const ObservationWindow& window, double border,
   const ParallelFor& parallel = SerialFor);
 
-/// The maximum of the likelihood from a fit on, by simulations with the number of points given. There, the integrals of
-/// g times the derivatives of the potential by ln Distance and by Softness are those of the pattern (with translation
-/// correction, up to half the shorter side); 24 rounds of 40 sweeps of one simulation, with Newton's steps whose
-/// derivatives are the covariances of these sums, shortened as 1, 1/2, 1/3 ... from the ninth on (Robbins and Monro).
+/// Refines a fit to the maximum likelihood given the number of points, by stochastic approximation (Robbins and Monro
+/// 1951). At the maximum the integrals of g times the derivatives of the potential by ln Distance and by Softness are
+/// those of the pattern (with translation correction, up to half the shorter side). 24 iterations of 40 sweeps of one
+/// simulation take Newton steps, whose derivatives are the covariances of these sums, shortened as 1, 1/2, 1/3 ... from
+/// the ninth on.
 ProcessFit RefineSoftCore(const ProcessFit& start, const std::vector<PlanePosition>& points,
   const ObservationWindow& window, const ParallelFor& parallel = SerialFor);
 

@@ -22,7 +22,7 @@ namespace
 constexpr double MaximumDraws = 1e9;
 /// More births at one time, or points that are moved again and again, than this take minutes.
 constexpr double MaximumAlive = 5e5;
-/// In the lower half of the draw, names the cluster in place of one of its points: none has so many.
+/// Number in the lower half of the draw that names the cluster in place of one of its points: none has so many.
 constexpr std::uint64_t WholeCluster = 0xffffffff;
 /// Points drawn at a time, more or less.
 constexpr double PointsOfTask = 1 << 14;
@@ -39,7 +39,7 @@ IntensityFactor FactorOf(const ProcessOptions& options)
   return options.Raster ? IntensityFactor(*options.Raster) : IntensityFactor();
 }
 
-/// The process where the raster is highest.
+/// Process of the highest intensity of the raster, before thinning.
 PointProcessParameters Highest(const PointProcessParameters& process, const ProcessOptions& options)
 {
   PointProcessParameters highest = process;
@@ -300,11 +300,10 @@ std::string WhyInvalid(const MarkOptions& options)
 std::vector<double> DrawMarks(const ProcessPattern& pattern, const MarkOptions& options)
 {
   const RandomStream random(options.Seed, RandomPurpose::ProcessMarks);
-  // ln m = ln mean - s2 / 2 + s (share^(1/2) z of the cluster + (1 - share)^(1/2) z of the point), s2 = ln(1 + c^2)
   const double s2 = std::log1p(options.Variation * options.Variation);
-  const double sharing = pattern.HasClusters ? options.ClusterCorrelation : 0.0;
-  const double common = std::sqrt(s2 * sharing);
-  const double own = std::sqrt(s2 * (1.0 - sharing));
+  const double rho = pattern.HasClusters ? options.ClusterCorrelation : 0.0;
+  const double common = std::sqrt(s2 * rho);
+  const double own = std::sqrt(s2 * (1.0 - rho));
   std::vector<double> marks;
   marks.reserve(pattern.Identities.size());
   for (const PointIdentity& identity : pattern.Identities)

@@ -10,7 +10,7 @@
 namespace littoral
 {
 
-/// How often quadrats hold 0, 1, 2... points.
+/// Numbers of quadrats that hold 0, 1, 2... points.
 std::vector<long long> CountFrequencies(const std::vector<int>& counts);
 
 /// Moments of the counts, and the index of dispersion as a test of randomness.

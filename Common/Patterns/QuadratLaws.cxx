@@ -132,8 +132,8 @@ std::vector<double> NegativeBinomialMass(double k, double p, std::size_t count)
   });
 }
 
-/// How many points a quadrat or a cluster holds, but for a chance of e^-40 or so: with a tail that falls to a part e in
-/// as many points as given.
+/// Bound of the number of points in a quadrat or a cluster, which is exceeded with a probability of e^-40 or so: for a
+/// tail that falls to a part e in as many points as given.
 double Reach(double mean, double variance, double tail)
 {
   return mean + 12.0 * std::sqrt(variance) + 40.0 * tail + 20.0;
@@ -262,7 +262,7 @@ constexpr auto Success = MakeParameter<Law, &Law::ClusterSuccess>("ClusterSucces
 
 constexpr ParameterList<Law> AllParameters = { { &Mean, &Trials, &Shape, &ClusterMean, &Success } };
 
-/// In the order of the enumeration.
+/// Rows in the order of the enumeration.
 constexpr QuadratLawTraits Rows[] = {
   // name, parameters, variance of the count, probabilities, lengths, what parameters must fulfil together
   { "Poisson", { { &Mean } }, PoissonVariance, PoissonLaw, PoissonLengths },

@@ -12,7 +12,7 @@
 namespace littoral
 {
 
-/// How many points lie in a quadrat (Setas et al., section 2.2.1, after Rogers 1974). Values are user-visible.
+/// Laws of the number of points in a quadrat (Setas et al., section 2.2.1, after Rogers 1974). Values are user-visible.
 enum class QuadratLaw
 {
   Poisson = 0,

@@ -38,9 +38,9 @@ enum class QuadratMode
 };
 
 /**
- * How many quadrats get 0, 1, 2... points: numbers of quadrats with at most so many, as the law has them, rounded up
- * where remainders are largest, so that the total of points is the nearest whole number to quadrats * mean. Cumulated
- * numbers are off by less than 1, so that tails are kept where each count alone is expected less than once.
+ * Numbers of quadrats that get 0, 1, 2... points: those with at most so many, as the law has them, rounded up where
+ * remainders are largest, so that the total of points is the nearest whole number to quadrats * mean. Cumulated numbers
+ * are off by less than 1, so that tails are kept where each count alone is expected less than once.
  */
 std::vector<long long> QuotaFrequencies(const QuadratLawParameters& law, long long quadrats);
 
@@ -49,8 +49,7 @@ std::vector<long long> QuotaFrequencies(const QuadratLawParameters& law, long lo
 std::vector<int> QuadratCounts(const QuadratLawParameters& law, long long quadrats, QuadratMode mode, int seed,
   const Poll& poll = NoPoll, const ParallelFor& parallel = SerialFor);
 
-/// How many points lie in all quadrats before each one that begins a block of the range [begin, end), and before its
-/// end.
+/// Number of points in all quadrats before each one that begins a block of the range [begin, end), and before its end.
 std::vector<long long> QuadratSites(
   const std::vector<int>& counts, std::size_t begin, std::size_t end, std::size_t quadratsAtOnce);
 

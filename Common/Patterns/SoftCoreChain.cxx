@@ -85,7 +85,7 @@ void SoftCoreChain::Sweep(int sweep)
     const auto u = this->Moves.UniformPair(static_cast<std::uint64_t>(sweep), n);
     double chance = this->Chances.UniformPair(static_cast<std::uint64_t>(sweep), n)[0];
     MakeLogarithms(1, &chance);
-    // A move is made if ln u < U(here) - U(there).
+    // Metropolis: accept if ln u < U(here) - U(there).
     const PlanePosition there = this->Moved(this->Places[n], u, sweep % SweepsOfLeap == 0);
     const double most = this->PotentialAt(this->Places[n], n, HUGE_VAL) - chance;
     if (this->PotentialAt(there, n, most) < most)
@@ -108,7 +108,7 @@ PlanePosition SoftCoreChain::Moved(const PlanePosition& place, const std::array<
   return there;
 }
 
-/// U = sum over the other points of (Distance / r)^(2 / Softness), or anything above `most` once it is above.
+/// U(x) = sum over the other points of (Distance / r)^(2 / Softness); any number above `most` if it is above.
 double SoftCoreChain::PotentialAt(const PlanePosition& place, std::size_t except, double most) const
 {
   double sum = 0.0;

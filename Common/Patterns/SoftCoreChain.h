@@ -17,14 +17,15 @@
 namespace littoral
 {
 
-/// Potentials of two points that are below this are left out.
+/// Smallest potential of two points that counts.
 inline constexpr double MinimumPotential = 0.005;
 
-/// Distance up to which points of a soft-core process feel each other [m].
+/// Range of the interaction of a soft-core process [m], Distance MinimumPotential^(-Softness / 2).
 double SoftCoreReach(const PointProcessParameters& process);
 
-/// The potential (Distance / r)^(2 / Softness) of two points, between nodes that are equidistant in r^2: relatively
-/// within 1e-3 where it is below 10, and within 2 % up to 50, whence it grows as 1 / r^2, since no pair is there.
+/// Pair potential p(r) = (Distance / r)^(2 / Softness), linear between nodes that are equidistant in r^2: relative
+/// errors are within 1e-3 where it is below 10, and within 2 % up to 50, whence it grows as 1 / r^2, since no pair is
+/// there.
 class SoftCorePotential
 {
 public:
@@ -32,7 +33,7 @@ public:
 
   double GetSquareReach() const { return this->SquareReach; }
 
-  /// By the square of a distance below the reach [m2].
+  /// Potential at the square of a distance below the reach [m2].
   double operator()(double r2) const
   {
     const double place = (r2 - this->Nearest) * this->PerStep;
@@ -53,26 +54,26 @@ private:
 };
 
 /**
- * Points of a given number on a torus, moved one by one by the rule of Metropolis, whose equilibrium is the soft-core
- * process. The process may change on the way.
+ * Markov chain of a given number of points on a torus, moved one by one by Metropolis's rule, accept if u < exp(U(x) -
+ * U(x')), with the soft-core process as its equilibrium. The process may change on the way.
  */
 class SoftCoreChain
 {
 public:
   SoftCoreChain(const PointProcessParameters& process, const PatternArea& domain, int seed);
 
-  /// So many points at random places.
+  /// Adds so many points at random places.
   void Fill(std::size_t points);
 
   /// Moves each point once; the number of a sweep chooses its random numbers.
   void Sweep(int sweep);
 
-  /// Goes on from the same places with other parameters.
+  /// Continues from the same places with other parameters.
   void SetProcess(const PointProcessParameters& process);
 
   const SoftCorePotential& GetPotential() const { return this->Potential; }
 
-  /// From the corner of the domain [m].
+  /// Positions of the points from the corner of the domain [m].
   const std::vector<PlanePosition>& GetPlaces() const { return this->Places; }
 
   /// Calls found(square of the distance) for each pair of points within reach.

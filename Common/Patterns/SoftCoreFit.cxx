@@ -24,12 +24,12 @@ namespace
 constexpr int PlacesOfSide = 128;
 /// Neighbours count up to so many mean distances of points.
 constexpr double Reach = 3.0;
-/// Softnesses that are tried: from 0.05 on in steps of as much.
+/// Number of softnesses that are tried: from 0.05 on in steps of as much.
 constexpr int SoftnessesTried = 15;
 /// Distances in mean distances of points: shorter ones are no interaction, longer ones that of frozen points.
 constexpr double MinimumCore = 0.02;
 constexpr double MaximumCore = 1.4;
-/// By so much the logarithm of the pseudo-likelihood must exceed that of random points, of which chance makes 2 often.
+/// Minimum excess of the log-pseudo-likelihood over that of random points, in which chance makes 2 often.
 constexpr double MinimumGain = 5.0;
 
 using Powers = std::array<double, SoftnessesTried>;
@@ -63,8 +63,8 @@ Powers SumsAbout(const PointCells& cells, const PlanePosition& place, double uni
   return sums;
 }
 
-/// What the pseudo-likelihood is made of: sums about the points and about places, and the areas for which these stand
-/// [m2]. Each place is the center of a cell, and shares it with the points in it.
+/// Terms of the pseudo-likelihood: sums about the points and about places, and the areas for which these stand [m2].
+/// Each place is the center of a cell, and shares it with the points in it.
 struct PotentialSums
 {
   std::vector<Powers> OfPoints;
@@ -140,7 +140,7 @@ PotentialSums FindSums(const std::vector<PlanePosition>& points, const Observati
 double LogPseudoLikelihood(const PotentialSums& sums, std::size_t softness, double logCore)
 {
   const double c = std::exp(2.0 * logCore / SoftnessOf(softness));
-  // By the largest term, since all of them underflow for a long core.
+  // Relative to the largest term, since all of them underflow for a long core.
   double least = std::numeric_limits<double>::infinity();
   for (const std::vector<Powers>* each : { &sums.OfPoints, &sums.OfPlaces })
   {

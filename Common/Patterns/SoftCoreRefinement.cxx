@@ -19,10 +19,10 @@ namespace littoral
 namespace
 {
 
-/// Rounds of the search, and those of them after which steps become shorter.
+/// Iterations of stochastic approximation, and those after which steps become shorter.
 constexpr int Rounds = 24;
 constexpr int FreeRounds = 8;
-/// Sweeps of a round; every second one is measured.
+/// Sweeps of an iteration; every second one is measured.
 constexpr int SweepsOfRound = 40;
 /// Steps of ln Distance and of Softness, at most.
 constexpr std::array<double, 2> MaximumSteps = { 0.15, 0.1 };
@@ -35,7 +35,7 @@ constexpr double MaximumCore = 1.4;
 /// Seed of the simulations, which are those of no user's seed that is likely.
 constexpr int SeedOfFit = 1984110513;
 
-/// Two numbers that belong to ln Distance and Softness.
+/// Derivatives by ln Distance and by Softness.
 using Slopes = std::array<double, 2>;
 
 /// Derivatives of the potential p = (Distance / r)^(2 / Softness): 2 p / Softness, and -p ln p / Softness.
@@ -81,7 +81,7 @@ struct SlopeMoments
   }
 };
 
-/// The pattern, of which sums over pairs are asked again and again.
+/// Sums over the pairs of the measured pattern.
 class MeasuredPairs
 {
 public:
@@ -94,7 +94,7 @@ public:
   {
   }
 
-  /// Pairs count up to this distance, at which moved windows still share half of each side [m].
+  /// Maximum distance of the pairs, at which moved windows still share half of each side [m].
   double GetFarthest() const { return this->Farthest; }
 
   /// Integral of g times the slopes: 2 |W|^2 / (n (n - 1)) sum over pairs of slope / |W and W moved|.
@@ -201,7 +201,7 @@ ProcessFit RefineSoftCore(const ProcessFit& start, const std::vector<PlanePositi
     SlopeMoments moments;
     sweepUntil(sweep + SweepsOfRound,
       [&] { moments.Samples.push_back(SumOfPairs(chain, process.Softness, measured.GetFarthest())); });
-    // E of the model minus what was measured; its derivatives are minus the covariances: an exponential family.
+    // Score: expectation of the model minus the measured sums; its derivatives are minus the covariances.
     const Slopes mean = moments.Mean();
     const Slopes wanted = measured.Find(process);
     const Slopes differences = { scale * mean[0] - wanted[0], scale * mean[1] - wanted[1] };

@@ -13,7 +13,7 @@
 namespace littoral
 {
 
-/// The species of a point: the inverse of the cumulated shares.
+/// Species of a point, by inversion of the cumulative shares.
 class SpeciesDraw
 {
 public:

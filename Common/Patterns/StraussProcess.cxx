@@ -24,19 +24,19 @@ namespace
 
 /// Lifetimes of the first run; each following one is twice as long.
 constexpr int FirstRun = 8;
-/// Mean number of points within the distance that an interaction would remove from a random pattern, beyond which the
-/// bounds do not meet in any window that is not small.
+/// Largest beta (1 - gamma) pi R^2 of perfect simulation, with R = Distance: beyond it the upper and lower processes do
+/// not coincide in any window that is not small.
 constexpr double MaximumRemoved = 4.0;
 /// Events between polls.
 constexpr std::size_t EventsAtOnce = 4096;
 
-/// A point of the free process, which knows of no interaction.
+/// Point of the dominating process, the birth-death process without interaction.
 struct Birth
 {
   double Time;  ///< [mean lifetimes], below 0, which is the time of the pattern
   double Death; ///< [mean lifetimes]
   PlanePosition Place;
-  double Chance; ///< it enters if this is below the interaction with those that are there
+  double Chance; ///< uniform number; the point is accepted if it is below gamma^t, with t points within Distance
   PointIdentity Identity;
   int Species;
 };
@@ -48,7 +48,7 @@ void SortByTime(std::vector<Birth>& births)
   });
 }
 
-/// Births of the free process of the plane, of Activity on 1 m2 in a lifetime.
+/// The dominating process of the plane: births at the rate Activity on 1 m2 in a mean lifetime, exponential lifetimes.
 class FreeProcess
 {
 public:
@@ -67,7 +67,7 @@ public:
 
   const PatternArea& GetDomain() const { return this->Domain; }
 
-  /// All that live at some time from so many lifetimes ago to now, by their births.
+  /// Points alive at some time from so many lifetimes ago to now, in the order of their births.
   std::vector<Birth> Since(int lifetimes) const
   {
     // Of points that live for exponential times, those that die in a lifetime are as many as those that are born in it,
@@ -100,7 +100,7 @@ public:
   }
 
 private:
-  /// Those that die in one lifetime.
+  /// Adds the births of the points that die in one lifetime.
   void AddSlab(std::size_t slab, std::vector<Birth>& births) const
   {
     const CellBlock block = this->Lattice.Covering(this->Domain);
@@ -146,7 +146,7 @@ private:
   RandomStream Chances;
 };
 
-/// Two birth-death processes between which that of the Strauss process lies.
+/// Upper and lower birth-death processes, between which that of the Strauss process lies.
 class BoundingProcesses
 {
 public:
@@ -182,7 +182,7 @@ public:
     this->LeaveUntil(0.0);
   }
 
-  /// Whether both have the same points in the box.
+  /// Whether the upper and the lower process coincide in the box.
   bool HaveMet() const
   {
     return std::all_of(this->Present.begin(), this->Present.end(), [&](const std::vector<std::size_t>& square) {
@@ -212,7 +212,7 @@ public:
   }
 
 private:
-  /// Those of the upper process leave that die at a time or before.
+  /// Removes from the upper process the points that die at a time or before.
   void LeaveUntil(double time)
   {
     for (; !this->Deaths.empty() && this->Deaths.top().first <= time; this->Deaths.pop())
@@ -232,8 +232,8 @@ private:
     return this->Present[this->IndexOf(this->Squares.IndexOf(place[0]), this->Squares.IndexOf(place[1]))];
   }
 
-  /// A birth enters each process if its chance is below the interaction with the points of the other one: the more
-  /// there are, the fewer enter, so that the upper process stays above and the lower one below.
+  /// Accepts a birth into the lower process if u < gamma^t with the t neighbours in the upper one, and into the upper
+  /// process by those in the lower one: the more neighbours, the fewer births, so that one stays above the other.
   void Enter(std::size_t n)
   {
     const Birth& birth = this->Births[n];

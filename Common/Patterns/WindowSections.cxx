@@ -13,7 +13,7 @@ namespace
 
 /// Sections over the height of a window.
 constexpr int SectionRows = 1024;
-/// Spacings of a table's nodes from 0 to its maximumDistance distance.
+/// Spacings of a table's nodes from 0 to its maximum distance.
 constexpr int TableSteps = 128;
 
 /// Length [m] that a section and another one, moved by dx [m], have in common.

@@ -12,10 +12,11 @@
 namespace littoral
 {
 
-/// The section of a window by the line at a height y [m]: x [m] where it begins and ends in turn, increasing.
+/// Section of a window along the line of an ordinate y [m]: abscissas of its begins and ends in turn, increasing [m].
 std::vector<double> SectionAt(const ObservationWindow& window, double y);
 
-/// Area of what a window and the window moved by (dx, dy) [m] have in common [m2], from a thousand sections.
+/// Area of the intersection of a window and the window moved by (dx, dy) [m], |W and W + h| [m2], by a thousand
+/// sections.
 double CommonAreaOfRows(const ObservationWindow& window, double dx, double dy);
 
 /**

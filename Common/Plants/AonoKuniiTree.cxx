@@ -96,7 +96,7 @@ enum class Letter
   C,
 };
 
-/// What a branch starts with.
+/// State with which a branch starts.
 struct Bud
 {
   int Node; ///< that carries it
@@ -326,7 +326,7 @@ private:
   }
 };
 
-/// What a figure's four trees differ in.
+/// Parameters in which the four trees of a figure differ.
 struct Published
 {
   double Ratio1, Ratio2, Angle1, Angle2;
@@ -351,7 +351,7 @@ constexpr PublishedTernary Ternary[] = { { 94.74, 132.63, 18.95, 1.109, { 0.0, 0
   { 112.5, 157.5, 22.5, 1.79, { -0.02, 0.0, -1.0 }, 0.27, 8 },
   { 180.0, 252.0, 36.0, 1.07, { -0.61, 0.19, 0.77 }, 0.4, 6 } };
 
-/// What the figures do not tell: size in metres, leaves and colors.
+/// Parameters that the figures do not give: size in metres, leaves and colors.
 struct Dress
 {
   double TrunkLength, TrunkRadius, LeafSize, LeafWidth;

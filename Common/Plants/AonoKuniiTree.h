@@ -11,7 +11,7 @@
 namespace littoral
 {
 
-/// How a tree forks.
+/// Forms of branching.
 enum class Branching
 {
   Monopodial = 0, ///< a straight axis with side branches

@@ -9,10 +9,10 @@
 namespace littoral
 {
 
-/// How finely branches are skinned.
+/// Resolution of the surfaces of branches.
 struct BranchSkinOptions
 {
-  int MaximumSides = 12;        ///< of the thickest branch; thinner ones get fewer, at least 3
+  int MaximumSides = 12;     ///< of the thickest branch; thinner ones get fewer, at least 3
   double BarkLength = 1.0;   ///< [m] of branch for one repeat of the bark texture
   Color Bark{ 110, 90, 70 }; ///< color of the trunk; twigs are darker
 };

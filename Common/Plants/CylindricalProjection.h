@@ -18,7 +18,7 @@ struct TexturedMesh
 };
 
 /**
- * What an eye sees that circles around the axis of a crown (Setas et al., section 4.1.2). A texel at (u, v) stands for
+ * View of a crown by an eye that circles around its axis (Setas et al., section 4.1.2). A texel at (u, v) stands for
  * rays towards the axis, horizontal, from the direction 2 pi u and at the height v of the crown. It has the mean color
  * of the outermost leaves that the rays hit before they reach the axis, and is opaque in the share of rays that hit.
  */

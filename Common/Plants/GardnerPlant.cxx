@@ -86,7 +86,8 @@ private:
     }
   }
 
-  /// How much shorter than the crown quadrics are in a crown of this ratio of height to width, as part of their width.
+  /// Factor of the height of quadrics in a crown of this ratio of height to width: they are less slender than the
+  /// crown.
   static double Slenderness(double ratio) { return std::min(1.0, std::pow(ratio, -0.4)); }
 
   /// The largest distance from the middle of the unit sphere in a direction of an elevation at which a spheroid with
@@ -496,7 +497,7 @@ GardnerPlantParameters Bush()
   return p;
 }
 
-/// In the order of the enumeration.
+/// Rows in the order of the enumeration.
 constexpr GardnerPresetTraits Presets[] = {
   { "Custom", Tree },
   { "Tree", Tree },

@@ -11,7 +11,7 @@
 namespace littoral
 {
 
-/// A plant that stands for those trees of a stand that are of one kind and about as thick: of their median sizes.
+/// Plant of the median dimensions of a diameter class of one kind.
 struct InventoryPlant
 {
   std::string Kind;
@@ -20,17 +20,16 @@ struct InventoryPlant
   double CrownDiameter = 0.0; ///< [m]
 };
 
-/// The plants of a stand, in the order of the kinds in the table of species, thin ones first, and which one each tree
-/// has.
+/// Plants of a stand, by the kinds in the order of the table of species, thin ones first.
 struct InventoryPlants
 {
   std::vector<InventoryPlant> Plants;
-  std::vector<int> OfTree;
+  std::vector<int> OfTree; ///< index of the plant of each tree
 };
 
 /**
- * Plants for the trees of a completed stand. The trees of a kind are divided by their diameters into classes of equally
- * many, at most so many classes, and no more than it takes for the thickest tree to be 1.3^classes times as thick as
+ * Makes plants for the trees of a completed stand. The trees of a kind are divided into at most `classes` diameter
+ * classes of equally many trees, and no more than it takes for the thickest tree to be 1.3^classes times as thick as
  * the thinnest.
  */
 InventoryPlants PlantsOfInventory(const StandSpeciesTable& species, const StandInventory& stand, int classes);

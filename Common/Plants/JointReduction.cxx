@@ -29,13 +29,13 @@ constexpr double FootShare = 0.15;
 /// much.
 constexpr int Strides[] = { 60, 40, 30, 24, 20, 17, 15, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2 };
 
-/// Where a joint is.
+/// Position and rotation of a joint.
 struct Pose
 {
   glm::dquat Rotation{ 1.0, 0.0, 0.0, 0.0 };
   Vector3 Position{ 0.0, 0.0, 0.0 };
 
-  /// Where it takes a place that is at an offset from it at rest.
+  /// Place of a point at an offset from the joint at rest.
   Vector3 Of(const Vector3& offset) const { return this->Position + this->Rotation * offset; }
 };
 
@@ -126,7 +126,7 @@ ReducedJoints ChooseJoints(const JointTree& tree, const std::vector<PlantFrames>
   return result;
 }
 
-/// What a track may be, those that keep the fewest numbers first.
+/// Samplings that a track may have, those with the fewest numbers first.
 std::vector<Sampling> SamplingsOf(int frames)
 {
   std::vector<Sampling> samplings;
@@ -227,7 +227,7 @@ private:
     return this->Tree.Rests[this->Joints.Kept[kept]] - below;
   }
 
-  /// How a joint should move on the one that it hangs on, in all frames.
+  /// Motion of a joint relative to its parent, in all frames.
   struct Motion
   {
     std::vector<glm::dvec4> Turns;
@@ -302,7 +302,7 @@ private:
     return CurveAt(near, { track.Stride, track.IsSmooth }, this->FrameCount() - start, frame - start);
   }
 
-  /// Where a track has a kept joint in a frame.
+  /// Pose that a track gives a kept joint in a frame.
   Pose PoseAt(int kept, const JointTrack& track, int frame) const
   {
     const glm::dquat turn = this->TurnAt(track, frame);
@@ -370,7 +370,7 @@ private:
     return probes;
   }
 
-  /// By how much a track is off in a place, at most.
+  /// Maximum errors of a track at the probes.
   std::vector<double> ErrorsOf(const std::vector<Probe>& probes, const std::vector<Pose>& poses) const
   {
     std::vector<double> errors;

@@ -17,7 +17,7 @@ PlantMesh LeafCards(const Plant& plant, const Poll& poll = NoPoll);
 /// Columns and rows of the picture on a leaf.
 inline constexpr int LeafPictureSize = 64;
 
-/// What the kites show: a leaf with veins or a tuft of needles, grey where it is, transparent where it is not.
+/// Picture on the kites: a leaf with veins or a tuft of needles, grey where it is, transparent where it is not.
 TextureImage LeafPicture(LeafForm form);
 
 }

@@ -30,7 +30,7 @@ struct CrownVolume
   double Radius = 1.0;           ///< largest [m]; of a cone at the foot, of an ellipsoid at mid-height
 };
 
-/// How deep a position [m] is in the volume: 1 on the axis (ellipsoid: at mid-height), 0 on the surface, negative
+/// Relative depth of a position [m] in the volume: 1 on the axis (ellipsoid: at mid-height), 0 on the surface, negative
 /// outside.
 double Depth(const CrownVolume& crown, const Vector3& position);
 
@@ -75,7 +75,7 @@ struct Plant
   Color Bark{ 105, 88, 70 };
 };
 
-/// How light or dark leaves are and how their colors vary.
+/// Brightness of leaves and variation of their colors.
 struct LeafLight
 {
   double OfLeaf[2] = { 0.0, 0.0 }; ///< normal deviates of the leaf

@@ -234,7 +234,7 @@ private:
     }
   }
 
-  /// How much brighter a picture is than its texels that pass the alpha test: thin twigs are lost.
+  /// Brightness of a picture over that of its texels that pass the alpha test: thin twigs are lost.
   static ColorSum GainsOf(const std::vector<SeenTexel>& picture, const std::vector<float>& smooth, float threshold)
   {
     PictureSum all;
@@ -327,7 +327,7 @@ double AreaAlong(const ImpostorShape& shape, double azimuth, double elevation)
   return std::sqrt(a[0] + (a[1] - a[0]) * (square(std::sin(elevation)) - s[0]) / (s[1] - s[0]));
 }
 
-/// How much larger an area is than that of a picture, within limits.
+/// Ratio of an area to that of a picture, within limits.
 double Ratio(double area, double ofPicture)
 {
   return ofPicture > 0.0 ? std::clamp(area / ofPicture, 0.5, 2.0) : 1.0;

@@ -12,7 +12,7 @@
 namespace littoral
 {
 
-/// What stands for the crown at the level Medium.
+/// Stand-ins for the crown at the level Medium.
 enum class MediumCrown
 {
   Leaves = 0,   ///< cards with tufts of leaves
@@ -21,7 +21,7 @@ enum class MediumCrown
 
 inline constexpr int NumberOfMediumCrowns = 2;
 
-/// How the levels of detail of a plant are made.
+/// Options of the levels of detail of a plant.
 struct PlantLevelOptions
 {
   MediumCrown Crown = MediumCrown::Leaves;
@@ -36,7 +36,7 @@ struct PlantLevelOptions
 /// Why there are no such levels, with the name of the property; empty when there are.
 std::string WhyInvalid(const PlantLevelOptions& options);
 
-/// What the lower levels take from a plant.
+/// Data of a plant that its lower levels need.
 struct PlantOutline
 {
   CrownVolume Crown;

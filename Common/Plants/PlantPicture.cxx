@@ -108,7 +108,7 @@ private:
     }
   }
 
-  /// What a sample of a triangle needs: p = a + v (b - a) + w (c - a).
+  /// Triangle as samples need it: p = a + v (b - a) + w (c - a).
   struct Triangle
   {
     Projected Origin;    ///< a

@@ -40,7 +40,7 @@ struct PictureFrame
 /// where the azimuth's far side is.
 PictureFrame FrameTowards(const Vector3& center, double azimuth, double elevation);
 
-/// What is seen in a texel.
+/// Surface seen in a texel.
 struct SeenTexel
 {
   float Coverage = 0.0f;              ///< share of the samples that meet a mesh

@@ -45,7 +45,7 @@ Vector3 Wide(const Vector3& place, double girth)
   return { girth * place.x, girth * place.y, place.z };
 }
 
-/// Its normals: n = (n_x / g, n_y / g, n_z), of the length it had.
+/// Normal of a widened surface: n = (n_x / g, n_y / g, n_z), of the length it had.
 Vector3 WideNormal(const Vector3& normal, double girth)
 {
   if (girth == 1.0)

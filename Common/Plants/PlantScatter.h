@@ -17,7 +17,7 @@
 namespace littoral
 {
 
-/// How plants of several species differ from site to site.
+/// Variation of plants of several species from site to site.
 struct ScatterOptions
 {
   int Seed = 1;
@@ -54,7 +54,7 @@ struct PlantPlace
   long long SiteId = 0; ///< the site's identity
   int Species = 0;
   double Scale = 1.0;            ///< of heights
-  double WidthScale = 1.0;            ///< of what is level, beside Scale: a plant is Scale WidthScale times as thick and wide
+  double WidthScale = 1.0;       ///< of widths, beside Scale: a plant is Scale WidthScale times as thick and wide
   double Azimuth = 0.0;          ///< turn about the vertical [radians]
   Vector3 Foot{ 0.0, 0.0, 0.0 }; ///< [m]
   std::array<float, 3> Tint{ 1.0f, 1.0f, 1.0f };
@@ -93,7 +93,7 @@ enum class PlantLevel
   Low = 2,
 };
 
-/// What of a scene is shown, and how.
+/// Levels of detail and culling of the plants of a view.
 struct PlantViewOptions
 {
   bool UseLevels = true;        ///< else all is High
@@ -110,8 +110,8 @@ struct ShownPlant
   PlantLevel Level = PlantLevel::High;
 };
 
-/// What a view shows of the plants with Site in [firstSite, endSite), in the order of the places. `cellsShown` are the
-/// marks of the cells for this view.
+/// Plants that a view shows, with Site in [firstSite, endSite), in the order of the places. `cellsShown` are the marks
+/// of the cells for this view.
 std::vector<ShownPlant> ShownPlants(const std::vector<PlantPlace>& places, const SceneCells& cells,
   const std::vector<char>& cellsShown, const View& view, const PlantViewOptions& options, long long firstSite,
   long long endSite);

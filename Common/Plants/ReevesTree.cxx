@@ -23,7 +23,7 @@ constexpr int SegmentsOfBranch[] = { 6, 4, 2, 2 }; // by order; twigs bend littl
 constexpr double ShortestBranch = 0.006;           // as part of the height
 constexpr double StemForm = 0.65;                  // power of the distance from the top to which a bare stem is thick
 
-/// What a branch starts with.
+/// State with which a branch starts.
 struct Bud
 {
   int Node;
@@ -90,7 +90,7 @@ private:
     }
   }
 
-  /// How far it is to the surface of the crown [m].
+  /// Distance to the surface of the crown [m].
   double Reach(const Vector3& position, const Vector3& direction) const
   {
     const double step = (this->P.Height + this->P.CrownRadius) / 200.0;
@@ -173,7 +173,7 @@ private:
     }
   }
 
-  /// How much thicker than at the crown's base a bare stem is below it.
+  /// Radius of a bare stem below the crown over that at the crown's base.
   double StemBelowCrown(double height) const
   {
     const double base = std::min(this->P.CrownBase, this->P.Height * this->P.TrunkReach);
@@ -352,7 +352,7 @@ ReevesTreeParameters Shrub()
   return p;
 }
 
-/// In the order of the enumeration.
+/// Rows in the order of the enumeration.
 constexpr TreePresetTraits Presets[] = {
   { "Custom", Oak, WoodSpecies::Custom },
   { "Pine", Pine, WoodSpecies::Pine },

@@ -70,7 +70,8 @@ ReevesTreeParameters PresetParameters(TreePreset preset);
  */
 ReevesTreeParameters SizedParameters(TreePreset preset, double height, double diameter, double crown = 0.0);
 
-/// Where a trunk is measured, for a tree of a height [m]: at 1.3 m, and below where the tree is lower than 13 m.
+/// Height at which the radius of a trunk is given, for a tree of a height [m]: 1.3 m, and less where the tree is lower
+/// than 13 m.
 double TrunkReferenceHeight(double height);
 
 /// Why there is no such tree, with the name of the parameter; empty when there is.

@@ -10,7 +10,7 @@
 namespace littoral
 {
 
-/// How often a motion is sampled, and what is between the samples.
+/// Sampling of a motion, and interpolation between the samples.
 struct Sampling
 {
   int Stride = 1;        ///< frames from a sample to the next one; the last frame has one in any case

@@ -12,7 +12,7 @@
 namespace littoral
 {
 
-/// What a segment of a seaweed is.
+/// Tissues of segments of a seaweed.
 enum class SeaweedTissue
 {
   Stipe = 0,    ///< round
@@ -22,8 +22,8 @@ enum class SeaweedTissue
 };
 
 /**
- * What a segment of a seaweed is made of, from a node of the skeleton to the next of its branch. Its section is an
- * ellipse: a circle for stipes and floats, a lens for blades. Material and sizes only, so that a seaweed grown to
+ * Material and section of a segment of a seaweed, from a node of the skeleton to the next of its branch. Its section is
+ * an ellipse: a circle for stipes and floats, a lens for blades. Material and sizes only, so that a seaweed grown to
  * another scale has the mass and the stiffness of its size.
  */
 struct SeaweedSegment

@@ -14,7 +14,7 @@
 namespace littoral
 {
 
-/// What of the ground a species may prefer.
+/// Environmental factors of the ground that a species may prefer.
 enum class GroundFactor
 {
   Elevation = 0,         ///< [m]
@@ -32,24 +32,26 @@ using GroundFactors = std::array<double, NumberOfGroundFactors>;
 /// The direction that a slope faces, clockwise from north [degrees], 0 to 360; 0 where it is level.
 double AspectOf(const GroundPoint& ground);
 
-/// How a species answers to a factor: exp(-(v - o)^2 / (2 t^2)) (ter Braak and Looman 1986).
+/// Response of a species to a factor: the Gaussian response curve exp(-(v - o)^2 / (2 t^2)) (ter Braak and Looman
+/// 1986).
 struct FactorResponse
 {
-  double Optimum = std::numeric_limits<double>::quiet_NaN(); ///< NaN: the species does not mind
-  double Tolerance = 1.0;
+  double Optimum = std::numeric_limits<double>::quiet_NaN(); ///< optimum o; NaN: no response
+  double Tolerance = 1.0;                                    ///< tolerance t, positive
 
   bool Counts() const { return this->Optimum == this->Optimum; }
 };
 
-/// A species that prefers some ground.
+/// Habitat preference of a species.
 struct SpeciesPreference
 {
   std::string Name;
-  double Abundance = 1.0; ///< how many there would be on the best of grounds, beside others
+  double Abundance = 1.0; ///< relative abundance at the optimum, not negative
   std::array<FactorResponse, NumberOfGroundFactors> Responses;
 };
 
-/// The product of a species' responses, 0 to 1. Aspect counts the less the leveller the ground is below 5 degrees.
+/// Habitat suitability p, the product of the responses of a species, 0 to 1. Aspect counts in proportion to the slope
+/// below 5 degrees.
 double PreferenceFor(const SpeciesPreference& species, const GroundFactors& ground);
 
 /// Species of a table: columns `species`, `abundance` (default 1), and for each factor its optimum and its tolerance,
@@ -61,19 +63,19 @@ std::vector<SpeciesPreference> ReadPreferences(const TextTable& table);
 /// ground, shrubs on slopes.
 std::vector<SpeciesPreference> DefaultPreferences(bool knowsDrainage = false);
 
-/// Whether one of the species answers to a factor.
+/// Whether one of the species responds to a factor.
 bool AnyAnswers(const std::vector<SpeciesPreference>& species, GroundFactor factor);
 
-/// How sites get species.
+/// Options of the choice of species for sites.
 struct PreferenceOptions
 {
-  bool Thinning = true; ///< else each site without a species gets one, unless all its preferences are 0
+  bool Thinning = true; ///< thins sites by suitability; else each site gets a species, unless all its preferences are 0
   int Seed = 1;
 };
 
 /**
- * The species of a site, by a number that depends on the seed and the site alone; -1: none grows there. A site has
- * species s with probability a_s p_s / sum of a, or if all sites are to be kept a_s p_s / sum of a p.
+ * Species of a site, by a number that depends on the seed and the site alone; -1: none grows there. With thinning a
+ * site has species s with probability a_s p_s / sum of a, else a_s p_s / sum of a p.
  */
 int SpeciesAt(const std::vector<SpeciesPreference>& species, const GroundFactors& ground,
   const PreferenceOptions& options, long long site);

@@ -29,7 +29,7 @@ public:
   };
 
   SkinBinding() = default;
-  /// Of arrays of four joints and four weights a vertex.
+  /// Binding by arrays of four joints and four weights a vertex.
   SkinBinding(const int* jointIds, const float* jointWeights, std::size_t vertices);
 
   /// The run of a vertex.

@@ -12,21 +12,21 @@
 namespace littoral
 {
 
-/// Where a joint went from its place at rest. At rest all of it is exactly zero or one.
+/// Displacement of a joint from its place at rest. At rest all of it is exactly zero or one.
 struct JointPose
 {
   glm::dquat Rotation{ 1.0, 0.0, 0.0, 0.0 };
   Vector3 Shift{ 0.0, 0.0, 0.0 }; ///< [m]
 };
 
-/// What a joint adds to a place p at rest that follows it: (R - 1) (p - r) + s, where r is the place of the joint at
-/// rest and s its shift. As p is near r, single precision is enough wherever the plant stands.
+/// Displacement by a joint of a place p at rest that follows it: (R - 1) (p - r) + s, where r is the place of the joint
+/// at rest and s its shift. As p is near r, single precision is enough wherever the plant stands.
 struct alignas(64) JointChange
 {
   /// Columns of R - 1, each with the component of r [m] behind it, and s [m].
   std::array<std::array<float, 4>, 4> Columns{};
 
-  /// By how much a place moves.
+  /// Displacement of a place.
   Vector3 Of(const Vector3& place) const;
 };
 

@@ -8,14 +8,14 @@
 namespace littoral
 {
 
-/// Forms of curves of height over diameter.
+/// Forms of height-diameter curves.
 enum class HeightCurveForm
 {
   Curtis = 0,  ///< H = 1.37 m + a exp(-b D^c), of Curtis (1967) and Arney (1985)
   Weibull = 1, ///< H = a (1 - exp(-b D^c))
 };
 
-/// The height of trees of a species by their diameter. D is the diameter at breast height in centimetres, H in metres.
+/// Height-diameter curve of a species, H [m] over the diameter at breast height D [cm].
 struct HeightCurve
 {
   HeightCurveForm Form = HeightCurveForm::Curtis;
@@ -27,23 +27,23 @@ struct HeightCurve
 /// Why there is no such curve, with the name of the column; empty if there is: it must grow with the diameter.
 std::string WhyInvalid(const HeightCurve& curve);
 
-/// The height [m] of a tree of a diameter [m]. Below 7.62 cm, where those who measured the trees had none, a Curtis
-/// curve goes on as a straight line to 1.37 m at a diameter of 0.
+/// Height [m] of a tree of a diameter at breast height [m]. Below 7.62 cm, the smallest diameter of the trees that were
+/// measured for it, a Curtis curve is a straight line to 1.37 m at a diameter of 0.
 double HeightOf(const HeightCurve& curve, double diameter);
 
-/// The diameter [m] of a tree of a height [m]; that of the largest tree, 3 m, if the curve does not reach the height.
+/// Diameter at breast height [m] of a tree of a height [m]; 3 m if the curve does not reach the height.
 double DiameterOf(const HeightCurve& curve, double height);
 
-/// The diameter of a crown [m] of a tree of a diameter and a height [m]: D = 0.557 (H W)^0.809 exp(0.056^2 / 2) with D
+/// Crown diameter [m] of a tree of a diameter and a height [m], by D = 0.557 (H W)^0.809 exp(0.056^2 / 2) with D
 /// in centimetres, solved for the width W (Jucker et al. 2017, trees of the whole world).
 double CrownDiameterOf(double diameter, double height);
 
-/// The quadratic mean diameter [m] of a stand of a number of trees a hectare that is half as dense as the densest, by
-/// Reineke (1933): N (D / 25.4 cm)^1.605 = 284, half of what upland oaks reach (230 an acre).
+/// Quadratic mean diameter [m] of a stand of N trees a hectare at half of the maximum stand density index (Reineke
+/// 1933), N (D / 25.4 cm)^1.605 = 284; upland oaks reach 568 (230 an acre).
 double DiameterOfDensity(double treesPerHectare);
 
-/// A diameter [m] of a stand of a quadratic mean diameter [m], by a number from 0 to 1: a Weibull law of shape 2.5
-/// (Bailey and Dell 1973).
+/// Quantile of the diameter distribution [m] of a stand of a quadratic mean diameter [m], at a probability: a Weibull
+/// distribution of shape c = 2.5 (Bailey and Dell 1973), D = b (-ln(1 - u))^(1 / c), b^2 Gamma(1 + 2 / c) = mean D^2.
 double DiameterInStand(double quadraticMean, double uniform);
 
 }

@@ -17,14 +17,14 @@ namespace
 
 constexpr std::size_t MinimumMeasuredDiameters = 10; // measured, before others are drawn from them
 constexpr std::size_t MinimumMeasuredHeights = 5;    // measured, before the curve is scaled by them
-constexpr double MaximumDeviation = 2.0;       // standard deviations
-constexpr double LowestTree = 1.3716;       // of curves, at a diameter of 0 [m]
-constexpr double MinimumDiameter = 0.001;  // [m]
-constexpr double MaximumMean = 0.6;         // of stands by their density [m]
-constexpr double MinimumMean = 0.05;       // [m]
-constexpr double SquareMetres = 1e4;        // of a hectare
+constexpr double MaximumDeviation = 2.0;             // standard deviations
+constexpr double LowestTree = 1.3716;                // of curves, at a diameter of 0 [m]
+constexpr double MinimumDiameter = 0.001;            // [m]
+constexpr double MaximumMean = 0.6;                  // of stands by their density [m]
+constexpr double MinimumMean = 0.05;                 // [m]
+constexpr double SquareMetres = 1e4;                 // of a hectare
 
-/// Numbers of each species, and of all, in order.
+/// Sorted sample of each species, and of all.
 class Measured
 {
 public:
@@ -48,7 +48,7 @@ public:
     }
   }
 
-  /// Those of a species, else all; null where there are too few.
+  /// Measured values of a species, else of all; null where there are too few.
   const std::vector<double>* Of(int species) const
   {
     const auto found = this->OfSpecies.find(species);
@@ -65,7 +65,7 @@ private:
   std::vector<double> All;
 };
 
-/// Between the numbers at a part of their order.
+/// Quantile of a sorted sample, linear between its values.
 double Quantile(const std::vector<double>& sorted, double part)
 {
   const double place = part * static_cast<double>(sorted.size() - 1);
@@ -73,7 +73,7 @@ double Quantile(const std::vector<double>& sorted, double part)
   return sorted[below] + (place - static_cast<double>(below)) * (sorted[below + 1] - sorted[below]);
 }
 
-/// Draws what is missing of a stand.
+/// Imputation of the missing dimensions of a stand.
 class Completion
 {
 public:
@@ -98,7 +98,7 @@ public:
     this->Tall.Sort();
     const double density = static_cast<double>(stand.Trees.size()) / AreaOf(stand) * SquareMetres;
     this->Mean = options.QuadraticMeanDiameter > 0.0 ? options.QuadraticMeanDiameter
-                                            : std::clamp(DiameterOfDensity(density), MinimumMean, MaximumMean);
+                                                     : std::clamp(DiameterOfDensity(density), MinimumMean, MaximumMean);
   }
 
   void Complete(StandTree& tree) const
@@ -109,11 +109,11 @@ public:
     {
       tree.Diameter = std::max(MinimumDiameter,
         tree.ImputedHeight ? this->DiameterFor(tree)
-                         : DiameterOf(this->CurveOf(tree), tree.Height / this->FactorOf(tree)));
+                           : DiameterOf(this->CurveOf(tree), tree.Height / this->FactorOf(tree)));
     }
     if (tree.ImputedHeight)
     {
-      // H = 1.37 m + (f(D) r - 1.37 m) (1 + s z)
+      // H = 1.37 m + (r f(D) - 1.37 m) (1 + s z)
       const double middle = std::max(LowestTree, HeightOf(this->CurveOf(tree), tree.Diameter) * this->RatioOf(tree));
       tree.Height = LowestTree + (middle - LowestTree) * this->VariationOf(tree);
     }
@@ -137,7 +137,7 @@ private:
     return measured ? Quantile(*measured, uniform) : DiameterInStand(this->Mean, uniform);
   }
 
-  /// How much higher than the curve the measured trees are, in the middle.
+  /// Median of the measured heights of a species over those of the curve.
   double RatioOf(const StandTree& tree) const
   {
     const std::vector<double>* ratios = this->Tall.Of(tree.Species);
@@ -150,7 +150,7 @@ private:
     return 1.0 + this->Options.HeightVariation * std::clamp(deviate, -MaximumDeviation, MaximumDeviation);
   }
 
-  /// How much higher than the curve this tree is, where its diameter is not known.
+  /// Height of a tree of unknown diameter over that of the curve.
   double FactorOf(const StandTree& tree) const { return this->RatioOf(tree) * this->VariationOf(tree); }
 };
 

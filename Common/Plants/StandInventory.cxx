@@ -22,14 +22,14 @@ namespace
 {
 
 constexpr double PlotGap = 20.0; // between plots that are set in a row [m]
-// What no stand of trees has.
-constexpr double MaximumDiameter = 12.0; // of the thickest tree on record, 11.6 m [m]
-constexpr double MaximumHeight = 130.0;  // the tallest on record has 116 m [m]
-constexpr double ThickestMiddle = 2.5;   // median diameter [m]
-constexpr double ThinnestMiddle = 0.002; // [m]
-constexpr double TallestMiddle = 90.0;   // median height [m]
-constexpr double LowestMiddle = 0.3;     // [m]
-constexpr double MaximumSlenderness = 400.0;    // median of height over diameter
+// Limits of the dimensions of a stand.
+constexpr double MaximumDiameter = 12.0;     // of the thickest tree on record, 11.6 m [m]
+constexpr double MaximumHeight = 130.0;      // the tallest on record has 116 m [m]
+constexpr double ThickestMiddle = 2.5;       // median diameter [m]
+constexpr double ThinnestMiddle = 0.002;     // [m]
+constexpr double TallestMiddle = 90.0;       // median height [m]
+constexpr double LowestMiddle = 0.3;         // [m]
+constexpr double MaximumSlenderness = 400.0; // median of height over diameter
 constexpr double MinimumSlenderness = 8.0;
 constexpr double DensestStand = 20.0; // trees a square metre
 constexpr std::size_t MinimumTreesForDensity = 20;

@@ -29,7 +29,7 @@ inline constexpr int NumberOfLengthUnits = 6;
 /// A unit in metres; 0 for Named.
 double MetresOf(LengthUnit unit);
 
-/// What the columns of an inventory are called; empty: by the names that are known.
+/// Names of the columns of an inventory; empty: by the names that are known.
 struct InventoryColumns
 {
   std::string X;
@@ -40,28 +40,28 @@ struct InventoryColumns
   std::string Plot;
 };
 
-/// Plants for the trees of a kind, at most.
+/// Maximum number of diameter classes of a kind.
 inline constexpr int MaximumDiameterClasses = 20;
 
-/// How an inventory is read.
+/// Options of the reading of an inventory.
 struct InventoryOptions
 {
   InventoryColumns Columns;
-  LengthUnit CoordinateUnit = LengthUnit::Named;    ///< usually metres
-  LengthUnit DiameterUnit = LengthUnit::Named; ///< usually centimetres; millimetres in a table of ForestGEO
-  LengthUnit HeightUnit = LengthUnit::Named;   ///< usually metres
-  double CoordinateScale = 1.0;                     ///< factor of x and y, for plots on a unit square
-  std::string Plot;                            ///< the only plot that is read; empty: all
-  bool KeepDead = false;                       ///< keeps trees whose status is not alive
-  bool AllowCoincident = false;                ///< allows trees at the same place
-  std::string DefaultSpecies = "hardwood";       ///< as which species that are not in the table count
-  double QuadraticMeanDiameter = 0.0;                   ///< quadratic mean of a stand without diameters [m]; 0: by its density
-  double HeightVariation = 0.1;                ///< standard deviation of drawn heights, as part of them, 0 to 0.4
-  int DiameterClasses = 1;                         ///< plants of a kind, at most, 1 to 20
+  LengthUnit CoordinateUnit = LengthUnit::Named; ///< usually metres
+  LengthUnit DiameterUnit = LengthUnit::Named;   ///< usually centimetres; millimetres in a table of ForestGEO
+  LengthUnit HeightUnit = LengthUnit::Named;     ///< usually metres
+  double CoordinateScale = 1.0; ///< factor of x and y beside their unit, positive, for plots on a unit square
+  std::string Plot;             ///< the only plot that is read; empty: all
+  bool KeepDead = false;        ///< keeps trees whose status is not alive
+  bool AllowCoincident = false; ///< allows trees at the same place
+  std::string DefaultSpecies = "hardwood"; ///< species of the table that stands for those that are not in it
+  double QuadraticMeanDiameter = 0.0;      ///< of a stand without diameters [m], 0 to 2.5; 0: by its density
+  double HeightVariation = 0.1;            ///< relative standard deviation of imputed heights, 0 to 0.4
+  int DiameterClasses = 1;                 ///< maximum number of diameter classes of a kind, 1 to 20
   int Seed = 1;
 };
 
-/// A tree of an inventory. What is not known is NaN until it has been drawn.
+/// Tree of an inventory. Missing dimensions are NaN until they are imputed.
 struct StandTree
 {
   long long Row = 0; ///< of the table, from 0
@@ -70,13 +70,13 @@ struct StandTree
   int Plot = 0;
   int Species = 0; ///< row of the table of species
   std::string Name;
-  double Diameter = std::numeric_limits<double>::quiet_NaN(); ///< [m]
+  double Diameter = std::numeric_limits<double>::quiet_NaN(); ///< diameter at breast height [m]
   double Height = std::numeric_limits<double>::quiet_NaN();   ///< [m]
   bool ImputedDiameter = false;
   bool ImputedHeight = false;
 };
 
-/// A stand as an inventory tells it.
+/// Stand of an inventory.
 struct StandInventory
 {
   std::vector<StandTree> Trees;
@@ -95,14 +95,14 @@ struct StandInventory
 StandInventory ReadInventory(const TextTable& table, const StandSpeciesTable& species, const InventoryOptions& options);
 
 /**
- * Draws the diameters and heights that are not known, each by the seed and the row of its tree. A diameter is that of
- * the curve at the tree's height, else one of those that were measured in the species or in the stand, interpolated,
- * else one of DiameterInStand(). A height is that of the curve, times what the trees measured in both have more than
- * theirs in the middle, times a normal variation, cut at two standard deviations.
+ * Imputes missing diameters and heights, each by the seed and the row of its tree. A diameter is that of the curve at
+ * the tree's height, else a quantile of those measured in the species or in the stand, else one of DiameterInStand(). A
+ * height is H = 1.37 m + (r f(D) - 1.37 m) (1 + s z), with the curve f, the median ratio r of measured heights to the
+ * curve, HeightVariation s, and a standard normal z truncated at 2.
  */
 void CompleteStand(const StandSpeciesTable& species, const InventoryOptions& options, StandInventory& stand);
 
-/// The area of the smallest upright rectangles around the plots of a stand, each a mean spacing wider, in all [m2].
+/// Area of the plots of a stand [m2]: of their bounding rectangles, each a mean spacing wider.
 double AreaOf(const StandInventory& stand);
 
 }

@@ -12,7 +12,7 @@
 namespace littoral
 {
 
-/// A table of words: columns with names, all of as many rows.
+/// Table of texts: columns with names, all of as many rows.
 struct TextTable
 {
   std::vector<std::string> Names;
@@ -57,7 +57,7 @@ public:
   /// Another table. Throws InvalidInput if it is none.
   explicit StandSpeciesTable(const TextTable& table);
 
-  /// The row of a name: of the whole name, else of its first word, the genus; else of the other name. -1 if none is.
+  /// Row of a name: of the whole name, else of its first word, the genus; else of `otherwise`. -1 if there is none.
   int RowOf(const std::string& name, const std::string& otherwise) const;
   bool Has(const std::string& name) const { return this->RowOf(name, "") >= 0; }
 

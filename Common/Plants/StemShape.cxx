@@ -23,7 +23,7 @@ constexpr double StemPart = 0.9;            // of the stem, above which it is no
 constexpr double TallestTree = 150.0;       // [m]
 constexpr double ThickestTree = 20.0;       // [m]
 
-/// Which vertices are joined by triangles, where vertices at one place are one.
+/// Sets of vertices that triangles join; vertices at one place are one.
 class Surfaces
 {
 public:

@@ -20,15 +20,16 @@ struct TreeDimensions
   double Diameter = 0.0; ///< girth of the stem at breast height over pi [m]
 };
 
-/// Where foresters measure a stem above the ground: at 1.3 m; at half the height of a tree lower than 2.6 m [m].
+/// Breast height of a tree [m], at which foresters measure its diameter: 1.3 m; half the height of a tree lower than
+/// 2.6 m.
 double BreastHeight(double height);
 
 /// Why no tree has such dimensions, in words for a user that name a site; empty if one may.
 std::string WhyInvalid(const TreeDimensions& tree, const std::string& site);
 
 /**
- * The stem of a plant as a tape measures it: the girth of its surface at a height, over pi. The stem is the closed
- * surface with the lowest vertex; what grows on it has surfaces of its own.
+ * Stem of a plant as a tape measures it: its diameter at a height is the girth of its surface there over pi. The stem
+ * is the closed surface with the lowest vertex; branches have surfaces of their own.
  */
 class StemShape
 {
@@ -44,8 +45,8 @@ public:
   /// Girth over pi at a height [m]; 0 above and below the stem.
   double DiameterAt(double height) const;
 
-  /// Gives a plant the dimensions by its Scale and WidthScale. One of them alone keeps the proportions. Why it cannot have
-  /// them, in words for a user; empty if it has.
+  /// Sets Scale and WidthScale of a plant by its dimensions. One of them alone keeps the proportions. Why it cannot
+  /// have them, in words for a user; empty if it has.
   std::string Fit(const TreeDimensions& tree, PlantPlace& place) const;
 
 private:

@@ -12,10 +12,11 @@ namespace littoral
 namespace
 {
 
-/// Of the second moment of area of a stem with its bark, which is 15 % of its volume and bears next to nothing.
+/// Second moment of area of a stem without its bark over that with it: bark is 15 % of its volume and bears next to
+/// nothing.
 constexpr double StiffPart = 0.85 * 0.85;
 
-/// In the order of the enumeration.
+/// Rows in the order of the enumeration.
 constexpr WoodParameters Rows[] = {
   // Young's modulus, density, damping ratio
   {},                                  // Custom

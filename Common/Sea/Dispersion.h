@@ -15,7 +15,7 @@ double WaveNumber(double frequency, double depth);
 /// The angular frequency [rad/s] of a wave number [rad/m] on water of a depth [m].
 double WaveFrequency(double waveNumber, double depth);
 
-/// How a wave feels the bed.
+/// Depth regimes of a wave.
 enum class DepthRegime
 {
   Deep,         ///< deeper than half a wavelength

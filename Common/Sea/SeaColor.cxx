@@ -20,7 +20,7 @@ constexpr Vector3 Zenith{ 84.0, 134.0, 196.0 };
 constexpr double FoamIsWhite = 0.1;    ///< Jacobian
 constexpr double SightLength = 1800.0; ///< of light in haze, 1/extinction [m]
 
-/// From 0 at low to 1 at high, without kinks.
+/// Smooth step from 0 at low to 1 at high, without kinks.
 double Step(double low, double high, double x)
 {
   const double t = glm::clamp((x - low) / (high - low), 0.0, 1.0);

@@ -9,7 +9,7 @@
 namespace littoral
 {
 
-/// What the color of the sea's surface depends on.
+/// Conditions that determine the color of the sea's surface.
 struct SeaPlace
 {
   Vector3 Normal{ 0.0, 0.0, 1.0 }; ///< of length 1

@@ -23,20 +23,20 @@ constexpr double Beta = 0.74;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// From here on up panels reach [peaks of the form]; 5/4 of its power -4 is 600.
+/// Frequency from which panels go up [peaks of the form]; 5/4 of its power -4 is 600.
 constexpr double LowestPanel = 0.213643;
-/// Of panels with their halves; rounding of e^-600 leaves 1e-13.
+/// Agreement of panels with their halves; rounding of e^-600 leaves 1e-13.
 constexpr double PanelAgreement = 1e-12;
 /// Part of the energy that may lie above the range of a form.
 constexpr double EnergyAboveRange = 0.01;
-/// From here on the higher peak of a young sea is below 1e-25 of the density [peaks of the form].
+/// Frequency from which the higher peak of a young sea is below 1e-25 of the density [peaks of the form].
 constexpr double EndOfYoungPeak = 2.0;
 /// Relative depth w2 h / g from which on depth takes nothing.
 constexpr double DeepRelativeDepth = 20.0;
 /// Below it wave numbers are beyond all measure [m].
 constexpr double ShallowestDepth = 1e-6;
 
-/// What finite depth leaves of a wave's energy, after Kitaigorodskii.
+/// Part of a wave's energy that finite depth leaves, after Kitaigorodskii.
 double DepthFactor(double frequency, double depth)
 {
   const double x = WaveNumber(frequency, depth) * depth;

@@ -22,7 +22,7 @@ enum class SpectrumKind
   Regular = 4,          ///< one wave
 };
 
-/// How the energy of a sea is spread over frequencies, by few numbers or by a table.
+/// Spectrum of the energy of a sea over frequencies, by few numbers or by a table.
 struct SpectrumParameters
 {
   SpectrumKind Kind = SpectrumKind::PiersonMoskowitz;
@@ -70,7 +70,7 @@ public:
   /// The integral of S over all frequencies, the variance of the elevation [m2].
   double TotalEnergy() const { return this->Total; }
 
-  /// Where S is largest [rad/s].
+  /// Frequency of the maximum of S [rad/s].
   double PeakFrequency() const { return this->Peak; }
 
   /// Lowest and highest angular frequency that matter [rad/s]: 0.5 peaks, and 4 or half peaks more until at most 1 % of

@@ -36,7 +36,7 @@ SeaState FromCenter(SeaState sea, const double center[2])
   return sea;
 }
 
-/// How many trains of a sea, the longest first, have waves of at least four spacings.
+/// Number of trains of a sea, the longest first, with waves of at least four spacings.
 int TrainsResolved(const SeaState& longestFirst, double spacing)
 {
   const double limit = TwoPi / (PointsPerWave * spacing); // k <= 2 pi / (4 s)

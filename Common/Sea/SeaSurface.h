@@ -42,7 +42,7 @@ public:
 
   /// Largest distance between a point and its neighbors [m].
   double SpacingAt(std::size_t point) const;
-  /// Where a point is at rest, from the center [m].
+  /// Position of a point at rest, from the center [m].
   void PlaceAt(std::size_t point, double& x, double& y) const;
   /// Corners of all triangles, counterclockwise from above.
   std::vector<int> MakeTriangles(const Poll& onRing = NoPoll) const;

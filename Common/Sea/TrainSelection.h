@@ -11,7 +11,7 @@
 namespace littoral
 {
 
-/// Which trains may be left out of the motion of a particle.
+/// Criteria for trains that may be left out of the motion of a particle.
 enum class TrainRule
 {
   PerTrain, ///< each of those that move it by less than the error on the screen (Coulais et al., 3.3.1)
@@ -33,7 +33,7 @@ SeaState Ordered(const SeaState& sea, const std::vector<int>& order);
 bool IsPermutation(const std::vector<int>& order);
 
 /**
- * How many trains matter at which distance from the eye and depth in the water, as a table (Coulais et al., 3.3.1; the
+ * Number of trains that matter by distance from the eye and depth in the water, as a table (Coulais et al., 3.3.1; the
  * paper's knows distances alone, yet short waves die out with depth). Trains count from the first; a sea ordered at the
  * height of the particles needs the fewest. The table depends on the lens of a view only, not on where it is.
  *
@@ -48,7 +48,7 @@ public:
   /// Heights [m] between which particles are centered. The screen error [pixels] must be positive.
   TrainTable(const SeaState& sea, double lowest, double highest, const View& view, TrainRule rule, double screenError);
 
-  /// How many trains act at a distance [m] and height [m].
+  /// Number of trains that act at a distance [m] and height [m].
   int CountAt(double distance, double height) const;
 
   /// Bound of the displacement at a height [m].
@@ -58,9 +58,9 @@ public:
   double TailAt(int first, double height) const { return this->Rows[this->RowOf(height)].Tail[first]; }
 
   /**
-   * How far, at any time, a particle may be from where it would be on an orbit of its own, if it keeps an offset of a
-   * length [m] from another one instead. Height: of the upper one. Per train the motion at two places differs by no
-   * more than k a times their distance, nor by more than 2 a.
+   * Bound, at any time, of the distance of a particle from its own orbit [m], if it keeps an offset of a length [m]
+   * from another one instead. Height: of the upper one. Per train the motion at two places differs by no more than k a
+   * times their distance, nor by more than 2 a.
    */
   double SlaveError(double length, double height) const;
 

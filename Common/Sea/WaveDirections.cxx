@@ -20,7 +20,7 @@ namespace
 
 /// Panels of a half of the spreading, at least: so narrow that a line is near enough to begin a quantile with.
 constexpr int LeastPanels = 128;
-/// Of panels with their halves; rounding leaves s times 2e-16 of the density.
+/// Agreement of panels with their halves; rounding leaves s times 2e-16 of the density.
 constexpr double PanelAgreement = 1e-10;
 /// Angles are stretched by no more.
 constexpr double LargestStretch = 16.0;

@@ -11,11 +11,11 @@
 namespace littoral
 {
 
-/// How the energy of waves is spread over directions: with the density cos^2s(angle/2) about their mean direction.
+/// Directional spreading of the energy of waves: cos^2s(angle/2) about their mean direction.
 class WaveSpreading
 {
 public:
-  /// From an exponent s, positive.
+  /// Spreading of an exponent s, positive.
   explicit WaveSpreading(double exponent);
 
   /// The angle [rad] below which a part, 0 to 1, of the energy lies.

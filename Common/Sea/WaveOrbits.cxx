@@ -50,7 +50,7 @@ struct Powers
   float Down; ///< 2^-x
 };
 
-/// For |x| <= 60, to 1.2e-7.
+/// Powers of 2 for |x| <= 60, to 1.2e-7.
 LITTORAL_INLINE Powers PowersOf2(float x)
 {
   const float rounded = x + RoundSingle;
@@ -83,7 +83,7 @@ struct SineCosine
   float Cosine;
 };
 
-/// Of a phase in units of 2^-26 turns, to 3e-7.
+/// Sine and cosine of a phase in units of 2^-26 turns, to 3e-7.
 LITTORAL_INLINE SineCosine SineAndCosine(std::uint32_t turns)
 {
   // phi = half turns + u, u at most a quarter turn: an odd half turn changes both signs

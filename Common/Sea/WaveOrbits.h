@@ -54,7 +54,8 @@ struct OrbitRequest
 /// The unit normal of a surface that was level, from the five numbers of OrbitRequest::Gradient.
 Vector3 SurfaceNormal(const double gradient[5]);
 
-/// By how much the surface is stretched, 1 at rest; where it is 0 or less, it folds over itself and foams.
+/// Jacobian of the horizontal motion of the surface, 1 at rest; where it is 0 or less, the surface folds over itself
+/// and foams.
 double SurfaceJacobian(const double gradient[5]);
 
 /**
@@ -74,7 +75,7 @@ public:
   void Evaluate(const OrbitRequest<double>& request, std::size_t begin, std::size_t end) const;
   void Evaluate(const OrbitRequest<float>& request, std::size_t begin, std::size_t end) const;
 
-  /// What a particle at a height over sea level [m] drifts in a second, second order in the amplitudes [m/s].
+  /// Stokes drift of a particle at a height over sea level [m], second order in the amplitudes [m/s].
   std::array<double, 2> StokesVelocity(double height, std::size_t trains, const float* shares = nullptr) const;
 
 private:

@@ -49,7 +49,7 @@ FrequencyComb CombOf(const std::array<double, 2>& range, int count)
   return { 0.5 * (range[0] + range[1]) / (first + 0.5 * (count - 1)), first };
 }
 
-/// Where bins end, one more than there are.
+/// Edges of the bins, one more than there are bins.
 std::vector<double> EdgesOf(const std::array<double, 2>& range, const TrainParameters& parameters)
 {
   const FrequencyComb comb = CombOf(range, parameters.Count);

@@ -35,7 +35,7 @@ struct SeaState
 /// Why this is no sea state, in words for a user; empty when it is one.
 std::string WhyInvalid(const SeaState& sea);
 
-/// How a spectrum is cut into trains.
+/// Parameters of the discretization of a spectrum into trains.
 struct TrainParameters
 {
   int Count = 30;             ///< positive

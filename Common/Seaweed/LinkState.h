@@ -30,7 +30,7 @@ struct LinkStateOf
   Vector Rate{ Real(0.0) }; ///< Bending: of turning against the parent, in the same frame; else of the angles
 };
 
-/// Where a link is and how it moves.
+/// Position and velocity of a link.
 template <typename Real>
 struct LinkPoseOf
 {

@@ -12,7 +12,7 @@
 namespace littoral
 {
 
-/// How a plant that moves stirs the water.
+/// Flows by which a plant that moves stirs the water.
 enum class WakeKind
 {
   Source = 0,  ///< a source at the center of gravity (Coulais et al., section 4.3.4)
@@ -50,7 +50,7 @@ struct MovingPoint
   double Weight = 0.0; ///< in the center of gravity [kg]
 };
 
-/// At least one point.
+/// Plant of points, at least one.
 MovingPlant PlantOf(const std::vector<MovingPoint>& points);
 
 /**

@@ -47,7 +47,7 @@ struct SegmentRun
   }
 };
 
-/// How a blade lies in the water: its tilt at foot and tip, and how it turns about the vertical and about itself [rad].
+/// Attitude of a blade in the water: its tilt at foot and tip, and its turns about the vertical and about itself [rad].
 struct BladeCourse
 {
   double TiltAtFoot = 0.0;
@@ -413,7 +413,7 @@ SeaweedParameters Eelgrass()
   return p;
 }
 
-/// In the order of the enumeration.
+/// Rows in the order of the enumeration.
 constexpr SeaweedPresetTraits Presets[] = {
   { "Custom", SugarKelp },
   { "SugarKelp", SugarKelp },

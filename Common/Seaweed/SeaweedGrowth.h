@@ -21,7 +21,7 @@ enum class SeaweedPreset
   Eelgrass = 3,  ///< Zostera marina
 };
 
-/// How a seaweed is built.
+/// Forms of seaweeds.
 enum class SeaweedForm
 {
   Tuft = 0,   ///< fronds on one holdfast: a stipe and an undivided blade each
@@ -102,8 +102,8 @@ struct Seaweed
 };
 
 /**
- * Where the segments of a blade begin and end, as parts of its length: `count` + 1 numbers from 0 to 1. The first half,
- * at most five, are each 1.6 times as long as the one before, the rest equal: limp blades bend next to their foot.
+ * Ends of the segments of a blade as parts of its length: `count` + 1 numbers from 0 to 1. The first half, at most
+ * five, are each 1.6 times as long as the one before, the rest equal: limp blades bend next to their foot.
  */
 std::vector<double> BladeSteps(int count);
 

@@ -107,7 +107,7 @@ LITTORAL_INLINE void PoseLink(SeaweedJoint joint, const LinkBody<Real>& link, co
     return;
   }
   const glm::qua<Real> base = parent ? parentLink->Base : GroundBase<Real>();
-  // At rest the turn is none, to the last bit.
+  // No turn at rest, to the last bit.
   const Real bent = Abs(state.Shape.x - link.Theta) + Abs(state.Shape.y - link.Phi);
   const glm::qua<Real> turn = base * BaseRotation(state.Shape.x, state.Shape.y) * Conjugate(link.Base);
   const Real none(0.0);

@@ -166,7 +166,7 @@ private:
   const RibbonOptions& Options;
   PlantMesh Mesh;
 
-  /// How far a place of a ruffled blade lies from its plain [m].
+  /// Offset of a place of a ruffled blade from its mean plane [m].
   double Wave(const SeaweedBlade& blade, double part, double across) const
   {
     const double waves = blade.Length / (WaveOfWidth(this->Weed.Parameters.Form) * blade.Width);
@@ -178,7 +178,7 @@ private:
     return blade.Ruffle * fade * uneven * std::pow(std::abs(across), 1.6) * std::sin(phase);
   }
 
-  /// Where the rows of vertices are along a blade.
+  /// Rows of vertices along a blade, as parts of its length.
   std::vector<double> RowsOf(const SeaweedBlade& blade, int segments) const
   {
     const SeaweedForm form = this->Weed.Parameters.Form;
@@ -256,7 +256,7 @@ private:
   }
 };
 
-/// What is round of a seaweed, as branches of their own that remember the joints they follow.
+/// Round parts of a seaweed, as branches of their own that remember the joints they follow.
 struct RoundParts
 {
   Skeleton Wood;

@@ -9,10 +9,10 @@
 namespace littoral
 {
 
-/// How finely a blade is meshed.
+/// Resolution of the mesh of a blade.
 struct RibbonOptions
 {
-  int MaximumRows = 200;       ///< of polygons along a blade
+  int MaximumRows = 200;    ///< of polygons along a blade
   bool HasRuffles = true;   ///< waves of the edges, and the columns that they need
   bool HasJoints = true;    ///< whether vertices say which segments they follow
   double RowsOfSegment = 2; ///< along a segment where there are no waves
@@ -28,7 +28,7 @@ PlantMesh RibbonsOf(const Seaweed& seaweed, const RibbonOptions& options);
 /// Cylinders on holdfast and stipes, spheroids on floats, and the haptera of a kelp, which follow the holdfast.
 PlantMesh StipesOf(const Seaweed& seaweed);
 
-/// What a blade looks like face on, in a color: u across, v from foot to tip; opaque.
+/// Picture of a blade face on, in a color: u across, v from foot to tip; opaque.
 TextureImage BladePicture(SeaweedForm form, const Color& color, int columns, int rows);
 
 /**

@@ -66,7 +66,7 @@ public:
   /// The state of a link by eqs. 5 and 6, from the pose of its parent; without rates.
   LinkState Procedural(const WaterAtLink& water, std::size_t link, const LinkPose* poses) const;
 
-  /// Between two states, share 0 to 1; without rates.
+  /// State between two states, share 0 to 1; without rates.
   LinkState Mixed(const LinkState& first, const LinkState& second, double share) const;
 
   /// The state of a link that keeps its rest angles.
@@ -82,7 +82,7 @@ private:
   void MakeBatches();
 };
 
-/// What a pose of a link does to all that follows it.
+/// Displacement of all that follows a link in a pose.
 inline JointChange ChangeOf(const SeaweedLink& link, const LinkPose& pose)
 {
   return ChangeOf({ pose.Rotation, pose.Foot - link.Foot }, link.Foot);

@@ -21,14 +21,14 @@ enum class SeaweedJoint
   Tilting = 1, ///< azimuth about the parent segment, then tilt (Coulais et al., figure 7)
 };
 
-/// How water pushes a seaweed.
+/// Loads of the water on a seaweed.
 enum class SeaweedLoad
 {
   Morison = 0, ///< drag by the relative velocity, inertia of water and plant, buoyancy
   Direct = 1,  ///< a factor times acceleration (physical) or displacement (procedural) of the water, and current
 };
 
-/// How a seaweed is taken from one moment to the next.
+/// Time integrators of the motion of a seaweed.
 enum class SeaweedIntegrator
 {
   Implicit = 0,      ///< implicit midpoint rule, of second order, with sub-steps

@@ -22,7 +22,7 @@ Vector3 ConvectiveAcceleration(const Vector3& u, const float* g)
     u.x * g[3] + u.y * g[4] - u.z * (g[0] + g[2]) };
 }
 
-/// By the least detailed level in which a link moves, of a plant in view.
+/// Shares of links in a plant in view by the least detailed level in which they move.
 std::array<double, 3> ByLevel(const SeaweedLevelShares& shares)
 {
   return { shares.Near, shares.Far, 1.0 };
@@ -427,7 +427,7 @@ void SeaweedScene::FindMotion()
 }
 
 //----------------------------------------------------------------------------
-/// By the change of velocities over the whole step that the goal is in.
+/// Acceleration as the change of velocities over the whole step that the goal is in.
 void SeaweedScene::FindPhysicalMotion()
 {
   const StepGoal& goal = this->GetGoal();
@@ -446,7 +446,7 @@ void SeaweedScene::FindPhysicalMotion()
 }
 
 //----------------------------------------------------------------------------
-/// By central differences over two steps, in the currents of the goal.
+/// Velocity and acceleration by central differences over two steps, in the currents of the goal.
 void SeaweedScene::FindProceduralMotion()
 {
   const StepGoal& goal = this->GetGoal();
@@ -468,8 +468,8 @@ void SeaweedScene::FindProceduralMotion()
 }
 
 //----------------------------------------------------------------------------
-// With the paper's joint the azimuth of a segment in line with its parent spins by any load; skins bend without that
-// twist.
+// Turns without the twist of the paper's joint, with which the azimuth of a segment in line with its parent spins by
+// any load.
 std::vector<glm::dquat> SeaweedScene::SkinRotations() const
 {
   std::vector<glm::dquat> rotations;

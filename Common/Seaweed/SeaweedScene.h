@@ -100,7 +100,7 @@ public:
   const std::vector<Vector3>& GetVelocities() const { return this->Velocities; }
   const std::vector<Vector3>& GetAccelerations() const { return this->Accelerations; }
 
-  /// How rigid the skin of a plant is in its level, 0 to 1; see MoveSkin.
+  /// Rigidity of the skin of a plant in its level, 0 to 1; see MoveSkin.
   float RigidityOf(std::size_t plant) const { return this->Rigidities[plant]; }
 
   /// Rotations of the links as skins show them; empty: those of their poses.
@@ -117,7 +117,7 @@ private:
     std::size_t First = 0;
     std::size_t End = 0;
   };
-  /// What all plants of a picture are shown by.
+  /// View data that all plants of a picture share.
   struct Picture
   {
     const WaveOrbits& Orbits;

@@ -60,7 +60,7 @@ std::vector<Vector3> PeriodicResponse(const Oscillator& oscillator, double step,
 /// The state of the periodic motion, from that of an oscillator which was at rest one period [s] ago.
 OscillatorState SettledState(const Oscillator& oscillator, double period, const OscillatorState& fromRest);
 
-/// What a beam along a unit vector makes of a response in space: the part at a right angle to it.
+/// Component of a response in space that a beam along a unit vector can have: the one at a right angle to it.
 inline Vector3 AcrossBeam(const Vector3& response, const Vector3& beam)
 {
   return response - glm::dot(response, beam) * beam;
@@ -87,8 +87,8 @@ struct SeriesPlace
   std::array<std::size_t, SeriesTaps> Samples{};
   std::array<double, SeriesTaps> Weights{};
 
-  /// At a time [s], any finite number, of a series of `count` samples a step [s] apart: band-limited, by a sinc under a
-  /// Kaiser window (beta 6). Waves of four samples and more keep their size to 0.15 %.
+  /// Place at a time [s], any finite number, of a series of `count` samples a step [s] apart: band-limited, by a sinc
+  /// under a Kaiser window (beta 6). Waves of four samples and more keep their size to 0.15 %.
   SeriesPlace(double time, double step, std::size_t count);
 
   template <typename Value>

@@ -30,7 +30,7 @@ TextureImage StillPicture(const TextureImage& from, const SwaySettings& settings
   return picture;
 }
 
-/// What joints add to what follows them at a time [s], as seen from the trunk.
+/// Displacements by the joints at a time [s], as seen from the trunk.
 std::vector<JointChange> ChangesAt(const SwaySpecies& species, double time, PlantSway& sway, int modes)
 {
   const PlantMotion motion(species.Rest, modes);

@@ -14,7 +14,7 @@
 namespace littoral
 {
 
-/// How leaves answer to the wind (eq. 26 of Setas et al.).
+/// Parameters of the motion of leaves in the wind (eq. 26 of Setas et al.).
 struct LeafMotionOptions
 {
   std::array<double, 2> AligningSpeeds{ 2.0, 14.0 };  ///< where k1 begins and ends to rise [m/s]
@@ -57,7 +57,7 @@ public:
     double Part;
   };
 
-  /// Of a time [s], any finite number.
+  /// Factors of a time [s], any finite number.
   Moment MomentOf(double time) const;
 
   /// A leaf whose phase is drawn.
@@ -99,7 +99,7 @@ struct LeafCorners
   double Area = 0.0;            ///< [m2]
 };
 
-/// What the wind does to the leaves of a plant.
+/// Effect of the wind on the leaves of a plant.
 struct LeafWind
 {
   Vector3 Direction{ 0.0, 0.0, 1.0 }; ///< of unit length
@@ -107,7 +107,7 @@ struct LeafWind
   double Range = 0.0;                 ///< of the angles of flutter, k2 times the largest one [rad]
 };
 
-/// Of a wind [m/s].
+/// Effect of a wind [m/s].
 LeafWind LeafWindOf(const Vector3& wind, const LeafMotionOptions& options);
 
 /// A leaf that its twig has already carried along.

@@ -16,8 +16,8 @@ namespace
 
 constexpr int PiecesOfSegment = 2;
 
-/// In the inertia that shapes the deflections leaves weigh as much as a layer of wood of this part of the trunk's
-/// length: 0.35 kg/m2 on a trunk of 12 m. So the shapes of a scaled plant are the same.
+/// Weight of leaves in the inertia that shapes the deflections, as a layer of wood of this part of the trunk's length:
+/// 0.35 kg/m2 on a trunk of 12 m. So the shapes of a scaled plant are the same.
 constexpr double UsualLeafDepth = 3e-5;
 
 /// A piece of a branch: two rigid halves and a spring in the middle, where its mass is.
@@ -33,7 +33,7 @@ struct Piece
   int Shape; // in which it bends
 };
 
-/// Where a branch leaves the trunk.
+/// Attachment of a branch to the trunk.
 struct Foot
 {
   Vector3 Place;
@@ -180,7 +180,7 @@ private:
     return below;
   }
 
-  /// Where a piece goes when its limb's foot turns by 1, so that what is above goes along the direction.
+  /// Displacement of a piece when its limb's foot turns by 1, so that the parts above go along the direction.
   Vector3 Turned(const Piece& piece, int direction) const
   {
     return glm::cross(glm::cross(this->Axis, this->Across[direction]), piece.Middle - this->Feet[piece.Limb].Place);
@@ -235,8 +235,8 @@ private:
     return places;
   }
 
-  /// What branches of each order do under the inertia of all that they bear when a uniform trunk carries them in its
-  /// first mode, with the strain energy 1/2.
+  /// Static shapes of the branches of each order under the inertia of all that they bear when a uniform trunk carries
+  /// them in its first mode, with the strain energy 1/2.
   std::array<Field, LimbShapes> Shapes() const
   {
     std::array<Field, LimbShapes> shapes;

@@ -28,8 +28,8 @@ struct BendingSegment
 class PlantMotion
 {
 public:
-  /// The skeleton must be valid; modes from 1 to MaximumModes. The first branch moves in the trunk's modes where there are
-  /// as many, and all others in those of the uniform cantilever.
+  /// The skeleton must be valid; modes from 1 to MaximumModes. The first branch moves in the trunk's modes where there
+  /// are as many, and all others in those of the uniform cantilever.
   PlantMotion(const Skeleton& rest, int numberOfModes, const std::vector<TrunkMode>& trunk = {});
 
   std::size_t GetNumberOfJoints() const { return this->Joints; }

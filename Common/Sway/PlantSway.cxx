@@ -25,7 +25,8 @@ constexpr long long WindowSamples = 32;
 constexpr std::size_t TableRows = WindowSamples + SeriesTaps - 1;
 /// The wind comes at half steps, where its fastest waves have four samples and the reader loses none of them.
 constexpr std::size_t WindRows = 2 * WindowSamples + SeriesTaps;
-/// Its first row is half a step before this one of the table: SeriesBefore half steps before the first to be read.
+/// Half steps from the first row of the wind to this one of the table: SeriesBefore half steps before the first to be
+/// read.
 constexpr long long WindMargin = SeriesBefore - SeriesBefore / 2;
 
 /// Frequencies above this, times the wind's step, follow the load at once.
@@ -38,7 +39,7 @@ struct CarriedLoad
   double Area = 0.0;
 };
 
-/// What bends, weighs and drags in a tapered branch.
+/// Stiffness, mass and drag of a tapered branch.
 struct Taper
 {
   double BendingRadius; // [m]
@@ -87,7 +88,7 @@ double MinimumRadius(const RoundBeam& beam)
   return std::pow(least / SecondMoment(1.0), 0.25);
 }
 
-/// Which branches carry others.
+/// Marks of the branches that carry others.
 std::vector<char> Carriers(const Skeleton& skeleton)
 {
   std::vector<char> carriers(skeleton.Branches.size(), 0);

@@ -16,14 +16,14 @@
 namespace littoral
 {
 
-/// How the response of a branch is found.
+/// Methods for the response of a branch.
 enum class SwayResponse
 {
   Interpolated = 0, ///< from three orthogonal beams in the wind at the plant's middle (eq. 25, halved)
   Direct = 1        ///< each beam has the wind where it is, and a recurrence of its own
 };
 
-/// How a plant answers to the wind.
+/// Options of the response of a plant to the wind.
 struct SwayOptions
 {
   int NumberOfModes = 1; ///< 1 to MaximumModes

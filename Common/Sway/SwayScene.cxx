@@ -128,7 +128,8 @@ std::string SwayScene::FindTrunk(int row, int& plant)
   const Skeleton trunk = Placed(species->TrunkRest, place);
   BranchBeam beam = place.WidthScale == 1.0
     ? TrunkBeam(species->Trunk, place.Scale, place.Azimuth, this->OptionsOf(row))
-    : TrunkBeam(WideTrunk(*species, place.WidthScale, this->Settings), place.Scale, place.Azimuth, this->OptionsOf(row));
+    : TrunkBeam(
+        WideTrunk(*species, place.WidthScale, this->Settings), place.Scale, place.Azimuth, this->OptionsOf(row));
   int node = 0;
   beam.Middle = trunk.Along(0, 0.5, node);
   plant = this->TrunkOfRow[row] = static_cast<int>(this->Plants.size());

@@ -88,8 +88,8 @@ public:
   /// Whether each leaf's corners come behind those of the leaf before.
   bool AreLeavesInOrder() const { return this->LeavesInOrder; }
 
-  /// Where they are: the vertices [first, end) of the leaves [begin, end) among so many, the first and last leaves with
-  /// all before and behind.
+  /// Range of the vertices of some leaves: [first, end) of the leaves [begin, end) among so many, the first and last
+  /// leaves with all before and behind.
   std::array<std::size_t, 2> VerticesOfLeaves(std::size_t begin, std::size_t end, std::size_t vertices) const;
 
   /// Turns the leaves [begin, end) of skins that MoveSkin has moved, at the time of MoveTo.

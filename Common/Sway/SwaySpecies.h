@@ -28,7 +28,7 @@ struct SwaySettings
   SwayOptions With(const WoodParameters& wood) const;
 };
 
-/// What all plants of a species share: the prototype at rest.
+/// Data that all plants of a species share: the prototype at rest.
 struct SwaySpecies
 {
   Skeleton Rest; ///< of the prototype; without nodes, plants of the species stand still
@@ -46,8 +46,8 @@ struct SwaySpecies
 SwaySpecies MakeSpecies(const Skeleton& rest, const WoodParameters& wood, const std::vector<LeafCorners>& leaves,
   const SwaySettings& settings);
 
-/// What the trunk of a plant of a species bends by and bears, if it is wider and thicker by a factor. Leaves have an
-/// area as if upright.
+/// Measures of the trunk of a plant of a species that is wider and thicker by a factor. Leaves have an area as if
+/// upright.
 TrunkMeasures WideTrunk(const SwaySpecies& species, double girth, const SwaySettings& settings);
 
 /// Whether the trunk has the modes of a beam. It has not if its radii are so unlike that the stiffness of one segment

@@ -33,7 +33,7 @@ struct TrunkBurden
   double Area = 0.0;      ///< that meets the wind, in the lee of others [m2]
 };
 
-/// What a trunk bends by and what it bears, in numbers that scale with the plant.
+/// Stiffness of a trunk and masses that it bears, in numbers that scale with the plant.
 struct TrunkMeasures
 {
   double Length = 1.0;        ///< [m]

@@ -14,7 +14,7 @@ namespace littoral
 /// The first branch of a skeleton, alone.
 Skeleton TrunkAlone(const Skeleton& plant);
 
-/// Which joints move a vertex, and how much.
+/// Joint that moves a vertex, and its weight.
 struct JointHold
 {
   std::array<int, 4> Joints{ 0, 0, 0, 0 };

@@ -15,7 +15,8 @@ namespace littoral
 namespace
 {
 
-/// Of critical; wood alone. It makes one answer of limbs that are nearly alike, and moves that of one by 0.1 %.
+/// Damping ratio of wood alone. It gives limbs that are nearly alike one common peak, and moves the peak of a single
+/// one by 0.1 %.
 constexpr double Damping = 0.05;
 
 /// Frequencies that are tried, from a tenth of the rigid tree's, in equal ratios.
@@ -37,7 +38,7 @@ struct Rider
   double Load;    // that it hands on to the trunk at rest [kg]
 };
 
-/// Those on one trunk. The fast ones are sums: over their square, and over its square.
+/// Riders of one trunk. The fast ones are sums: over their square, and over its square.
 struct Riders
 {
   std::vector<Rider> Slow;
@@ -91,8 +92,8 @@ void AddRiders(const LimbMeasures& limb, const RigidTreeMode& rigid, const LimbM
       const LimbVector mode = solver.eigenvectors().col(i);
       const double carried = mode.dot(coupling);
       const double frequency = std::sqrt(material.Stiffness / own);
-      riders.Add(
-        { material.Stiffness / own, 2.0 * Damping * frequency, carried * carried / own, carried * mode.dot(push) / own },
+      riders.Add({ material.Stiffness / own, 2.0 * Damping * frequency, carried * carried / own,
+                   carried * mode.dot(push) / own },
         FastRatio * FastRatio * rigid.Frequency * rigid.Frequency);
     }
   }
@@ -125,7 +126,8 @@ double Answer(const RigidTreeMode& rigid, const Riders& riders, double frequency
 
 }
 
-double WholeTreeFrequency(const RigidTreeMode& rigid, const std::vector<LimbMeasures>& limbs, const LimbMaterial& material)
+double WholeTreeFrequency(
+  const RigidTreeMode& rigid, const std::vector<LimbMeasures>& limbs, const LimbMaterial& material)
 {
   if (limbs.empty())
   {

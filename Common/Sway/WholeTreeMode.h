@@ -21,7 +21,7 @@ struct RigidTreeMode
   double Load = 1.0;      ///< for an acceleration of all its mass across it [kg]
 };
 
-/// What limbs are made of, in the units of their measures.
+/// Materials of limbs, in the units of their measures.
 struct LimbMaterial
 {
   double Wood = 900.0;    ///< [kg/m3]
@@ -36,7 +36,8 @@ struct LimbMaterial
  * trunk this is the first mode of the tree. A stout tree has many that are as slow as it is or slower, and no single
  * mode; then it is the middle of those in which the trunk goes along.
  */
-double WholeTreeFrequency(const RigidTreeMode& rigid, const std::vector<LimbMeasures>& limbs, const LimbMaterial& material);
+double WholeTreeFrequency(
+  const RigidTreeMode& rigid, const std::vector<LimbMeasures>& limbs, const LimbMaterial& material);
 
 }
 

@@ -559,7 +559,7 @@ constexpr auto Dimension =
 
 constexpr ParameterList<Field> AllParameters = { { &Variance, &Range, &SecondRange, &Dimension } };
 
-/// In the order of the enumeration.
+/// Rows in the order of the enumeration.
 constexpr CovarianceTraits Rows[] = {
   // name, correlation, spectrum, spectrum below, table, parameters, scale of Range, uncorrelation, lowest wave number
   { "Fractal", FractalCorrelation, FractalSpectrum, FractalBelow, TabulateShape<FractalShape>,

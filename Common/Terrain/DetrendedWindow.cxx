@@ -220,7 +220,8 @@ double DetrendedWindow::LostVariance(const std::vector<double>& cellCovariances)
   return std::inner_product(this->Loss.begin(), this->Loss.end(), cellCovariances.begin(), 0.0);
 }
 
-/// Of the pairs at a separation: the part that ends in each cell less the part that starts there.
+/// Imbalance of the pairs at a separation: in each cell, the part of them that ends there less the part that starts
+/// there.
 std::vector<double> DetrendedWindow::PairImbalance(double x, double y) const
 {
   // A pair starts anywhere in its cell, and so ends in up to four.

@@ -13,7 +13,7 @@
 namespace littoral
 {
 
-/// What was removed by least squares from the values of a window.
+/// Trend that was removed by least squares from the values of a window.
 enum class Trend
 {
   Mean,
@@ -21,10 +21,10 @@ enum class Trend
 };
 
 /**
- * What a trend that is removed by least squares leaves of a random field in the window that was measured. Of values z
- * with the covariance matrix C the residual is R z with R = I - P, P the projection on the trend; its expected variance
- * is C(0) - tr(P C) / n, and its semivariance at a separation h is less than that of the field by h's part in the
- * slope that was removed.
+ * Residual of a random field in a measured window after a trend is removed by least squares. Of values z with the
+ * covariance matrix C the residual is R z with R = I - P, P the projection on the trend; its expected variance is C(0)
+ * - tr(P C) / n, and its semivariance at a separation h is less than that of the field by h's part in the slope that
+ * was removed.
  *
  * The window is cut into at most 10 x 10 cells, each weighted by the values it holds, and covariances are averaged
  * over pairs of cells: so missing values count, and the expected variance is good to about 0.2 % of the field's.
@@ -52,7 +52,7 @@ public:
   double LostVariance(const std::vector<double>& cellCovariances) const;
 
   /**
-   * For each class of lags a row of weights: their sum with the cell covariances is what the trend changes in the
+   * Weights, a row for each class of lags: their sum with the cell covariances is what the trend changes in the
    * expected semivariance (mostly below zero). Directions: sectors of the classes; 1: all directions together.
    */
   std::vector<std::vector<double>> SemivarianceChange(const std::vector<LagBin>& bins, int directions) const;

@@ -14,9 +14,8 @@ namespace littoral
 class DetrendedWindow;
 
 /**
- * What a field is expected to show in classes of lags: its semivariance, or that of the residual where a trend was
- * removed from a window. Both are linear in the field's semivariance, so that a change of the field is shown by the
- * same sums.
+ * Expected semivariance of a field in classes of lags: its own, or that of the residual where a trend was removed from
+ * a window. Both are linear in the field's semivariance, so that a change of the field is shown by the same sums.
  */
 class ExpectedVariogram
 {
@@ -35,7 +34,7 @@ public:
     double Nugget = 0.0;
   };
 
-  /// What of it is seen.
+  /// Field as the lags and the window show it.
   struct View
   {
     std::vector<double> Semivariances; ///< in the lags

@@ -25,7 +25,7 @@ constexpr double GrassEnds = 45.0 * Pi / 180.0;
 constexpr double Moist = 6.0;
 constexpr double Wet = 9.0;
 
-/// From 0 at low to 1 at high, without kinks.
+/// Smooth step from 0 at low to 1 at high, without kinks.
 double Step(double low, double high, double x)
 {
   const double t = glm::clamp((x - low) / (high - low), 0.0, 1.0);

@@ -8,7 +8,7 @@
 namespace littoral
 {
 
-/// What the color of a place on the ground depends on.
+/// Conditions that determine the color of the ground at a place.
 struct GroundPlace
 {
   double Slope = 0.0;       ///< from level ground [rad]

@@ -134,7 +134,7 @@ public:
     return r < this->End ? this->Decay(r) - Semivariance(this->Unit, r) + this->Variance : 0.0;
   }
 
-  /// At the points of a lattice, with the indices of a discrete transform.
+  /// Samples the covariance at the points of a lattice, with the indices of a discrete transform.
   void Sample(const PlaneLattice& lattice, FourierGrid& grid) const
   {
     const int width = grid.GetWidth();
@@ -176,8 +176,8 @@ private:
   }
 };
 
-/// From a covariance to the weights of a moving average: its transform is the spectrum with all that folds back, whose
-/// root is the transform of the weights.
+/// Replaces a covariance by the weights of a moving average: its transform is the spectrum with all that folds back,
+/// whose root is the transform of the weights.
 void TakeRootOfSpectrum(FourierGrid& grid)
 {
   grid.Forward();
@@ -298,7 +298,7 @@ LITTORAL_AVX2_VERSION void AverageRun(
 }
 #endif
 
-/// With packs of four, since pairs of registers in place of packs of eight would be kept in memory.
+/// Averages with packs of four, since pairs of registers in place of packs of eight would be kept in memory.
 LITTORAL_ANY_VERSION void AverageRun(
   const TapRows* taps, std::size_t count, std::size_t column, const float* middle, float middleWeight, float* sums)
 {

@@ -34,7 +34,7 @@ struct Crossover
   double Low;
   double High;
 
-  /// Where the long waves of a field end on a lattice: between wavelengths of 8 and 4 of its mean spacings.
+  /// Crossover of long and short waves of a field on a lattice: between wavelengths of 8 and 4 of its mean spacings.
   static Crossover OfLattice(const PlaneLattice& lattice);
 
   /// The part of the power at wave number w that is long: from 1 at Low to 0 at High without a kink.

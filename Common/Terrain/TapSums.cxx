@@ -18,8 +18,8 @@ LITTORAL_INLINE float FourTaps(const float* table, const TapWeights& weights, in
   return (weights[0][n] * table[0] + weights[1][n] * table[1]) + (weights[2][n] * table[2] + weights[3][n] * table[3]);
 }
 
-/// Adds two lines and two lines, since with their weights four do not fit into 16 registers. At most MaximumPointsAtOnce
-/// points.
+/// Adds two lines and two lines, since with their weights four do not fit into 16 registers. At most
+/// MaximumPointsAtOnce points.
 LITTORAL_INLINE void AddPairs(const float* const* tables, const TapWeights& weights, int count, float* __restrict sums)
 {
   alignas(64) float firstPair[MaximumPointsAtOnce];

@@ -21,7 +21,7 @@ using TapWeights = float[4][LinesAtOnce];
  */
 void AddTaps(const float* const (*taps)[4], const TapWeights& weights, int count, float* sums);
 
-/// What AddNeighborTaps may read beyond the last tap.
+/// Number of values beyond the last tap that AddNeighborTaps may read.
 constexpr int Overrun = 32;
 
 /// The same for taps that lie side by side, t_nk[i] = tables[n][i + k]. It may change sums up to the next multiple of

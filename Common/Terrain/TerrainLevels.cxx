@@ -183,7 +183,8 @@ private:
     Left
   };
 
-  /// What a triangle takes in along an edge of a cell: nothing inside the tile or over a seam, which is added here.
+  /// Vertices that a triangle takes in along an edge of a cell: none inside the tile or over a seam, which is added
+  /// here.
   std::vector<int> Edge(bool isOnRim, Side side, int cell)
   {
     if (!isOnRim || this->Neighbours[side] >= this->Level)
@@ -426,7 +427,7 @@ int LevelAtDistance(double distance, const TerrainRule& rule, int levels)
 namespace
 {
 
-/// By which the level of a tile goes [m]: from the eye, wherever within its margin it is.
+/// Distance that sets the level of a tile [m]: from the eye, wherever within its margin it is.
 double DistanceTo(const TerrainTile& tile, const ViewFrustum& view)
 {
   const View& seen = view.GetView();

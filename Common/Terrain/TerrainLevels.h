@@ -35,9 +35,9 @@ struct TerrainTile
 {
   std::array<int, 2> First{ 0, 0 };
   std::array<int, 2> Last{ 0, 0 };
-  Box Bounds;                                    ///< of the heights that are there
-  bool HasHoles = false;                         ///< some heights are missing: shown at level 0 alone
-  bool IsEmpty = false;                          ///< all are
+  Box Bounds;                                       ///< of the heights that are there
+  bool HasHoles = false;                            ///< some heights are missing: shown at level 0 alone
+  bool IsEmpty = false;                             ///< all are
   std::array<float, MaximumTerrainLevels> Errors{}; ///< largest difference of a level from the samples [m]
 };
 
@@ -72,7 +72,7 @@ private:
   std::vector<std::array<float, 3>> Normals;
 };
 
-/// How the level of a tile follows from the view.
+/// Rule of the level of a tile in a view.
 struct TerrainRule
 {
   bool ByPixelError = false;
@@ -90,7 +90,7 @@ int LevelAtDistance(double distance, const TerrainRule& rule, int levels);
 /// A level, or Culled, for each tile.
 std::vector<int> SelectLevels(const TerrainPyramid& pyramid, const ViewFrustum& view, const TerrainRule& rule);
 
-/// How far any place of a tile at a level may be on the screen from where the samples have it [pixels].
+/// Bound of the distance on the screen of a tile at a level from its samples [pixels].
 double ScreenErrorOf(const TerrainTile& tile, int level, const ViewFrustum& view);
 
 /// Vertices, as samples of the grid, and triangles, three vertices each, counter-clockwise from above.

@@ -308,11 +308,11 @@ bool IsOpen(const TurningBandsParameters& parameters)
 double CutWaveNumber(const TurningBandsParameters& parameters, const PlaneGrid& grid)
 {
   const double wavelength = parameters.MinimumWavelength > 0.0 ? parameters.MinimumWavelength
-                                                                : 2.0 * std::max(grid.Spacing[0], grid.Spacing[1]);
+                                                               : 2.0 * std::max(grid.Spacing[0], grid.Spacing[1]);
   return TwoPi / wavelength;
 }
 
-/// Where long waves end and short ones begin, if short ones matter.
+/// Crossover of long and short waves, if short ones matter.
 std::optional<Crossover> FindCrossover(const TurningBandsParameters& parameters, const PlaneLattice& lattice)
 {
   const Crossover crossover = Crossover::OfLattice(lattice);

@@ -17,14 +17,14 @@
 namespace littoral
 {
 
-/// How the wave numbers of a line are cut into bins, one harmonic a bin.
+/// Division of the wave numbers of a line into bins, one harmonic a bin.
 enum class HarmonicBins
 {
   Adaptive = 0, ///< half of the bins follow the spectrum's mass, half its octaves; Fractal: octaves alone
   Uniform = 1,  ///< equal widths, as in the paper's eq. 3
 };
 
-/// What field to grow.
+/// Parameters of a turning bands field.
 struct TurningBandsParameters
 {
   CovarianceParameters Field;
@@ -66,7 +66,7 @@ int EnoughLines(const TurningBandsParameters& parameters, const PlaneGrid& grid,
 /// and Range.
 std::string WhyInvalid(const TurningBandsParameters& parameters, const PlaneGrid& grid, const std::string& prefix = "");
 
-/// What a line carries, bin by bin of its wave numbers.
+/// Spectrum of a line, bin by bin of its wave numbers.
 struct LineSpectrum
 {
   std::vector<double> Edges; ///< [rad/m], one more than bins, where the field is isotropic
@@ -119,7 +119,7 @@ public:
   /// The long waves between the points of the window, at a place in columns and rows, from the tables.
   double LongWavesAt(double column, double row) const;
 
-  /// What is added to the long waves at the points; null where lines carry all.
+  /// Short waves, which are added to the long waves at the points; null where lines carry all.
   const ShortWaves* GetShortWaves() const { return this->Short ? &*this->Short : nullptr; }
 
   /// The points in the space where the field is isotropic.

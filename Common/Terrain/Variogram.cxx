@@ -100,7 +100,7 @@ private:
     std::vector<double> Im;
   };
 
-  /// From the spectra M of the mask and Q of the squares 2 Re(Q M*) + i |M|^2, over M.
+  /// Replaces the spectrum M of the mask by 2 Re(Q M*) + i |M|^2, with the spectrum Q of the squares.
   static void MultiplyMask(const DoubleLinePack& squares, DoubleLinePack& mask)
   {
     for (std::size_t n = 0; n < mask.Re.size(); ++n)

@@ -297,7 +297,7 @@ public:
     return 0;
   }
 
-  /// What the variance and the nugget of the unknowns must be multiplied by.
+  /// Factor of the variance and the nugget of the unknowns.
   double ScaleAt(const Eigen::VectorXd& unknowns)
   {
     this->Evaluate(unknowns);
@@ -410,7 +410,7 @@ std::vector<double> RootWeights(const std::vector<LagBin>& bins)
   return weights;
 }
 
-/// Where least squares end from one start.
+/// End of least squares from one start.
 struct Solution
 {
   Eigen::VectorXd Unknowns;
@@ -436,7 +436,7 @@ public:
   {
   }
 
-  /// What is found from one of the starts, 0 to NumberOfStarts-1; nothing if the bins are too few.
+  /// Solution from one of the starts, 0 to NumberOfStarts-1; none if the bins are too few.
   Solution FromStart(int start) const
   {
     if (static_cast<int>(this->Bins.size()) < this->Parameters + 2)
@@ -495,8 +495,8 @@ private:
     return found;
   }
 
-  /// Where the ratio is 1 the bound on the longest range has a corner, in which steps can end early. From there on the
-  /// other unknowns are moved alone.
+  /// Solution without the corner that the bound on the longest range has at the ratio 1, in which steps can end early:
+  /// from there on the other unknowns are moved alone.
   Solution WithoutCorner(const Solution& found) const
   {
     const int others = this->Map.Count() - 2;

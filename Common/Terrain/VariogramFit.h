@@ -15,7 +15,7 @@ namespace littoral
 
 class DetrendedWindow;
 
-/// What is fitted beside variance, range(s) and fractal dimension.
+/// Options of the fit beside variance, range(s) and fractal dimension.
 struct VariogramFitOptions
 {
   bool Nugget = false;     ///< a jump at distance zero, as measurement noise makes it

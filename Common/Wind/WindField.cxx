@@ -154,7 +154,7 @@ void WindFactors(const WindSynthesis& synthesis, int component, int frequency, s
   }
 }
 
-/// What one thread needs for a plane.
+/// Work space of one thread for a plane.
 struct WindField::Scratch
 {
   explicit Scratch(const WindField& field)

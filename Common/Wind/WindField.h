@@ -16,7 +16,7 @@
 namespace littoral
 {
 
-/// Where a wind field has samples: along the wind, that is in time, then across, then up.
+/// Grid of a wind field: along the wind, that is in time, then across, then up.
 struct WindGrid
 {
   std::array<int, 3> Count{ 600, 64, 24 }; ///< the first at least 4, even and a product of 2, 3 and 5
@@ -31,14 +31,14 @@ struct WindGrid
   std::size_t NumberOfLines() const { return static_cast<std::size_t>(this->Count[1]) * this->Count[2]; }
 };
 
-/// What is random in a spectral wind.
+/// Randomness of a spectral wind.
 enum class WindPhases
 {
   Uniform = 0,           ///< phases alone: each wave has the energy that the spectrum says (the paper's way)
   GaussianAmplitudes = 1 ///< amplitudes too: a Gaussian process, with its scatter from run to run
 };
 
-/// How a wind field is made of a model.
+/// Parameters of the synthesis of a wind field.
 struct WindSynthesis
 {
   WindPhases Phases = WindPhases::Uniform;

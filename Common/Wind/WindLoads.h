@@ -10,7 +10,7 @@
 namespace littoral
 {
 
-/// How the drag of a cylinder follows from the wind U and its part across the cylinder, U_perp.
+/// Laws of the drag of a cylinder in the wind U with the component U_perp across the cylinder.
 enum class DragLaw
 {
   Projection = 0, ///< along |U| U_perp: linear in the projection, so that loads on beams of any direction add up

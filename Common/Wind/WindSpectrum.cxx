@@ -101,7 +101,7 @@ WindSeparation IecSeparation(const WindModel& model, int component, double later
 constexpr auto Intensity =
   MakeParameter<WindModel, &WindModel::TurbulenceIntensity>("TurbulenceIntensity", "", ValueInterval::Positive());
 
-/// In the order of the enumerations.
+/// Rows in the order of the enumerations.
 constexpr WindSpectrumTraits Spectra[] = {
   // name, parameters besides the mean wind, density, variance
   { "SimiuScanlan", {}, SimiuScanlanDensity, SimiuScanlanVariance },

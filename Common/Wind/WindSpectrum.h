@@ -32,7 +32,7 @@ enum class WindCoherenceModel
 
 inline constexpr int NumberOfWindCoherences = 2;
 
-/// How fast coherence decays with the separation across and up; positive.
+/// Decay of coherence with the separation across and up; positive.
 struct WindDecay
 {
   double Lateral = 10.0;

@@ -370,7 +370,7 @@ public:
   }
 
 private:
-  /// What a thread needs of its own; a copy has its own too.
+  /// Data of a thread of its own; a copy has its own too.
   struct Tools
   {
     vtkNew<vtkGenericCell> Cell;

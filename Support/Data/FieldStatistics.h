@@ -3,7 +3,7 @@
 #ifndef LittoralSupportFieldStatistics_h
 #define LittoralSupportFieldStatistics_h
 
-// What a random field is like, by properties or by a table of fits. Private: never installed, never wrapped.
+// Statistics of a random field, by properties or by a table of fits. Private: never installed, never wrapped.
 
 #include "Terrain/CovarianceModels.h"
 

@@ -3,8 +3,8 @@
 #ifndef LittoralSupportGeoreference_h
 #define LittoralSupportGeoreference_h
 
-// Where on earth data are, as field data that travel with them: `CoordinateSystem`, text (WKT); `CoordinateUnit`,
-// metres per unit of that system; `CoordinateOffset`, two numbers [m]. The map coordinates of a point are (position +
+// Place of data on earth, as field data that travel with them: `CoordinateSystem`, text (WKT); `CoordinateUnit`, metres
+// per unit of that system; `CoordinateOffset`, two numbers [m]. The map coordinates of a point are (position +
 // CoordinateOffset) / CoordinateUnit. Private: never installed, never wrapped.
 
 #include <array>

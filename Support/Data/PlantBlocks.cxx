@@ -30,7 +30,7 @@ void AttachWood(vtkDataObject* plant, const WoodParameters& wood)
   plant->GetFieldData()->AddArray(ArrayOf<vtkDoubleArray>(plant::Wood, 3, numbers));
 }
 
-/// What CardTowards needs, and the pictures.
+/// Adds the data that CardTowards needs, and the pictures.
 void AttachImpostor(vtkDataObject* low, const PlantImpostor& impostor)
 {
   AttachTexture(low, impostor.Pictures);

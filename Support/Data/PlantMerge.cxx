@@ -66,7 +66,7 @@ vtkSmartPointer<vtkDataArray> WithType(vtkDataArray* array, int type)
   return copy;
 }
 
-/// How an array of a block is taken over.
+/// Use of an array of a block.
 PartArray UseOf(const char* name, vtkDataArray* array)
 {
   PartArray part;

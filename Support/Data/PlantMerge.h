@@ -19,7 +19,7 @@
 namespace littoral
 {
 
-/// What happens to an array on its way from a prototype to a plant.
+/// Uses of an array on its way from a prototype to a plant.
 enum class ArrayUse
 {
   Copy,
@@ -60,7 +60,7 @@ struct PlantPart
   std::vector<PartArray> CellArrays;
 };
 
-/// What a block is like.
+/// Kind of a block.
 struct PartKind
 {
   const char* Level; ///< name of the level that it belongs to

@@ -21,7 +21,7 @@ namespace littoral
 class ScatterMerge
 {
 public:
-  /// With a view, far plants face its eye.
+  /// Merge of the shown plants; with a view, far plants face its eye.
   ScatterMerge(const ScatterPrototypes& prototypes, const std::vector<PlantPlace>& places,
     const std::vector<ShownPlant>& shown, const View* facing);
   ScatterMerge(const ScatterMerge&) = delete;

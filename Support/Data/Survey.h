@@ -3,7 +3,7 @@
 #ifndef LittoralSupportSurvey_h
 #define LittoralSupportSurvey_h
 
-// Data at places and the grid on which a field honours them. Private: never installed, never wrapped.
+// Conditioning data and the grid of the field that honours them. Private: never installed, never wrapped.
 
 #include "Data/FieldStatistics.h"
 #include "Kriging/KrigingSurvey.h"
@@ -28,16 +28,16 @@ struct Survey : KrigingSurvey
 
 // Each of these returns why it cannot be done, or nothing.
 
-/// Takes the places, values and errors of data; of points without values their z; of an image its points but for holes.
+/// Takes places, values and errors of data; without values the z of points; of an image the points except holes (NaN).
 std::string TakeData(vtkDataSet* data, vtkDataArray* values, vtkDataArray* errors, Survey& survey);
 
-/// The grid is that of an image of one layer.
+/// Takes the grid of an image of one layer.
 void TakeGrid(vtkImageData* grid, Survey& survey);
 
 /// Takes an external drift at the points of the grid, and from there at the data.
 std::string TakeDrift(vtkDataArray* drift, Survey& survey);
 
-/// The model is that of given statistics.
+/// Takes the model from given statistics.
 std::string TakeModel(const FieldStatistics& statistics, Survey& survey);
 
 }

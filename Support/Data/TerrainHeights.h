@@ -15,7 +15,7 @@ class vtkInformation;
 namespace littoral
 {
 
-/// How many bytes a cell takes at most, and what for: "measuring a terrain".
+/// Memory of a cell at most [bytes], and the work for which it is taken: "measuring a terrain".
 struct CellMemory
 {
   double Bytes;

@@ -3,7 +3,7 @@
 #ifndef LittoralSupportCameraView_h
 #define LittoralSupportCameraView_h
 
-// What a camera shows, for filters that depend on the view. Private: never installed, never wrapped.
+// View of a camera, for filters that depend on the view. Private: never installed, never wrapped.
 
 #include "Geometry/ViewFrustum.h"
 #include "Numerics/Constants.h"

@@ -23,7 +23,7 @@ namespace
 
 constexpr double Unlimited = std::numeric_limits<double>::infinity();
 
-/// Of what is free: the rest is for what no estimate counts.
+/// Part of the free memory that may be used: the rest is for what no estimate counts.
 constexpr double UsableShare = 0.9;
 
 double HostMemory()
@@ -58,7 +58,7 @@ double NumberAfter(const std::string& file, const std::string& wanted)
   return 0.0;
 }
 
-/// What one group leaves; files that were read and can be dropped do not count as used.
+/// Memory that one group leaves; files that were read and can be dropped do not count as used.
 double LeftIn(const std::string& folder, const char* limit, const char* usage, const char* droppable)
 {
   const double most = NumberIn(folder + limit, Unlimited);

@@ -3,8 +3,8 @@
 #ifndef LittoralSupportMemory_h
 #define LittoralSupportMemory_h
 
-// How much memory a request may take: the least of what the machine has free, of the limits of the process, and of
-// those of its control groups (containers, batch systems). Private: never installed, never wrapped.
+// Memory that a request may take: the least of what the machine has free, of the limits of the process, and of those of
+// its control groups (containers, batch systems). Private: never installed, never wrapped.
 
 #include <string>
 
@@ -15,13 +15,13 @@ namespace littoral
 /// tell, as without /proc.
 double AvailableMemory();
 
-/// What the limits of the process leave of its address space and data [bytes]; infinite without a limit (ulimit -v,
-/// -d).
+/// Memory that the limits of the process leave of its address space and data [bytes]; infinite without a limit (ulimit
+/// -v, -d).
 double LimitedMemory();
 
 /**
- * What the control groups of the process and those around them leave [bytes]; infinite without a limit. `membership` is
- * the text of /proc/self/cgroup, `root` the folder that the groups are mounted at. Versions 1 and 2.
+ * Memory that the control groups of the process and those around them leave [bytes]; infinite without a limit.
+ * `membership` is the text of /proc/self/cgroup, `root` the folder that the groups are mounted at. Versions 1 and 2.
  */
 double GroupMemory(const std::string& membership, const std::string& root);
 

@@ -3,8 +3,8 @@
 #ifndef LittoralSupportMistakes_h
 #define LittoralSupportMistakes_h
 
-// How a filter reports an input or a property that it cannot work with: one message, not one for each execution.
-// Private: never installed, never wrapped.
+// Report of an input or a property that a filter cannot work with: one message, not one for each execution. Private:
+// never installed, never wrapped.
 
 #include "vtkSetGet.h" // for vtkWarningMacro
 #include "vtkType.h"

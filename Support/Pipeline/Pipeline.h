@@ -3,7 +3,7 @@
 #ifndef LittoralSupportPipeline_h
 #define LittoralSupportPipeline_h
 
-// What the VTK classes share between the numerics and the pipeline. Private: never installed, never wrapped.
+// Functions that the VTK classes share between the numerics and the pipeline. Private: never installed, never wrapped.
 
 #include "Numerics/Parallel.h"
 #include "Pipeline/Exceptions.h"
@@ -79,7 +79,7 @@ bool NamesNoArray(vtkInformation* choice);
 /// default.
 bool NamesDefaultElevation(vtkInformation* choice);
 
-/// When what is upstream of a connection changed last.
+/// Time of the last change upstream of a connection.
 vtkMTimeType PipelineTime(vtkAlgorithm* algorithm, int port, int connection);
 
 /// Some of a row of things: from Begin up to End, which does not belong to it.

@@ -149,7 +149,8 @@ void KeepRanges(vtkDataArray* array)
   const vtkIdType tuples = array ? array->GetNumberOfTuples() : 0;
   const bool isKnown =
     array && array->HasInformation() && array->GetInformation()->Has(vtkDataArray::PER_FINITE_COMPONENT());
-  if (isKnown || tuples == 0 || components < 1 || components > TupleRanges::MaximumComponents || !array->HasStandardMemoryLayout())
+  if (isKnown || tuples == 0 || components < 1 || components > TupleRanges::MaximumComponents ||
+    !array->HasStandardMemoryLayout())
   {
     return;
   }

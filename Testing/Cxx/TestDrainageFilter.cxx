@@ -214,7 +214,8 @@ bool CarvedGroundDrains()
   vtkImageData* ground = drainage->GetOutput();
   bool good = Drains(ground) && RiversFall(drainage, 40) && RiversAreBlue(Rivers(drainage));
   good &= Check(ground->GetPointData()->GetArray("Reflectance") != nullptr, "an array of the input is lost");
-  good &= Check(FieldOf(ground, "DepressionFraction", 0) > 0.1 && FieldOf(ground, "DepressionFraction", 1) == 0.0, "sunk cells");
+  good &= Check(
+    FieldOf(ground, "DepressionFraction", 0) > 0.1 && FieldOf(ground, "DepressionFraction", 1) == 0.0, "sunk cells");
   good &= Check(FieldOf(Rivers(drainage), "Iterations", 0) >= 1.0, "no rounds");
   std::vector<double> before;
   std::vector<double> after;
@@ -277,7 +278,8 @@ bool TargetIsTaken()
   }
   good &= Check(good, "ground that is not carved has changed");
   return good &&
-    Check(FieldOf(drainage->GetOutput(), "DepressionFraction", 0) == FieldOf(drainage->GetOutput(), "DepressionFraction", 1),
+    Check(FieldOf(drainage->GetOutput(), "DepressionFraction", 0) ==
+        FieldOf(drainage->GetOutput(), "DepressionFraction", 1),
       "measures of ground that has not changed");
 }
 

@@ -76,7 +76,8 @@ bool Inventory()
   vtkPolyData* trees = stand->GetOutput();
   bool good = Check(trees->GetNumberOfPoints() == 5 && trees->GetNumberOfVerts() == 5, "five trees");
   good &= Check(std::abs(Of(trees, "DBH")->GetTuple1(2) - 0.3125) < 1e-15, "millimetres of ForestGEO");
-  good &= Check(Of(trees, "Imputed")->GetTuple1(0) == 2.0 && Of(trees, "Imputed")->GetTuple1(1) == 3.0, "what is drawn");
+  good &=
+    Check(Of(trees, "Imputed")->GetTuple1(0) == 2.0 && Of(trees, "Imputed")->GetTuple1(1) == 3.0, "what is drawn");
   for (const char* name : { "SiteId", "Species", "DBH", "Height", "CrownDiameter", "Plot", "Imputed" })
   {
     for (vtkIdType tree = 0; tree < 5; ++tree)

@@ -545,7 +545,8 @@ bool CheckGridName()
   const auto grid = read.Get<openvdb::Vec3SGrid>("density");
   wind->Update();
   vtkImageData* image = wind->GetOutput();
-  good &= Check(LargestDifference(image, *grid, image->GetPointData()->GetArray("Velocity"), false) == 0.0, "Its values");
+  good &=
+    Check(LargestDifference(image, *grid, image->GetPointData()->GetArray("Velocity"), false) == 0.0, "Its values");
 
   vtkNew<vtkImageData> two;
   two->DeepCopy(image);
@@ -778,9 +779,9 @@ int TestVDBVolumeWriter(int argc, char* argv[])
     bool (*Run)();
   } checks[] = { { "values and places", CheckValuesAndPlaces }, { "straight maps", CheckStraightMaps },
     { "half precision", CheckHalf }, { "tolerance", CheckTolerance }, { "composites", CheckComposites },
-    { "selection", CheckSelection }, { "bytes", CheckBytes }, { "series", CheckSeries }, { "grid name", CheckGridName }, { "bad input", CheckBadInput },
-    { "unwritable folder", CheckUnwritableFolder }, { "link", CheckLink }, { "full disk", CheckFullDisk },
-    { "abort", CheckAbort } };
+    { "selection", CheckSelection }, { "bytes", CheckBytes }, { "series", CheckSeries }, { "grid name", CheckGridName },
+    { "bad input", CheckBadInput }, { "unwritable folder", CheckUnwritableFolder }, { "link", CheckLink },
+    { "full disk", CheckFullDisk }, { "abort", CheckAbort } };
   bool good = true;
   for (const auto& check : checks)
   {

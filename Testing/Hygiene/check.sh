@@ -84,6 +84,28 @@ case "${1:-}" in
       awk '$1 == last { print place; print $0 } { last = $1; place = $0 }' |
       fail_if_found "Types of one name in several headers of Common and Support:"
     ;;
+  comments)
+    # A comment begins with the thing that it describes, as "Area of a cell [m^2]" and not "Of one cell": comments of
+    # documentation, and those above declarations and functions, not the ones within functions.
+    weak_beginnings='Of|By|From|To|In|On|At|With|Without|For|Between|Within|Those|These|That|This|What|Which|Whose'
+    weak_beginnings+='|Where|When|How|Its|Their'
+    find Common Support Sources Filters IO paraview-plugin -name '*.h' -o -name '*.cxx' | sort |
+      xargs awk -v weak="$weak_beginnings" '
+        FNR == 1 { inside = 0; opened = 0 }
+        {
+          indent = match($0, /[^ ]/) - 1
+          line = substr($0, indent + 1)
+          isDoc = line ~ /^\/\/\/( |$)|^\/\*\* /
+          isPlain = line ~ /^\/\/( |$)/ && indent <= (FILENAME ~ /h$/ ? 2 : 0)
+          text = line
+          sub(/^(\/\/\/?|\/\*\*|\*) /, "", text)
+          if ((opened || (isDoc || isPlain) && !inside) &&
+            text ~ ("^(" weak ") ")) print FILENAME ":" FNR ": " line
+          inside = isDoc || isPlain
+          opened = line == "/**"
+        }' |
+      fail_if_found "Comments that do not begin with the thing that they describe:"
+    ;;
   stray-files)
     git ls-files 2>/dev/null | grep -E '\.(orig|rej|bak|swp|log|tmp|pvsm|vdb)$|~$|(^|/)\.DS_Store$|(^|/)core$' |
       fail_if_found "Files that do not belong into the tree:"
@@ -137,7 +159,7 @@ case "${1:-}" in
       fail_if_found "Reasons that are handed on in place of InvalidInput:"
     ;;
   *)
-    echo "usage: check.sh common-without-vtk|common-headers-only-std|common-headers-complete|rooms|names|stray-files|headers-without-using|text-files|versions|recipes|readers"
+    echo "usage: check.sh common-without-vtk|common-headers-only-std|common-headers-complete|rooms|names|comments|stray-files|headers-without-using|text-files|versions|recipes|readers"
     exit 2
     ;;
 esac

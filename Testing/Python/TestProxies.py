@@ -24,8 +24,8 @@ LEFT_OUT = {
     (name, "Spectrum"): {"table": "MeasuredSeaState has it"} for name in ("SeaState", "Sea", "Underwater")
 }
 # Choices whose enumeration has another name than that of the property with Type.
-OTHER_ENUMERATION = {"FlowType": "PrimitiveType", "ReflectanceModel": "ModelType", "CoordinateUnit": "UnitType",
-                     "DiameterUnit": "UnitType", ("StandInventory", "HeightUnit"): "UnitType"}
+OTHER_ENUMERATION = {"FlowType": "PrimitiveType", "KrigingType": "KrigingKind", "ReflectanceModel": "ModelType",
+                     "CoordinateUnit": "UnitType", "DiameterUnit": "UnitType", ("StandInventory", "HeightUnit"): "UnitType"}
 # Numbers that are chosen from a list, and choices of VTK's own.
 NOT_NAMED = {("GardnerPlant", "Frequency"), ("SuspendedParticles", "OutputPointsPrecision")}
 # Defaults that no method gives back.

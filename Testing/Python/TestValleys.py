@@ -6,7 +6,7 @@
 
 Places: the Jacksboro fault; and R's `volcano` and the Kagwene sanctuary of its package
 spatstat.data, where R and the package are there. Seeds: 1 and 2, or those that are given. Heights,
-semivariance, curvature and sunk cells are measured here, by NumPy and a flood of its own; the
+semivariance, curvature and depressions are measured here, by NumPy and a flood of its own; the
 concavity by vtkGroundStatisticsFilter.
 """
 
@@ -54,7 +54,7 @@ def places():
                 yield name, image_from_array(np.loadtxt(path), (spacing, spacing))
 
 
-def sunk_share(heights):
+def depression_fraction(heights):
     """Share of the cells that water must cover before it can leave over the border."""
     rows, columns = heights.shape
     level = np.full(heights.shape, np.inf)
@@ -98,14 +98,14 @@ def curvature(heights, spacing):
 
 
 def measures(image):
-    """Sunk share, integral, skew of heights, concavity, skew of curvature, semivariances."""
+    """Depressions, integral, skewness of heights, concavity, skewness of curvature, variogram."""
     heights = array_from_image(image).astype(float)
     statistics = vtkGroundStatisticsFilter()
     statistics.SetInputData(image)
     statistics.Update()
     integral = (heights.mean() - heights.min()) / np.ptp(heights)
     concavity = column(statistics.GetOutputDataObject(0), "Concavity")[0]
-    return (sunk_share(heights), integral, skew(heights), concavity,
+    return (depression_fraction(heights), integral, skew(heights), concavity,
             skew(curvature(heights, image.GetSpacing())), semivariances(heights))
 
 

@@ -54,7 +54,7 @@ public:
   ChartDisplay(const ChartDisplay&) = delete;
   void operator=(const ChartDisplay&) = delete;
 
-  /// To be called when the owner has a session.
+  /// Starts to follow the session; called when the owner has one.
   void Watch();
 
 private:

@@ -12,7 +12,7 @@
 namespace littoral
 {
 
-/// Where ParaView has its static functions for colors of a representation.
+/// Header with ParaView's static functions for colors of a representation.
 #if __has_include("vtkSMColorMapEditorHelper.h")
 using ColorHelper = vtkSMColorMapEditorHelper;
 #else

@@ -39,7 +39,7 @@ constexpr Mood Moods[] = {
   { "paper", { 1.0, 1.0, 1.0 }, { 1.0, 1.0, 1.0 }, { 0.0, 0.0, 1.0 }, { 1.0, 1.0, 1.0 }, 0.0, 0.75 },
 };
 
-/// What a user may have chosen.
+/// Properties that a user may have chosen.
 constexpr const char* Choices[] = { "UseColorPaletteForBackground", "BackgroundColorMode", "UseLight", "KeyLightWarmth",
   "KeyLightIntensity", "KeyLightElevation", "KeyLightAzimuth" };
 

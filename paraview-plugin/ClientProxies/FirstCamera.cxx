@@ -37,7 +37,7 @@ bool ShowsEmptyView(vtkCamera* camera, double aspectRatio)
     std::abs(eye[2] * std::sin(halfAngle) - Radius) < 1e-6;
 }
 
-/// Its position and focal point.
+/// Position and focal point of a camera.
 std::array<double, 6> LineOfSight(vtkCamera* camera)
 {
   std::array<double, 6> line{};

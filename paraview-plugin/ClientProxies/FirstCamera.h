@@ -26,7 +26,7 @@ bool IsFlat(vtkSMProxy* view);
 /// that shows nothing, before which ParaView resets it too.
 bool HasFirstCamera(vtkSMRenderViewProxy* view);
 
-/// Where the eye is when a source is the first thing in its view.
+/// Eye of a view in which a source is the first thing.
 struct CameraPlace
 {
   double Elevation = 0.0;    ///< over the horizon, of the eye seen from the middle of the data [degrees]

@@ -74,7 +74,7 @@ std::set<vtkSMProxy*> UpstreamOf(vtkSMProxy* filter)
   return all;
 }
 
-/// What is visible in a view.
+/// Visible representations of a view.
 std::vector<vtkSMProxy*> VisibleIn(vtkSMProxy* view)
 {
   std::vector<vtkSMProxy*> visible;
@@ -281,7 +281,7 @@ void NaturalDisplay::HideReplaced()
 }
 
 //----------------------------------------------------------------------------
-/// What a scene begins with is hidden, as the input of a filter is, and the rest is shown.
+/// Hides the sources that a scene begins with, as the input of a filter is hidden, and shows the rest.
 void NaturalDisplay::MakeSceneOf(vtkSMProxy* representation)
 {
   this->Show(representation, 0);
@@ -478,7 +478,7 @@ void NaturalDisplay::OnData(vtkObject*, unsigned long, void*)
 }
 
 //----------------------------------------------------------------------------
-/// Where nothing else is shown the camera was placed for a picture of nothing, as after a mistake.
+/// Resets the camera where nothing else is shown: it was placed for a picture of nothing, as after a mistake.
 void NaturalDisplay::LookAtFirstData(vtkSMProxy* representation)
 {
   auto* view = vtkSMRenderViewProxy::SafeDownCast(vtkSMViewProxy::FindView(representation));

@@ -23,7 +23,7 @@ namespace littoral
 {
 
 /**
- * How a source is first shown in ParaView: in its own colors, lit, and from the side where that is the better view.
+ * First display of a source in ParaView: in its own colors, lit, and from the side where that is the better view.
  *
  * ParaView colors by a color map, with a legend, and looks down along z unless it is told otherwise. This gives each
  * new representation of a source what the hint of the proxy says:
@@ -70,7 +70,7 @@ public:
   NaturalDisplay(const NaturalDisplay&) = delete;
   void operator=(const NaturalDisplay&) = delete;
 
-  /// To be called when the owner has a session.
+  /// Starts to follow the session; called when the owner has one.
   void Watch();
 
   /// Attributes that take the place of the hint.

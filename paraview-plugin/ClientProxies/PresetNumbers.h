@@ -16,7 +16,7 @@ struct PresetNumber
   std::vector<double> Values;
 };
 
-/// What the preset of a source stands for; none if the class has no presets or the preset is Custom or does not exist.
+/// Values of the preset of a source; none if the class has no presets or the preset is Custom or does not exist.
 std::vector<PresetNumber> PresetNumbersOf(
   const std::string& source, int preset, double height, double diameter, double crown);
 

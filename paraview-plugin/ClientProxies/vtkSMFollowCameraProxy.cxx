@@ -52,7 +52,7 @@ littoral::View ViewOf(vtkSMProxy* filter)
   return view;
 }
 
-/// What the camera of a view shows; a view that has no size yet leaves that of another. A screenshot larger than the
+/// View of the camera of a render view; one that has no size yet leaves that of another. A screenshot larger than the
 /// view is drawn in tiles, each with a camera of its own: all of them leave the other view, at the height of the whole.
 littoral::View ViewOf(vtkSMRenderViewProxy* shown, const littoral::View& other)
 {

@@ -30,7 +30,7 @@ void ClearSources(vtkSMProxy* writer)
   vtkSMPropertyHelper(writer, "SourceNames").SetNumberOfElements(0);
 }
 
-/// What a view shows becomes the writer's input, with the names of the pipeline browser.
+/// Makes the contents of a view the writer's input, with the names of the pipeline browser.
 void SetSources(vtkSMProxy* view, vtkSMProxy* writer)
 {
   ClearSources(writer);

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What ParaView opens as the plugin. ParaView does not ask a plugin which version it was built for: a wrong one ends in
-// the dynamic linker's words, and where its libraries are installed too, in two ParaViews in one process. This library
-// links with nothing of ParaView, compares the versions, and only then opens the plugin itself, which lies beside it.
+// Library that ParaView opens as the plugin. ParaView does not ask a plugin which version it was built for: a wrong one
+// ends in the dynamic linker's words, and where its libraries are installed too, in two ParaViews in one process. This
+// library links with nothing of ParaView, compares the versions, and only then opens the plugin itself, which lies
+// beside it.
 
 #include <cstdio>
 #include <dlfcn.h>
@@ -38,7 +39,8 @@ std::string FindLibrary(const char* part)
   return wanted.path;
 }
 
-// By library, since programs that load ParaView as a Python module keep its symbols to themselves.
+// Function of a library by its name, since programs that load ParaView as a Python module keep its symbols to
+// themselves.
 template <typename Function>
 Function FindFunction(const char* part, const char* symbol)
 {
@@ -69,7 +71,7 @@ bool SameMinorVersion(const std::string& version)
     (version.size() == built.size() || version[built.size()] == '.');
 }
 
-// To ParaView's messages by vtkOutputWindowDisplayErrorText(const char*), else to the terminal.
+// Reports to ParaView's messages by vtkOutputWindowDisplayErrorText(const char*), else to the terminal.
 void* Refuse(const std::string& reason)
 {
   const std::string message = "Littoral " LITTORAL_VERSION " was not loaded: " + reason + "\n";

@@ -48,7 +48,7 @@ constexpr const char* NormalsName = "NormalTexture";
 /// The name by which VTK's mappers declare a texture of normals, and multiply no color with it.
 constexpr const char* NormalsUniform = "normalTex";
 
-// Where VTK's fragment shader takes the texture, the normal and the light. The light comes between the others.
+// Places in VTK's fragment shader of the texture, the normal and the light. The light comes between the others.
 constexpr const char* ColorStep = "//VTK::TCoord::Impl";
 constexpr const char* NormalStep = "//VTK::Normal::Impl";
 constexpr const char* LightStep = "//VTK::Light::Impl";

@@ -38,7 +38,7 @@ vtkUnsignedCharArray* BlockMapper::MapScalars(vtkDataSet* input, double alpha, i
 }
 
 //----------------------------------------------------------------------------
-/// Those of the points, which know them, and not of the points that cells use.
+/// Bounds of the points, which know them, and not of the points that cells use.
 void BlockMapper::ComputeBounds()
 {
   vtkPolyData* block = this->GetInput();
@@ -50,7 +50,7 @@ void BlockMapper::ComputeBounds()
 }
 
 //----------------------------------------------------------------------------
-/// What is in the graphics' memory need not stay here too: VTK keeps the vertices that it has sent.
+/// Drops vertices after they were sent, since the graphics' memory has them too: VTK would keep them.
 void BlockMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::BuildBufferObjects(renderer, actor);

@@ -40,7 +40,8 @@ private:
   BlockMapper(const BlockMapper&) = delete;
   void operator=(const BlockMapper&) = delete;
 
-  /// What colors were made of: no two arrays were ever changed at one time.
+  /// Time of change of the array whose colors are in use, and their opacity: no two arrays were ever changed at one
+  /// time.
   struct Source
   {
     vtkMTimeType Time = 0;

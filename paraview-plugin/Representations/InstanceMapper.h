@@ -25,7 +25,7 @@ public:
   static InstanceMapper* New();
   vtkTypeMacro(InstanceMapper, vtkOpenGLPolyDataMapper);
 
-  /// What is drawn where.
+  /// Instances to draw.
   void SetInstances(const std::shared_ptr<const InstanceBatch>& batch);
 
   void ReleaseGraphicsResources(vtkWindow* window) override;

@@ -17,8 +17,8 @@ namespace littoral
 {
 
 /**
- * What of a tree of blocks is instances: points with the arrays Prototype, Rotation, Scale and Tint, and behind them
- * the blocks that they place, which have their index as the field array Prototype.
+ * Instances in a tree of blocks: points with the arrays Prototype, Rotation, Scale and Tint, and behind them the blocks
+ * that they place, which have their index as the field array Prototype.
  */
 struct InstancedBlocks
 {
@@ -38,14 +38,14 @@ InstancedBlocks InstancesIn(vtkDataObject* data);
 /// The instances of one prototype.
 struct InstanceBatch
 {
-  /// Of each instance: place and scale, rotation as a quaternion x, y, z, w, and tint with a fourth number.
+  /// Numbers of each instance: place and scale, rotation as a quaternion x, y, z, w, and tint with a fourth number.
   static constexpr int Numbers = 12;
 
   std::vector<float> Values;
   vtkBoundingBox Bounds;
 };
 
-/// What the points say of a prototype's instances. Blocks whose field array Tinted is 0 have a tint of 1.
+/// Instances of a prototype as the points give them. Blocks whose field array Tinted is 0 have a tint of 1.
 std::shared_ptr<const InstanceBatch> BatchOf(const InstancedBlocks::Pair& pair);
 
 }

@@ -32,7 +32,7 @@ protected:
   vtkFilteredSurfaceRepresentation();
   ~vtkFilteredSurfaceRepresentation() override;
 
-  /// For the constructor of a subclass.
+  /// Sets the filter; for the constructor of a subclass.
   void SetFilter(vtkAlgorithm* filter);
   vtkAlgorithm* GetFilter() { return this->Filter; }
 

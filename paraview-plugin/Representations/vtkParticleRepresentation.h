@@ -25,8 +25,7 @@ public:
   vtkTypeMacro(vtkParticleRepresentation, vtkPointGaussianRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  int ProcessViewRequest(
-    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
+  int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 
   ///@{
   /**
@@ -47,7 +46,7 @@ public:
 
   ///@{
   /**
-   * Where distances begin [m]. Default 0 0 0.
+   * Eye, from which distances count [m]; default 0 0 0.
    */
   void SetEye(double x, double y, double z);
   vtkGetVector3Macro(Eye, double);

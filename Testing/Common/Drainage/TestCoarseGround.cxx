@@ -113,5 +113,6 @@ TEST(CoarseGround, LargeGroundIsCarvedByItTheSameOnAnyThreads)
   CarveDrainage(other, target, parameters, OnThreads(3));
   EXPECT_EQ(one.Values, other.Values);
   EXPECT_EQ(report.After.DepressionFraction, 0.0);
-  EXPECT_NEAR(report.After.StandardDeviation, target.Measures.StandardDeviation, 0.02 * target.Measures.StandardDeviation);
+  EXPECT_NEAR(
+    report.After.StandardDeviation, target.Measures.StandardDeviation, 0.02 * target.Measures.StandardDeviation);
 }

@@ -88,8 +88,8 @@ Eigen::VectorXd Functions(KrigingType type, const KrigingPlace& p)
 }
 
 /// The kriging system with Lagrange factors, written down from the models' own covariances and solved as a whole.
-LeaveOneOutEstimate Dense(const KrigingModel& model, const KrigingData& data, KrigingType type, const KrigingPlace& target,
-  long long without = -1)
+LeaveOneOutEstimate Dense(const KrigingModel& model, const KrigingData& data, KrigingType type,
+  const KrigingPlace& target, long long without = -1)
 {
   std::vector<std::size_t> used;
   for (std::size_t n = 0; n < data.Places.size(); ++n)
@@ -240,7 +240,8 @@ TEST(Kriging, LeavesOneOutOfNeighborhoods)
   const KrigingModel model = ModelOf(CovarianceModel::Spherical, 0.0, 2.0);
   const KrigingData data = SomeData(30, true);
   const std::vector<LeaveOneOutEstimate> all = Kriging(model, data, OptionsOf(KrigingType::LinearDrift)).LeaveOneOut();
-  const std::vector<LeaveOneOutEstimate> near = Kriging(model, data, OptionsOf(KrigingType::LinearDrift, 29)).LeaveOneOut();
+  const std::vector<LeaveOneOutEstimate> near =
+    Kriging(model, data, OptionsOf(KrigingType::LinearDrift, 29)).LeaveOneOut();
   for (std::size_t n = 0; n < data.Places.size(); ++n)
   {
     EXPECT_NEAR(near[n].Estimate, all[n].Estimate, 1e-6);
