@@ -91,7 +91,7 @@ std::vector<int> ReadTrainOrder(vtkPointSet* input, std::size_t trains)
   return order;
 }
 
-/// Which points move with another one, and how many trains the others take.
+/// Reads the points that move with another one, and the numbers of trains of the others.
 void ReadFollowers(vtkPointSet* input, std::vector<int>& trainCounts, littoral::Slaves& slaves)
 {
   trainCounts = ReadTrainCounts(input);

@@ -96,10 +96,9 @@ private:
   void operator=(const vtkElevationWriter&) = delete;
 
   std::string WhyInvalid() const;
-  // These throw littoral::InvalidInput.
-  /// Heights to write.
+  /// Heights to write. Throws littoral::InvalidInput, as do the next two.
   vtkDataArray* FindHeights(vtkImageData* image);
-  /// Where the points are, in units of the coordinate system.
+  /// Positions of the points, in units of the coordinate system.
   void SetPlace(vtkImageData* image, littoral::GeoTiffContent& content) const;
   void WriteImage(vtkImageData* image);
   /// One message that names the file.

@@ -42,7 +42,7 @@ void AddNumber(vtkFieldData* fields, const char* name, double number)
   fields->AddArray(array);
 }
 
-/// How many points an extent has.
+/// Number of points of an extent.
 double NumberOfPoints(const int extent[6])
 {
   double points = 1.0;

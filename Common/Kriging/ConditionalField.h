@@ -14,7 +14,7 @@
 namespace littoral
 {
 
-/// How a field through data is made.
+/// Options of a field through data.
 struct ConditionalOptions
 {
   bool Simulates = true; ///< else it is the kriging estimate

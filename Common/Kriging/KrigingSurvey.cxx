@@ -131,10 +131,10 @@ std::string TakeScores(KrigingSurvey& survey)
 
 std::string FitModel(KrigingSurvey& survey, const ParallelFor& parallel)
 {
-  std::string reason;
+  std::string first;
   const KrigingOptions options = survey.OptionsAtData();
   const std::size_t step = (survey.Data.Places.size() + PlacesTried - 1) / PlacesTried;
-  for (const KrigingModel& model : FitToData(survey.Data, options.Type, reason, parallel))
+  for (const KrigingModel& model : FitToData(survey.Data, options.Type, parallel))
   {
     survey.Model = model;
     try
@@ -150,10 +150,13 @@ std::string FitModel(KrigingSurvey& survey, const ParallelFor& parallel)
     }
     catch (const KrigingFailure& failure)
     {
-      reason = reason.empty() ? failure.what() : reason;
+      if (first.empty())
+      {
+        first = failure.what();
+      }
     }
   }
-  return reason;
+  return first;
 }
 
 void TakeNeighbors(int number, KrigingSurvey& survey)

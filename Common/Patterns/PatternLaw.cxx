@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Patterns/PatternLaw.h"
 
+#include "Numerics/ParameterCheck.h"
 #include "Patterns/ProcessPattern.h"
 
 #include <cstddef>
@@ -50,8 +51,10 @@ std::string WhyInvalid(const PatternLaw& law, const ObservationWindow& window)
   {
     return WhyInvalid(law.Process, SimulationOf(law, 1), window);
   }
-  const std::string reason = WhyInvalid(law.Counts);
-  return reason.empty() ? WhyInvalid(law.Grid) : reason;
+  ParameterCheck check;
+  check.Require(WhyInvalid(law.Counts));
+  check.Require(WhyInvalid(law.Grid));
+  return check.Reason();
 }
 
 double ExpectedDraws(const PatternLaw& law, const ObservationWindow& window)

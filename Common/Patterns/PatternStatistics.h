@@ -65,7 +65,7 @@ struct MappedPattern
 /// by the alphabet. Why there is no such pair, in words for a user; empty when there is.
 std::string ChoosePair(MappedPattern& pattern);
 
-/// How a pattern is measured and compared.
+/// Options of the measurement and comparison of a pattern.
 struct StatisticsOptions
 {
   PatternFunction Function = PatternFunction::L;         ///< that is compared; its kind sets the distances

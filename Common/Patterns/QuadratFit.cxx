@@ -85,7 +85,7 @@ public:
   }
 
 private:
-  /// How each law is fitted, in the order of the enumeration; null: its mean is all.
+  /// Fits of the laws, in the order of the enumeration; null: the mean is the only parameter.
   static void (LawFitter::*const Fits[NumberOfQuadratLaws])(QuadratFit&) const;
 
   double Likelihood(const QuadratLawParameters& law) const { return LogLikelihood(law, this->Frequencies); }

@@ -30,7 +30,7 @@ std::string WhyInvalid(const QuadratGrid& grid);
 /// Takes as many quadrats as points, nearly square.
 void ChooseQuadrats(QuadratGrid& grid, double points);
 
-/// How counts are given to quadrats.
+/// Assignment of counts to quadrats.
 enum class QuadratMode
 {
   Quota = 0,    ///< the law's own frequencies, rounded: the paper's way; the total is exact

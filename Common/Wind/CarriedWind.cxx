@@ -17,7 +17,7 @@ namespace
 /// Parts of a time step that times are rounded to.
 constexpr double PartsOfStep = 1024.0;
 
-/// How far a periodic field has gone: whole samples, and the part of a sample beyond them.
+/// Displacement of a periodic field: whole samples, and the part of a sample beyond them.
 struct Shift
 {
   int Samples;

@@ -127,7 +127,7 @@ vtkDataArray* ArrayReader::IfFits(vtkAbstractArray* array, int components, int t
   return array && this->WhyOther(array, components, type).empty() ? vtkDataArray::SafeDownCast(array) : nullptr;
 }
 
-/// What an array has of another form, after "has a point array Velocity"; empty if it has the form.
+/// Words for an array of another form, after "has a point array Velocity"; empty if it has the form.
 std::string ArrayReader::WhyOther(vtkAbstractArray* array, int components, int type) const
 {
   if (!vtkDataArray::SafeDownCast(array))

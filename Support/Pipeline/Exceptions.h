@@ -53,7 +53,7 @@ private:
 };
 
 /**
- * What the answer to a request returns; 1 if it ends by an abort. Any other exception is reported as a mistake of the
+ * Result of the answer to a request; 1 if it ends by an abort. Any other exception is reported as a mistake of the
  * algorithm, of InvalidInput its sentence after these words, and leaves its outputs empty.
  */
 template <typename Answer>
