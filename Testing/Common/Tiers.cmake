@@ -52,7 +52,7 @@ set(all_TestSoftCore SoftCore.IntensityIsThatAskedFor)
 set(standard_TestTerrainLevels *AreWatertightInRandomViews/*)
 set(standard_TestTurningBands
   */SimpleExponential */Spherical */Bessel1 TurningBands.SpectrumIsAsEvenAsThatOfExactNoise
-  TurningBands.MeasuredVarianceIsTheModels)
+  TurningBands.MeasuredVarianceIsTheModels TurningBands.UniformBinsOfThePaperKeepVarianceAndCovariance)
 # CovarianceOfLinesAndShortWavesIsTheModels for all models too.
 set(all_TestTurningBands */DoubleExponential */Telis */Bessel2)
 set(standard_TestVariogramFit VariogramFit.GrownFieldsGiveBackModelAndParameters)
