@@ -46,9 +46,8 @@ set(standard_TestSeaweedMotion
   SeaweedMotion.ChainsOfAnyStiffnessAreStable
   SeaweedMotion.PlantsOfAnyResolutionAndStiffnessFollowTheWater)
 set(standard_TestSoftCore
-  SoftCore.RandomPointsHaveNone SoftCore.WhatWasSimulatedIsFoundAgain SoftCore.ForcesBalanceAsInEquilibrium)
-# RasterChangesTheIntensity/SoftCore counts points too.
-set(all_TestSoftCore SoftCore.IntensityIsThatAskedFor)
+  SoftCore.RandomPointsHaveNone SoftCore.WhatWasSimulatedIsFoundAgain SoftCore.ForcesBalanceAsInEquilibrium
+  SoftCore.IntensityIsThatAskedFor)
 set(standard_TestTerrainLevels *AreWatertightInRandomViews/*)
 set(standard_TestTurningBands
   */SimpleExponential */Spherical */Bessel1 TurningBands.SpectrumIsAsEvenAsThatOfExactNoise
