@@ -18,8 +18,8 @@ tests of that room of Common are asked, and those elsewhere that include the fil
 fails, those of a line `?`, or all of Testing/Cxx if there is none. With `--rooms` those of Testing/Cxx are not asked,
 the copy is built without VTK, and the lists of files outside of Common are left out. Mutations of the plugin ask tests
 of Testing/ParaView alone, as `ParaView/TestTextures`, in a build of their own, unless they name one of Testing/Cxx. A
-mutation that no test can notice, since the results are the same, has a line `=` with the reason; it must survive. Tests of
-the tier `all` are not asked.
+mutation that no test can notice, since the results are the same, has a line `=` with the reason; it must survive.
+Tests of the tier `all` are not asked.
 
 Built are only the programs that are asked. A second run builds what has changed since the first.
 """
