@@ -26,9 +26,9 @@ set(standard_TestParticleLevels
   ParticleLevels.NothingVisibleIsLost ParticleLevels.SlavesStayWithinTheirBound
   TrainSelection.TailSumBoundsTheErrorOnTheScreen)
 set(standard_TestPatternVerdict
-  PatternVerdict.CellsAreMadeByASoftCoreAndNotByStrauss PatternVerdict.WhatNothingMakesIsCalledByNoName
+  PatternVerdict.CellsAreMadeByASoftCoreAndNotByAStrictDistance PatternVerdict.WhatNothingMakesIsCalledByNoName
   PatternVerdict.PolygonsHaveProcessesOnly PatternVerdict.MappedPatternsAreRegrown)
-# CellsAreMadeByASoftCoreAndNotByStrauss too.
+# CellsAreMadeByASoftCoreAndNotByAStrictDistance too.
 set(all_TestPatternVerdict PatternVerdict.CellsHaveASoftCoreAndNothingElse)
 set(standard_TestPlantLevels
   PlantLevels.LowIsFourRectanglesAroundThePlant CylindricalProjection.ATreeIsDenseInItsMiddleAndOpenAtItsRim)
@@ -46,13 +46,12 @@ set(standard_TestSeaweedMotion
   SeaweedMotion.ChainsOfAnyStiffnessAreStable
   SeaweedMotion.PlantsOfAnyResolutionAndStiffnessFollowTheWater)
 set(standard_TestSoftCore
-  SoftCore.RandomPointsHaveNone SoftCore.WhatWasSimulatedIsFoundAgain SoftCore.ForcesBalanceAsInEquilibrium)
-# RasterChangesTheIntensity/SoftCore counts points too.
-set(all_TestSoftCore SoftCore.IntensityIsThatAskedFor)
+  SoftCore.RandomPointsHaveNone SoftCore.WhatWasSimulatedIsFoundAgain SoftCore.ForcesBalanceAsInEquilibrium
+  SoftCore.IntensityIsThatAskedFor)
 set(standard_TestTerrainLevels *AreWatertightInRandomViews/*)
 set(standard_TestTurningBands
   */SimpleExponential */Spherical */Bessel1 TurningBands.SpectrumIsAsEvenAsThatOfExactNoise
-  TurningBands.MeasuredVarianceIsTheModels)
+  TurningBands.MeasuredVarianceIsTheModels TurningBands.UniformBinsOfThePaperKeepVarianceAndCovariance)
 # CovarianceOfLinesAndShortWavesIsTheModels for all models too.
 set(all_TestTurningBands */DoubleExponential */Telis */Bessel2)
 set(standard_TestVariogramFit VariogramFit.GrownFieldsGiveBackModelAndParameters)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Four of the twelve published trees at their three levels of detail: arrays, the crown's volume, sound polygons, same bytes,
-// pieces, bad input, a picture.
+// Four of the twelve published trees at their three levels of detail: arrays, the crown's volume, sound polygons, same
+// bytes, pieces, bad input, a picture.
 #include "PlantChecks.h"
 #include "Plants/AonoKuniiTree.h"
 #include "vtkAonoKuniiTreeSource.h"

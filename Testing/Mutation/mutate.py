@@ -19,6 +19,7 @@ fails, those of a line `?`, or all of Testing/Cxx if there is none. With `--room
 the copy is built without VTK, and the lists of files outside of Common are left out. Mutations of the plugin ask tests
 of Testing/ParaView alone, as `ParaView/TestTextures`, in a build of their own, unless they name one of Testing/Cxx. A
 mutation that no test can notice, since the results are the same, has a line `=` with the reason; it must survive.
+Tests of the tier `all` are not asked.
 
 Built are only the programs that are asked. A second run builds what has changed since the first.
 """
@@ -189,6 +190,12 @@ def build(log, folder, targets):
     return run(["cmake", "--build", folder, "--target", *targets], log)
 
 
+def ctest(folder):
+    """The tests of a build that the standard tier has."""
+    return ["ctest", "--test-dir", folder, "--stop-on-failure", "--no-tests=error", "--timeout", str(LONGEST),
+            "-LE", "^all$"]
+
+
 def failing_test(mutation, rooms, log):
     """What fails, the tests of the room first: the build, a program or a test of a class; empty if nothing does."""
     kind = kind_of(mutation, rooms)
@@ -198,15 +205,14 @@ def failing_test(mutation, rooms, log):
     if programs and not build(log, folder, programs):
         return "the build"
     for program in programs:
-        if not run([environment, os.path.join(folder, "bin", program), "--gtest_fail_fast"], log):
+        if not run([environment, *ctest(folder), "-R", rf"^common\.{program}(\.standard)?$"], log):
             return program
     chosen = {ROOMS[0]: [], PLUGIN[0]: plugin_tests(mutation)}.get(folder, class_tests(mutation))
     if not chosen:
         return ""
     if not build(log, folder, ["all"] if kind is PLUGIN else [CLASSES]):
         return "the build"
-    if run([environment, "xvfb-run", "-a", "ctest", "--test-dir", folder, "--stop-on-failure", "--no-tests=error",
-            "--timeout", str(LONGEST), "--parallel", str(os.cpu_count()), *chosen], log):
+    if run([environment, "xvfb-run", "-a", *ctest(folder), "--parallel", str(os.cpu_count()), *chosen], log):
         return ""
     with open(log, encoding="utf-8", errors="replace") as output:
         failed = re.findall(r"(?:Cxx-|paraview\.)(\w+) .*\*\*\*", output.read())

@@ -80,7 +80,7 @@ TEST(PatternVerdict, CellsHaveASoftCoreAndNothingElse)
 }
 
 // The same of two processes alone, which costs less.
-TEST(PatternVerdict, CellsAreMadeByASoftCoreAndNotByStrauss)
+TEST(PatternVerdict, CellsAreMadeByASoftCoreAndNotByAStrictDistance)
 {
   const std::vector<PlanePosition> cells = Mapped("cells");
   const ObservationWindow window = WindowOf("cells");
@@ -93,7 +93,7 @@ TEST(PatternVerdict, CellsAreMadeByASoftCoreAndNotByStrauss)
     const std::vector<double> g = FindPairFunctions(points, window, pairs).PairCorrelation;
     return std::vector<double>(g.begin() + 1, g.end());
   };
-  for (const PointProcess id : { PointProcess::SoftCore, PointProcess::Strauss })
+  for (const PointProcess id : { PointProcess::SoftCore, PointProcess::MaternII })
   {
     const ProcessFit fit = FitProcess(id, cells, window, {});
     ASSERT_TRUE(fit.Exists);
@@ -103,7 +103,7 @@ TEST(PatternVerdict, CellsAreMadeByASoftCoreAndNotByStrauss)
       return SimulateProcess(fit.Process, options, window).Points;
     };
     const CurveEnvelope envelope = FindCurveEnvelope(curve(cells), SimulateCurves(law, curve, 99), 0.05);
-    EXPECT_EQ(envelope.IsRejected, id == PointProcess::Strauss) << envelope.PValue;
+    EXPECT_EQ(envelope.IsRejected, id == PointProcess::MaternII) << envelope.PValue;
   }
 }
 

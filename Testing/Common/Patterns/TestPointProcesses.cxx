@@ -328,7 +328,7 @@ TEST(PointProcesses, StraussPointsObeyTheirConditionalIntensity)
     process.Distance = 0.06;
     std::vector<Sample> differences(3);
     Sample all;
-    for (int seed = 1; seed <= 200; ++seed)
+    for (int seed = 1; seed <= 400; ++seed)
     {
       ProcessOptions options;
       options.Seed = seed;
