@@ -3,6 +3,7 @@
 // Three kinds of seaweeds at their levels of detail: arrays, same bytes, pieces, bad input, a bed of them, a picture.
 #include "Data/PlantBlocks.h"
 #include "Data/SeaweedBlocks.h"
+#include "Numerics/InvalidInput.h"
 #include "PlantChecks.h"
 #include "PlantScene.h"
 #include "vtkPlantScatterFilter.h"
@@ -35,26 +36,25 @@ const char* const Segments[] = { "ParentId", "Radius", "Width", "Thickness", "Le
 bool ReadsBack(Source* source)
 {
   vtkPolyData* skeleton = PartOf(source, "High/Skeleton");
-  std::vector<littoral::SeaweedSegment> segments;
-  const std::string why = littoral::WhyRefused([&] { segments = littoral::ReadSegments(skeleton); });
-  bool good = Check(why.empty(), why.c_str()) &&
-    Check(segments.size() == static_cast<std::size_t>(skeleton->GetNumberOfPoints()), "segments are missing");
+  const std::vector<littoral::SeaweedSegment> segments = littoral::ReadSegments(skeleton);
+  bool good = Check(segments.size() == static_cast<std::size_t>(skeleton->GetNumberOfPoints()), "segments are missing");
   vtkDataArray* radius = skeleton->GetPointData()->GetArray("Radius");
   for (vtkIdType node = 0; good && node < skeleton->GetNumberOfPoints(); ++node)
   {
     const double expected = littoral::EquivalentRadius(segments[static_cast<std::size_t>(node)]);
     good = Check(std::abs(radius->GetTuple1(node) - expected) < 1e-6 * expected, "Radius is not that of the section");
   }
+  const auto namesDensity = [](vtkPolyData* block) {
+    return littoral::WhyRefused([block] { littoral::ReadSegments(block); }).find("Density") != std::string::npos;
+  };
   vtkNew<vtkPolyData> poor;
   poor->ShallowCopy(skeleton);
   poor->GetPointData()->RemoveArray("Density");
-  good = good &&
-    Check(littoral::ReadSegments(poor, segments).find("Density") != std::string::npos, "a missing array is not named");
+  good = good && Check(namesDensity(poor), "a missing array is not named");
   vtkNew<vtkPolyData> weightless;
   weightless->DeepCopy(skeleton);
   weightless->GetPointData()->GetArray("Density")->SetTuple1(3, 0.0);
-  return good &&
-    Check(littoral::ReadSegments(weightless, segments).find("Density") != std::string::npos, "no mass is not noticed");
+  return good && Check(namesDensity(weightless), "no mass is not noticed");
 }
 
 bool Levels()
