@@ -1,14 +1,17 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvbatch mpi=1,2,3
+# run-with: pvbatch mpi=1,2 args=0
+# run-with: pvbatch mpi=1,2 args=1
 """Small examples of all classes, by their rows, are the same on any number of ranks.
 
-The run on one rank writes its results; the others compare with them.
+The run on one rank writes its results; the others compare with them. Each run takes every second row, from the given
+one on.
 """
 
 import hashlib
 import json
 import os
+import sys
 
 import numpy as np
 import quick
@@ -19,6 +22,10 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray
 
 TIME = 0.7
+# VTK's reader stumbles over field data that are NaN and have come from another rank.
+WITHOUT_FIELDS = """output = self.GetOutputDataObject(0)
+output.ShallowCopy(self.GetInputDataObject(0, 0))
+output.GetFieldData().Initialize()"""
 ranks = vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
 
 
@@ -39,16 +46,17 @@ def rows_of(data):
 
 
 def parts_of(proxy, port):
-    """What an output consists of: names, and data of all ranks as points or tables: proxies and their ports."""
+    """What an output consists of: names, and data of all ranks as points or tables: proxies and their ports. Further
+    images are textures, of which each rank has its own."""
     output = simple.OutputPort(proxy, port)
     information = proxy.GetDataInformation(port)
     if information.GetDataClassName() == "vtkImageData":
-        yield "", simple.ConvertToPointCloud(Input=output), 0
+        if port == 0:
+            yield "", simple.ConvertToPointCloud(Input=output), 0
     elif information.GetDataClassName() == "vtkTable":
         yield "", proxy, port
     elif not information.IsCompositeDataSet():
-        # VTK cannot send field data that are NaN.
-        yield "", simple.PassArrays(Input=output, PointDataArrays=list(output.PointData.keys())), 0
+        yield "", simple.ProgrammableFilter(Input=output, Script=WITHOUT_FIELDS), 0
     else:
         blocks = information.GetHierarchy()
         for node in blocks.GetChildNodes(blocks.GetRootNode(), True, 0):
@@ -74,7 +82,7 @@ def results_of(name):
 simple.ProgrammableSource(Script="from vtkmodules.vtkCommonCore import vtkLogger\n"
                           "vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)").UpdatePipeline()
 results = {}
-for row in classes.ROWS:
+for row in classes.ROWS[int(sys.argv[1])::2]:
     if not row.is_of_files:
         results.update(results_of(row.name))
         simple.ResetSession()

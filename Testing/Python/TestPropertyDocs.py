@@ -107,7 +107,7 @@ def is_default(text, value, owner):
 
 def instance(name):
     """A fresh object of a class, of a subclass where it is abstract; None where this build has none."""
-    base = getattr(littoral, name, None)
+    base = getattr(littoral, name) if name in littoral.__all__ else None
     family = [base] + [getattr(littoral, other) for other in littoral.__all__] if base else []
     for cls in family:
         if isinstance(cls, type) and issubclass(cls, base):

@@ -225,7 +225,7 @@ def check(where, proxy, all_proxies):
 everything = proxies()
 for (group, name), proxy in everything.items():
     derived = any(other.get("base_proxyname") == name for other in everything.values())
-    if not derived and hasattr(littoral, proxy.get("class")):
+    if not derived and proxy.get("class") in littoral.__all__:
         check(name, proxy, everything)
 
 # ParaView has no icon for some views, and says so in its window of messages.
@@ -234,7 +234,7 @@ for (group, name), proxy in everything.items():
     expect("RenderView" not in views or proxy.find("Hints/PipelineIcon") is not None,
            f"{name} opens a render view and has no PipelineIcon")
     # Charts have titles and are of outputs that exist.
-    kind = getattr(littoral, proxy.get("class"), None)
+    kind = getattr(littoral, proxy.get("class")) if proxy.get("class") in littoral.__all__ else None
     for chart in proxy.iter("ChartDisplay"):
         expect(chart.get("x") and chart.get("x-title") and chart.get("y-title"), f"{name}: a chart without titles")
         expect(kind and int(chart.get("port")) < kind().GetNumberOfOutputPorts(), f"{name}: a chart of no output")

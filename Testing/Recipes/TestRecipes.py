@@ -62,14 +62,19 @@ def build():
     run("ninja", "-C", BUILD, f"-j{os.environ.get('LITTORAL_RECIPE_JOBS', os.cpu_count())}", *sorted(programs), *PYTHON)
 
 
+def in_build(*command):
+    """What a program prints that finds the libraries and the package of the copy."""
+    return run(BUILD / "bin" / "littoral-env", "--display", *command)
+
+
 def test(name):
     """The tests of a recipe, which run at least one case each."""
     for program, what in recipes.TESTS[name]:
         path = BUILD / "bin" / program
         if program == mutate.CLASSES:
-            run(BUILD / "bin" / "littoral-env", "--display", path, what, "-T", TREE)
+            in_build(path, what, "-T", TREE)
             continue
-        passed = re.search(r"\[  PASSED  \] (\d+) tests?", run(path, f"--gtest_filter={what}"))
+        passed = re.search(r"\[  PASSED  \] (\d+) tests?", in_build(path, f"--gtest_filter={what}"))
         if not passed or int(passed[1]) == 0:
             sys.exit(f"{name}: {program} has no test {what}")
         print(f"{name}: {program} {what}, {passed[1]} cases")
@@ -80,12 +85,12 @@ def main():
     build()
     for name in recipes.TESTS:
         test(name)
-    python = (BUILD / "bin" / "littoral-env", sys.executable, "-B")
+    python = (sys.executable, "-B")
     for generator in TREE.glob("Documentation/make_classes.py"):
-        run(*python, generator)  # the page of classes
+        in_build(*python, generator)  # the page of classes
     for script in ("TestProxies", "TestClasses", "TestPropertyDocs"):
-        run(*python, TREE / "Testing" / "Python" / (script + ".py"))
-    printed = run(*python, TREE / "Testing" / "Hashes" / "hash_outputs.py", *NEW)
+        in_build(*python, TREE / "Testing" / "Python" / (script + ".py"))
+    printed = in_build(*python, TREE / "Testing" / "Hashes" / "hash_outputs.py", *NEW)
     for name in NEW:
         assert f"{name} default" in printed and f"{name} 1" in printed, printed[-2000:]
 
