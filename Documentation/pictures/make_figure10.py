@@ -15,15 +15,14 @@ import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGReader
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from littoral import vtkQuadratPointSource, vtkTurningBandsTerrainSource
+from littoral.elevation import array_from_image
 from littoral.gallery import country as countries
 from littoral.gallery import landscape, views
 from littoral.gallery.meshes import polygons, vertices
 from littoral.gallery.sky import sky_dome, write_sky
 from littoral.glb import direction
-from littoral.elevation import array_from_image, write_vti
 
 SIDE, SPACING = 1200.0, 3.0  # of the terrain [m]
 EYE, FOCUS = np.array((600.0, 70.0)), np.array((600.0, 640.0))
@@ -124,20 +123,6 @@ def houses(country):
         np.array(points), np.array(triangles), np.clip(np.array(colors), 0.0, 255.0).astype(np.uint8))
 
 
-def reader(kind, folder, name, data):
-    """Data through a file, as ParaView wants it."""
-    file = os.path.join(folder, name)
-    if name.endswith(".vti"):
-        write_vti(data, file)
-    else:
-        writer = vtkXMLPolyDataWriter()
-        writer.SetInputData(data)
-        writer.SetDataModeToBinary()
-        writer.SetFileName(file)
-        writer.Write()
-    return kind(registrationName=name, FileName=[file], TimeArray="None")
-
-
 def draw(folder):
     """Write figure10.png into a folder."""
     country = smooth_country()
@@ -146,11 +131,11 @@ def draw(folder):
     places = vtk_to_numpy(trees.GetPoints().GetData()).astype(float)
     crowns = CROWNS[vtk_to_numpy(trees.GetPointData().GetArray("Species"))]
     shades = countries.shadows(country, places, *crowns.T)
-    terrain = reader(simple.XMLImageDataReader, folder, "country.vti", country.image)
+    terrain = views.reader("country", country.image, folder)
     sites, sky, dark, homes = (
-        reader(simple.XMLPolyDataReader, folder, name, data)
-        for name, data in (("sites.vtp", trees), ("sky.vtp", sky_dome(eye)),
-                           ("shadows.vtp", shades), ("houses.vtp", houses(country))))
+        views.reader(name, data, folder)
+        for name, data in (("sites", trees), ("sky", sky_dome(eye)),
+                           ("shadows", shades), ("houses", houses(country))))
     write_sky(os.path.join(folder, "sky.png"))
 
     prototypes = [simple.ReevesTree(Preset="Pine", Seed=3), simple.ReevesTree(Preset="Birch", Seed=2)]

@@ -11,27 +11,16 @@ import tempfile
 
 import numpy as np
 from paraview import simple
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from littoral.gallery import bay, underwater
 from littoral.gallery.meshes import vertices
+from littoral.gallery.views import reader
 
 SIZE = (960, 540)
 DEPTH = 6.5  # of the water [m]
 EYE, FOCUS, VIEW_ANGLE = (0.0, 0.0, -4.9), (0.0, 10.0, -4.6), 62.0
 TIME, LEAD = 6.0, 15.0  # the swell has bent the kelp for so long [s]
 PLANTS = 150  # in an area of 40 m along the view and 20 m across
-
-
-def reader(name, data, folder):
-    """A reader of polydata, by way of a file."""
-    writer = vtkXMLPolyDataWriter()
-    writer.SetInputData(data)
-    writer.SetDataModeToBinary()
-    writer.SetFileName(os.path.join(folder, f"{name}.vtp"))
-    writer.Write()
-    return simple.XMLPolyDataReader(
-        registrationName=name, FileName=[os.path.join(folder, f"{name}.vtp")], TimeArray="None")
 
 
 def sites(height, seed=11):

@@ -295,7 +295,7 @@ def films(folder, frames=48):
 
 
 def main(folder, *options):
-    """Pictures and data; with the options `--films` and perhaps a number of frames the films; with `--quick` small pictures."""
+    """Pictures and data; with `--films` and perhaps a number of frames the films; with `--quick` small pictures."""
     if options == ("--quick",):
         relief.CELLS = 0
         stills(folder, quick=True)

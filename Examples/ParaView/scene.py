@@ -1,9 +1,11 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: pvbatch args=. args=--quick
 """A ParaView scene: a measured terrain and a twin grown from its statistics.
 
     ./littoral gui                    opens it in ParaView
-    pvbatch scene.py [FOLDER]         writes scene.png and scene.pvsm into FOLDER
+    pvbatch scene.py [FOLDER]         writes scene.png and scene.pvsm into FOLDER; with --quick behind it
+                                      small, of coarse blocks, for a test
 
 Change `Seed` of the twin and press Apply: another terrain with the same statistics appears, with
 its shadows. The chart shows the measured variogram and the fitted models.
@@ -16,6 +18,7 @@ import tempfile
 from paraview import servermanager, simple
 
 from littoral.elevation import read_elevation, write_vti
+from littoral.gallery import relief as reliefs
 from littoral.gallery.relief import BACKGROUND, row_camera, row_centers, width_of
 from littoral.gallery.views import look, show_baked
 from littoral.tables import model_names
@@ -94,8 +97,8 @@ def prepare_view(view, width, count):
     view.UseFXAA = 1
 
 
-def build(folder):
-    """Build the pipeline and its views; returns the render view."""
+def build(folder, size):
+    """Build the pipeline and its views, of a size in pixels; returns the render view."""
     place = read_elevation()
     filename = os.path.join(folder, "jacksboro.vti")
     write_vti(place, filename)
@@ -106,7 +109,7 @@ def build(folder):
 
     # The ParaView window already has a view; a script has to create one.
     view = simple.GetActiveViewOrCreate("RenderView")
-    view.ViewSize = [1600, 760]
+    view.ViewSize = size
     layout = simple.GetLayout(view)
     width = width_of(place)
     centers = row_centers(width, 2)
@@ -132,7 +135,10 @@ def main():
     simple._DisableFirstRenderCameraReset()
     folder = sys.argv[1] if len(sys.argv) > 1 else tempfile.mkdtemp(prefix="littoral-")
     os.makedirs(folder, exist_ok=True)
-    view = build(folder)
+    quick = "--quick" in sys.argv
+    if quick:
+        reliefs.CELLS = 0
+    view = build(folder, [400, 190] if quick else [1600, 760])
     if __name__ == "__main__" and len(sys.argv) > 1:
         simple.SaveScreenshot(os.path.join(folder, "scene.png"), view)
         simple.SaveState(os.path.join(folder, "scene.pvsm"))

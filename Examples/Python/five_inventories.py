@@ -8,7 +8,7 @@
 writes five-inventories.jpg into FOLDER, a row for each inventory: the map; the pair correlation of the map with the
 global envelope of 99 patterns of the process that is best by the envelope test; a pattern of that process; and plants on
 it. The inventories are those of Debian's package r-cran-spatstat.data, read by R; without it the example says so and ends.
---quick, for a test, draws the three that need no R, as files of this project have them, at half the size.
+--quick, for a test, draws one of which this project has a file, at half the size.
 """
 
 import os
@@ -51,8 +51,8 @@ INVENTORIES = (
     ("japanesepines", "Japanese black pines", 5.7, 0, (57.0, "Pine", 9.0, 0.2)),
     ("cells", "Cells", 1.0, 0, (24.0, "Shrub", 2.4, 0.1)),
 )
-#: Lower edges of those that files of this project have too, in units of their sides.
-FILES = {"redwood": -1.0, "japanesepines": 0.0, "cells": 0.0}
+#: What --quick draws.
+QUICK = "japanesepines"
 #: Diameter at breast height [cm] over height [m] of pines that stand alone.
 OPEN_GROWN = 1.5
 
@@ -77,8 +77,7 @@ write.csv(d[!duplicated(d[, c("x", "y")]), ], row.names=FALSE, quote=FALSE)"""
 def read_file(name):
     """Positions of an inventory in a unit square, from a file of this project."""
     file = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Data", "patterns", f"{name}.csv")
-    x, y = np.loadtxt(file, delimiter=",", skiprows=1).T
-    return {"x": x, "y": y - FILES[name]}
+    return dict(zip("xy", np.loadtxt(file, delimiter=",", skiprows=1).T))
 
 
 def points_of(x, y):
@@ -232,8 +231,10 @@ def spelled(name):
     return {"log gaussian cox": "log-Gaussian Cox"}.get(words, words.replace("matern", "Matérn").capitalize())
 
 
-def draw_stand(renderer, trees, side, colors, cover):
-    """Plants on ground of colors, of which the cover is grass, in the shade of the crowns, seen from the southern edge."""
+def draw_stand(renderer, trees, side, colors, cover, rings):
+    """Plants on ground of colors, of which the cover is grass, in the shade of the crowns, seen from the southern edge.
+
+    rings: of the ground."""
     renderer.SetBackground(*HAZE)
     renderer.SetBackground2(0.45, 0.64, 0.86)
     renderer.GradientBackgroundOn()
@@ -251,7 +252,7 @@ def draw_stand(renderer, trees, side, colors, cover):
             renderer.AddActor(actor)
     places = vtk_to_numpy(trees.GetPoints().GetData())[:, :2].astype(float)
     floor = Floor(places, heights, stand.numbers(trees, "CrownDiameter"), eye, sun=SUN, colors=colors, cover=cover)
-    for part in (floor.ground(900, 1800), floor.woods()):
+    for part in (floor.ground(rings, 2 * rings), floor.woods()):
         renderer.AddActor(lit_actor(part))
     add_daylight(renderer, SUN)
     camera = renderer.GetActiveCamera()
@@ -267,7 +268,7 @@ def main(folder, quick):
     """All rows as a picture."""
     os.makedirs(folder, exist_ok=True)
     window, kept = vtkRenderWindow(), []
-    inventories = [each for each in INVENTORIES if each[0] in FILES] if quick else INVENTORIES
+    inventories = [each for each in INVENTORIES if each[0] == QUICK] if quick else INVENTORIES
     for row, (name, title, side, degree, kind) in enumerate(inventories):
         found = read_file(name) if quick else read(name)
         if found is None:
@@ -289,7 +290,7 @@ def main(folder, quick):
         species = [names.GetValue(k) for k in range(len(places))] if names else None
         draw_map(parts[2], *(places / side).T, (0.24, 0.42, 0.30), f"regrown: {len(places)}", species)
         meadow = (BROADLEAVED, 0.3) if "species" in found else (SAVANNA, 0.85)
-        kept.append(draw_stand(parts[3], trees, ground, *meadow))
+        kept.append(draw_stand(parts[3], trees, ground, *meadow, 200 if quick else 900))
         for part in parts:
             window.AddRenderer(part)
     head = vtkRenderer()

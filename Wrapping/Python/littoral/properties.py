@@ -6,7 +6,10 @@ import numpy as np
 
 
 def set_properties(made, settings):
-    """Set properties, as of {"Seed": 2, "Origin": (0.0, 1.0)}; returns the object. Raises ValueError for a name that it lacks."""
+    """Set properties, as of {"Seed": 2, "Origin": (0.0, 1.0)}, and return the object.
+
+    Raises ValueError for a name that it lacks.
+    """
     for name, value in settings.items():
         setter = getattr(made, "Set" + name, None)
         if setter is None:
