@@ -149,7 +149,7 @@ bool CheckBadVerdicts()
   good &= VerdictFails("evel", five, [](Verdict* v) { v->SetLevel(0.0); });
   good &= VerdictFails("Function", five, [](Verdict* v) { v->SetFunction(2); });
   good &= VerdictFails("Contrast", five, [](Verdict* v) { v->SetContrast(2); });
-  good &= VerdictFails("Largest", five, [](Verdict* v) { v->SetMaximumDistance(-1.0); });
+  good &= VerdictFails("MaximumDistance", five, [](Verdict* v) { v->SetMaximumDistance(-1.0); });
   good &= VerdictFails("Quadrats", five, [](Verdict* v) { v->SetQuadrats(-1, 4); });
   good &= VerdictFails("Size", five, [](Verdict* v) { v->SetSize(-1.0, 1.0); });
   good &= VerdictFails("window", five, [](Verdict* v) { v->SetSize(0.5, 0.5); });
