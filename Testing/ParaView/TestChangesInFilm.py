@@ -62,7 +62,7 @@ def show(output, place=None):
     for display in view.Representations:
         if getattr(display, "Representation", None) == "Point Gaussian":
             display.GaussianRadius = 10.0  # by default it follows the first data
-    simple.Render(view)
+            simple.Render(view)
     return view
 
 

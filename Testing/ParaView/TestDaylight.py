@@ -73,6 +73,8 @@ simple.Show(simple.ReevesTree(NumberOfLeaves=50), view)
 assert lights_of(view) == undone, "lit twice"
 
 # State: what a user has changed comes back, and what not, too.
+for view in simple.GetRenderViews():
+    simple.Delete(view)
 view = new_view()
 terrain = simple.TurningBandsTerrain(WholeExtent=[0, 64, 0, 64, 0, 0])
 relief = simple.Show(terrain, view)

@@ -5,13 +5,13 @@
 
 import quick
 import states
-from TestScenes import SCENES, SIZE, check, check_again, check_defaults
+from TestScenes import SCENES, check, check_again, check_defaults
 from TestScenesAtSea import check_murk
 
 
 def check_states(name):
     """In a view of its own, and not shown anew in another one."""
-    states.check(SIZE, 0.0, name)
+    states.check((300, 200), 0.0, name)
     check_again(name)
 
 

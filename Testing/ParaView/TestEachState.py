@@ -1,11 +1,18 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython tier=all
-"""TestStates.py for the other pipelines: a wood, merged and as instances, particles and kelp in waves."""
+"""TestStates.py for the other pipelines: a twin, a wood, merged and as instances, particles and kelp in waves."""
 
 import quick
 import TestStates
 from paraview import simple
+
+
+def twin():
+    """The twin of a terrain, by its fits."""
+    terrain = simple.TurningBandsTerrain(WholeExtent=[0, 60, 0, 60, 0, 0])
+    fits = simple.CovarianceFit(Input=terrain)
+    return simple.TurningBandsTerrainFromFits(Input=fits, WholeExtent=[0, 60, 0, 40, 0, 0], Seed=9)
 
 
 def instances():
@@ -36,4 +43,4 @@ def kelp():
     return simple.SeaweedDeformation(Input=simple.Seaweed(Seed=3), SeaState=sea, StartTime=0.0)
 
 
-TestStates.check(instances, forest, particles, kelp)
+TestStates.check(twin, instances, forest, particles, kelp)

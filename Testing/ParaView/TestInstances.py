@@ -3,7 +3,7 @@
 # run-with: pvpython
 """A forest as instances looks like the merged forest: in Full Surface by itself, and as ParaView's 3D Glyphs in outline.
 
-TestServer has it before a server.
+TestServers has it before a server.
 """
 
 import numpy as np

@@ -13,6 +13,7 @@ import xml.etree.ElementTree as ElementTree
 import quick
 from mistakes import EMPTY, MISTAKES, UNMOVED, Messages
 from paraview import simple
+from window import apart, picture, small_view
 
 
 def shown(data):
@@ -75,6 +76,23 @@ def proxies_of_plugin():
     return {p.get("name") for root in roots for p in root.iterfind("./*/Category/Proxy")} - scenes
 
 
+def check_scene():
+    """Giant kelp, which is higher than the sea of Underwater is deep, and sugar kelp again: the picture comes back."""
+    view = small_view([300, 200])
+    simple.Show(simple.Underwater(), view)
+    plant, kelp = simple.FindSource("Sugar Kelp"), simple.FindSource("Kelp")
+    pictures, points = [], []
+    for preset in ("Sugar Kelp", "Giant Kelp", "Sugar Kelp"):
+        plant.Preset = preset
+        with Messages():
+            pictures.append(picture(view))
+        points.append(kelp.GetDataInformation().GetNumberOfPoints())
+    assert points[1] == 0 and points[2] == points[0] > 0, f"Underwater: kelp has {points} points"
+    without, other = [apart(one, pictures[0]) for one in pictures[1:]]
+    assert without > 0.02, f"Underwater: {without:.2%} of the picture is another without kelp"
+    assert other < 0.001, f"Underwater: {other:.2%} of the picture is another after a refusal"
+
+
 missing = proxies_of_plugin() - {mistake[0] for mistake in MISTAKES}
 assert not missing, f"no mistake is made with {missing}"
 failures = []
@@ -88,3 +106,6 @@ for mistake in ({made[0]: made for made in reversed(MISTAKES)}.values() if in_wi
     if reason:
         failures.append(f"{mistake[0]}, {mistake[2]}: {reason}")
 assert not failures, "\n" + "\n".join(failures)
+if not in_window:
+    clear()
+    check_scene()

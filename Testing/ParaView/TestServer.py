@@ -1,14 +1,13 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython
-"""Before a server that renders, a scene, textured blocks, instances and a view that is dragged are what they are without one.
+"""Before a server that renders, a scene, textured blocks and a view that is dragged are what they are without one.
 
 TestServers has more ranks, and pictures that the client renders, TestScenesWithServer more scenes.
 """
 
 import quick
 import TestDragging
-import TestInstances
 import TestScenesWithServer
 import TestTextures
 from paraview import simple
@@ -22,11 +21,6 @@ def check_textures(where):
     TestTextures.check_colors(view, squares, shown, where)
 
 
-def check_instances(where):
-    view, forest, _ = TestInstances.scene()
-    TestInstances.check_forms(view, forest, where)
-
-
 def check_drag(where):
     view, _ = TestDragging.scene()
     TestDragging.check_drag(view, where)
@@ -35,7 +29,7 @@ def check_drag(where):
 def check(where, threshold):
     """Views stay: VTK 9.6 warns of textures when a view of blocks ends before its server, textured or not."""
     simple.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = threshold
-    for one in (check_textures, check_instances, check_drag):
+    for one in (check_textures, check_drag):
         one(where)
 
 

@@ -1,25 +1,18 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython
-"""States as .pvsm and as .py bring back what was there, each pipeline in a view of its own, at their time.
+"""States as .pvsm and as .py, and a trace, bring back a tree in the wind as it was at its time.
 
-TestEachState has other pipelines; TestStatesInWindow the menus, and a trace.
+TestEachState has other pipelines, each in a view of its own; TestStatesInWindow the menus.
 """
 
 import numpy as np
 import quick
 import states
-from paraview import simple
+from paraview import simple, smtrace
 from window import small_view
 
 SIZE, TIME = [120, 80], 2.5  # [s]
-
-
-def twin():
-    """The twin of a terrain, by its fits."""
-    terrain = simple.TurningBandsTerrain(WholeExtent=[0, 60, 0, 60, 0, 0])
-    fits = simple.CovarianceFit(Input=terrain)
-    return simple.TurningBandsTerrainFromFits(Input=fits, WholeExtent=[0, 60, 0, 40, 0, 0], Seed=9)
 
 
 def tree():
@@ -40,16 +33,19 @@ def show(pipeline):
     view.CameraPosition = list(np.add(view.CameraFocalPoint, 0.8 * towards))
 
 
-def check(*pipelines):
+def check(*pipelines, traced=False):
     """A session of several pipelines at a time; none of their pictures is empty."""
+    if traced:
+        smtrace.start_trace().SetFullyTraceSupplementalProxies(True)
     for pipeline in pipelines:
         show(pipeline)
+    trace = smtrace.stop_trace() if traced else None
     simple.GetAnimationScene().AnimationTime = TIME
     for pipeline, seen in zip(pipelines, states.snapshot(SIZE, TIME)["pictures"]):
         drawn = (np.abs(seen - np.median(seen, axis=(0, 1))).max(axis=2) > 12).mean()
         assert drawn > 0.01, f"{pipeline.__name__}: nothing is shown"
-    states.check(SIZE, TIME, ", ".join(pipeline.__name__ for pipeline in pipelines))
+    states.check(SIZE, TIME, ", ".join(pipeline.__name__ for pipeline in pipelines), trace)
 
 
 if __name__ == "__main__":
-    check(twin, tree)
+    check(tree, traced=True)

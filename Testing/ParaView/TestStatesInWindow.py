@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython
+# run-with: pvpython tier=all
 """A state saved and loaded by the menus of the window, and a trace of the same steps: the picture is that of the steps.
 
 The trace is run by a new process without a window.
@@ -36,12 +36,12 @@ def run_trace(file):
 
 
 def record():
-    """A vortex, with a trace; the state into an empty session."""
+    """Eelgrass, with a trace; the state into an empty session."""
     session = Session(__file__)
     session.menu("menuTools", "actionToolsStartStopTrace")
     session.event("TraceOptionsDialog/widget/OKButton")
-    session.source("FlowPrimitive")
-    session.choose("FlowType", "Vortex")
+    session.source("Seaweed")
+    session.choose("Preset", "Eelgrass")
     session.apply()
     session.call(keep_trace, "trace.py")
     session.look("wanted")
@@ -64,7 +64,7 @@ if len(sys.argv) == 2:
     run_trace(sys.argv[1])
 elif __name__ == "__main__":
     record()
-    assert drawn("wanted.png") > 0.005, "nothing is drawn"
+    assert drawn("wanted.png") > 0.01, "nothing is drawn"
     compare("state", "loaded.png")
     subprocess.run(["pvpython", os.path.abspath(__file__), "trace.py"], check=True, env=without_rank())
     compare("trace", "traced.png")

@@ -4,8 +4,8 @@
 """Blocks that carry a texture are drawn with it by the representation Full Surface.
 
 Squares with known texels: the color of a pixel is that of the points times the texel over the mean of the texture, and
-nothing where the texel is transparent; visibility, picking and shaders of blocks as without textures. A block that moves
-keeps in the graphics' memory what stays, and is seen where it is. TestServer has the same before a server.
+nothing where the texel is transparent; visibility, picking and shaders of blocks as without textures. A block that
+moves keeps in the graphics' memory what stays, and is seen and picked where it is. TestServer has a server.
 """
 
 import json
@@ -222,8 +222,7 @@ def check_motion(view, squares, shown):
     near(at(seen, 1.6, 0.4), (200, 100, 50), "the triangle that is left")
     near(at(seen, 0.4, 1.6), (0, 0, 255), "the triangle that is gone")
     squares.Script = SQUARES
-    seen = picture(view)
-    near(at(seen, 1.6, 0.4), (200, 100, 50), "moved back")
+    check_picking(view, squares, shown, "moved back")
     shown.BlockColors = ["/Root/Plain", "0", "1", "0"]
     near(at(picture(view), 1.0), (0, 255, 0), "a color that a user chose for a block")
     shown.BlockColors = []

@@ -45,3 +45,9 @@ assert counter("PlantsShown") == 400.0
 assert species.GetComponentRange(0) == (0.0, 0.0), "a prototype of weight 0 is used"
 heights = forest.GetDataInformation().GetFieldDataInformation().GetArrayInformation("Position").GetComponentRange(2)
 assert heights[1] > heights[0], "plants are not on the terrain"
+
+# A terrain that is taken away leaves nothing.
+forest.Terrain = None
+simple.UpdatePipeline(proxy=forest)
+heights = forest.GetDataInformation().GetFieldDataInformation().GetArrayInformation("Position").GetComponentRange(2)
+assert heights == (0.0, 0.0), f"the terrain stays connected: {heights}"

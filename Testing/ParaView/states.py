@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a session shows, and what its state brings back: as .pvsm after a reset, and as .py in a new process."""
+"""What a session shows, and what brings it back: a .pvsm after a reset, a .py or a trace in a new process."""
 
 import os
 import subprocess
@@ -31,6 +31,7 @@ def snapshot(size, time):
     for view in views:
         view.ViewSize, view.ViewTime = list(size), time
         simple.SetActiveView(view)  # whose camera filters follow
+        simple.Render(view)  # after a Python state the first picture has the levels of detail of another place
         pictures.append(picture(view))
     return {"parts": np.array(parts()), "shown": np.array([" ".join(visible(view)) for view in views]),
             "pictures": np.array(pictures)}
@@ -47,8 +48,8 @@ def compare(back, wanted, what):
         assert back["shown"][nearest] == shown, f"{what}: {back['shown'][nearest]} is shown, not {shown}"
 
 
-def check(size, time, what):
-    """Both kinds of state bring back the session, which is then that of the .pvsm."""
+def check(size, time, what, trace=None):
+    """Both kinds of state, and a trace, bring back the session, which is then that of the .pvsm."""
     wanted = snapshot(size, time)
     simple.SaveState("state.pvsm")
     with open("state.py", "w", encoding="utf-8") as script:
@@ -59,6 +60,10 @@ def check(size, time, what):
     assert times == {time}, f"{what}, .pvsm: the times are {times}, not {time}"
     compare(snapshot(size, time), wanted, f"{what}, .pvsm")
     compare(in_new_process("state.py", size, time), wanted, f"{what}, .py")
+    if trace:
+        with open("trace.py", "w", encoding="utf-8") as script:
+            script.write(trace)
+        compare(in_new_process("trace.py", size, time), wanted, f"{what}, trace")
     print(f"{what}: {len(wanted['parts'])} parts and {len(wanted['shown'])} pictures are back", flush=True)
 
 
