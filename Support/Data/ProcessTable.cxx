@@ -59,7 +59,7 @@ void ReadTrend(vtkTable* table, vtkIdType row, const ObservationWindow& window, 
   IntensityTrend trend;
   if (degrees)
   {
-    ReadWhole("TrendDegree", degrees->GetComponent(row, 0), 0, MostTrendDegree, trend.Degree);
+    ReadWhole("TrendDegree", degrees->GetComponent(row, 0), 0, MaximumTrendDegree, trend.Degree);
   }
   if (trend.Degree == 0)
   {
