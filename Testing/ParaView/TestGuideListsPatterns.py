@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython tier=all
+# run-with: pvpython
 """The guide's list from a measured pattern of points to one like it, in the window."""
 
 import guide_patterns

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython
-"""Scenes with trees: each entry becomes an ordinary pipeline with its parts in the browser, shows a picture and plays where
-it should; a part can be changed, and defaults come back.
+"""Scenes, here a forest: each entry becomes an ordinary pipeline with its parts in the browser, shows a picture and plays where
+it should.
 
-TestScenesAtSea has others, TestEachScene the twin and the states of all.
+TestSwayingScene and TestScenesAtSea have others, where a part is changed, TestEachScene the twin and the states of all.
 """
 
 import numpy as np
@@ -112,5 +112,3 @@ def check_memory(_):
 
 if __name__ == "__main__":
     check("Forest", change=False, then=check_memory)
-    check("SwayingForest")
-    check_defaults("SwayingForest", "Dimensions", [200, 16, 8])

@@ -1,15 +1,15 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython
-"""States as .pvsm and as .py, and a trace, bring back a tree in the wind as it was at its time.
+"""States as .pvsm and as .py bring back a tree in the wind as it was at its time.
 
-TestEachState has other pipelines, each in a view of its own; TestStatesInWindow the menus.
+TestEachState has other pipelines, each in a view of its own; TestStatesInWindow the menus and a trace.
 """
 
 import numpy as np
 import quick
 import states
-from paraview import simple, smtrace
+from paraview import simple
 from window import small_view
 
 SIZE, TIME = [120, 80], 2.5  # [s]
@@ -33,19 +33,16 @@ def show(pipeline):
     view.CameraPosition = list(np.add(view.CameraFocalPoint, 0.8 * towards))
 
 
-def check(*pipelines, traced=False):
+def check(*pipelines):
     """A session of several pipelines at a time; none of their pictures is empty."""
-    if traced:
-        smtrace.start_trace().SetFullyTraceSupplementalProxies(True)
     for pipeline in pipelines:
         show(pipeline)
-    trace = smtrace.stop_trace() if traced else None
     simple.GetAnimationScene().AnimationTime = TIME
     for pipeline, seen in zip(pipelines, states.snapshot(SIZE, TIME)["pictures"]):
         drawn = (np.abs(seen - np.median(seen, axis=(0, 1))).max(axis=2) > 12).mean()
         assert drawn > 0.01, f"{pipeline.__name__}: nothing is shown"
-    states.check(SIZE, TIME, ", ".join(pipeline.__name__ for pipeline in pipelines), trace)
+    states.check(SIZE, TIME, ", ".join(pipeline.__name__ for pipeline in pipelines))
 
 
 if __name__ == "__main__":
-    check(tree, traced=True)
+    check(tree)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a session shows, and what brings it back: a .pvsm after a reset, a .py or a trace in a new process."""
+"""What a session shows, and what brings it back: a .pvsm after a reset, a .py in a new process."""
 
 import os
 import subprocess
@@ -48,8 +48,8 @@ def compare(back, wanted, what):
         assert back["shown"][nearest] == shown, f"{what}: {back['shown'][nearest]} is shown, not {shown}"
 
 
-def check(size, time, what, trace=None):
-    """Both kinds of state, and a trace, bring back the session, which is then that of the .pvsm."""
+def check(size, time, what):
+    """Both kinds of state bring back the session, which is then that of the .pvsm."""
     wanted = snapshot(size, time)
     simple.SaveState("state.pvsm")
     with open("state.py", "w", encoding="utf-8") as script:
@@ -60,16 +60,12 @@ def check(size, time, what, trace=None):
     assert times == {time}, f"{what}, .pvsm: the times are {times}, not {time}"
     compare(snapshot(size, time), wanted, f"{what}, .pvsm")
     compare(in_new_process("state.py", size, time), wanted, f"{what}, .py")
-    if trace:
-        with open("trace.py", "w", encoding="utf-8") as script:
-            script.write(trace)
-        compare(in_new_process("trace.py", size, time), wanted, f"{what}, trace")
     print(f"{what}: {len(wanted['parts'])} parts and {len(wanted['shown'])} pictures are back", flush=True)
 
 
 def in_new_process(script, size, time):
     """What a script shows, run as users do; ParaView 6.1 draws no blocks that it shows after a reset."""
-    subprocess.run(["pvbatch", os.path.abspath(__file__), script, *map(str, size), str(time)], check=True,
+    subprocess.run(["pvpython", os.path.abspath(__file__), script, *map(str, size), str(time)], check=True,
                    env=without_rank())
     with np.load("back.npz") as back:
         return dict(back)
