@@ -3,6 +3,7 @@
 # run-with: python3 tier=quick
 """The check of the tiers: a test beyond its budget, without a tier or without a time is named; others are not."""
 
+import json
 import os
 import subprocess
 import sys
@@ -12,20 +13,17 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 TIERS = os.path.join(HERE, "..", "Tiers")
 
 
-def record(*cases):
-    """A record of tests by name, labels, output and status, as ctest writes it."""
-    rows = "".join(
-        f'<testcase name="{name}" status="{status}"><properties><property name="cmake_labels" value="{labels}"/></properties>'
-        f"<system-out>{output}</system-out></testcase>" for name, labels, output, status in cases)
-    return f'<?xml version="1.0" encoding="UTF-8"?><testsuite>{rows}</testsuite>'
-
-
 def check(*cases):
-    """The end and the text of a check."""
+    """The end and the text of a check of tests by name, labels, output and status, as ctest writes them."""
+    rows = "".join(f'<testcase name="{name}" status="{status}"><system-out>{output}</system-out></testcase>'
+                   for name, _, output, status in cases)
     with open("record.xml", "w", encoding="utf-8") as file:
-        file.write(record(*cases))
-    run = subprocess.run([sys.executable, "-B", os.path.join(TIERS, "check.py"), "record.xml"], capture_output=True, text=True,
-                         check=False)
+        file.write(f'<?xml version="1.0" encoding="UTF-8"?><testsuite>{rows}</testsuite>')
+    with open("tests.json", "w", encoding="utf-8") as file:
+        json.dump({"tests": [{"name": name, "properties": [{"name": "LABELS", "value": labels.split(";")}]}
+                             for name, labels, _, _ in cases]}, file)
+    run = subprocess.run([sys.executable, "-B", os.path.join(TIERS, "check.py"), "record.xml", "tests.json"],
+                         capture_output=True, text=True, check=False)
     return run.returncode, run.stdout + run.stderr
 
 

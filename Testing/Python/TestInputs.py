@@ -436,19 +436,23 @@ def entries_of(log):
         return [json.loads(line) for line in file]
 
 
-def end_of(call, *arguments):
-    """How a child ends that makes a call: 0, 1 after an exception, or less the number of the signal."""
+def end_of(errors, call, *arguments):
+    """How a child ends that makes a call, and the end of what it wrote into a file of errors: 0, 1 after an exception, or
+    less the number of the signal."""
     sys.stdout.flush()
     child = os.fork()
     if child == 0:
         try:
+            os.dup2(os.open(errors, os.O_WRONLY | os.O_CREAT | os.O_TRUNC), 2)
             call(*arguments)
             os._exit(0)
         except BaseException:  # pylint: disable=broad-except
             traceback.print_exc()
         finally:
             os._exit(1)
-    return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+    end = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+    with open(errors, encoding="utf-8", errors="replace") as file:
+        return end, file.read()[-500:]
 
 
 def test(name, every):
@@ -459,17 +463,17 @@ def test(name, every):
     with tempfile.TemporaryDirectory() as folder:
         log = os.path.join(folder, "log")
         while True:
-            end = end_of(run, name, log, first, every)
+            end, wrote = end_of(os.path.join(folder, "errors"), run, name, log, first, every)
             entries = entries_of(log)
             if "done" in entries[-1]:
                 if end:
-                    findings.append(f"{name}: the child ended with {end}")
+                    findings.append(f"{name}: the child ended with {end}: {wrote}")
                 break
             last = entries[-1]
             if "begin" not in last:
-                findings.append(f"{name}: the child ended with {end}")
+                findings.append(f"{name}: the child ended with {end}: {wrote}")
                 break
-            findings.append(f"{name}: {last['label']}: crashed with {end}")
+            findings.append(f"{name}: {last['label']}: crashed with {end} {wrote}")
             first = last["begin"] + 1
         labels = {entry["begin"]: entry["label"] for entry in entries if "begin" in entry}
         for entry in entries:

@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The processor time of each test against the budget of its tier, by ctest's record of a run.
 
-    check.py RECORD.xml     RECORD.xml: what `ctest --output-junit` wrote, with whole outputs
+    check.py RECORD.xml TESTS.json     what `ctest --output-junit` wrote, with whole outputs; `ctest --show-only=json-v1`
 
 Prints the time of each label and the dearest tests; ends with 1 if a test has no tier or no time, or is beyond its budget.
 """
 
 import collections
+import json
 import re
 import sys
 import xml.etree.ElementTree as ElementTree
@@ -27,19 +28,27 @@ class Cost(NamedTuple):
     seconds: float  # of processor time; None: not in the record
 
 
-def cost_of(case):
+def labels_of(path):
+    """The labels of tests by name."""
+    with open(path, encoding="utf-8") as file:
+        tests = json.load(file)["tests"]
+    return {test["name"]: next((one["value"] for one in test.get("properties", []) if one["name"] == "LABELS"), [])
+            for test in tests}
+
+
+def cost_of(case, labels):
     """The cost of an element testcase."""
-    labels = [label for item in case.iter("property") if item.get("name") == "cmake_labels"
-              for label in item.get("value").split(";")]
     times = TIME.findall(case.findtext("system-out") or "")
     seconds = sum(map(float, times[-1])) if times else None
     field = next((label for label in labels if label not in BUDGETS), "")
     return Cost(case.get("name"), [label for label in labels if label in BUDGETS], field, seconds)
 
 
-def costs_of(path):
+def costs_of(record, tests):
     """The costs of the tests that ran, the dearest first."""
-    ran = [cost_of(case) for case in ElementTree.parse(path).iter("testcase") if case.get("status") in ("run", "fail")]
+    labels = labels_of(tests)
+    ran = [cost_of(case, labels.get(case.get("name"), [])) for case in ElementTree.parse(record).iter("testcase")
+           if case.get("status") in ("run", "fail")]
     return sorted(ran, key=lambda cost: -(cost.seconds or 0.0))
 
 
@@ -67,8 +76,8 @@ def summary(costs):
         yield f"{cost.seconds or 0.0:6.1f} s {cost.name}"
 
 
-def main(path):
-    costs = costs_of(path)
+def main(record, tests):
+    costs = costs_of(record, tests)
     print("Processor time:", *summary(costs), sep="\n  ")
     faults = list(faults_of(costs))
     print(*faults, sep="\n", end="\n" if faults else "")
