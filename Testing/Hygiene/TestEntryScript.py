@@ -252,6 +252,28 @@ class EntryScript(unittest.TestCase):
         self.assertNotIn("an old error", printed.stdout + printed.stderr)
         self.assertRegex(printed.stderr, "needs to write into .*build, and .* cannot")
 
+    def test_each_tier_builds_and_runs_its_tests(self):
+        self.all_packages_are_there()
+        self.write("build/build.ninja", "")
+        self.write("build/CMakeCache.txt", f"CMAKE_HOME_DIRECTORY:INTERNAL={self.folder}\nLITTORAL_BUILD_TESTING:BOOL=ON\n"
+                                           "Python3_EXECUTABLE:FILEPATH=true\n")
+        self.write("build/bin/littoral-env", "")
+        for name in ("build/bin/littoral-env", "bin/cmake", "bin/ctest", "bin/xvfb-run"):
+            self.write(name, '#!/bin/sh\necho "$*" >>"$NOTES"\n')
+            os.chmod(self.path(name), 0o755)
+        for given, target, selected, rest in (
+                ([], "all", " -LE ^all$", ""), (["--quick"], "quick-tests", " -L ^quick$", ""), (["--all"], "all", "", ""),
+                (["-R", "Sway"], "all", "", " -R Sway"), (["--quick", "-V"], "quick-tests", " -L ^quick$", " -V"),
+                (["-V"], "all", " -LE ^all$", " -V")):
+            with self.subTest(given=given):
+                self.write("notes", "")
+                printed = self.run_script("test", *given)
+                self.assertEqual(printed.returncode, 0, printed.stderr)
+                with open(self.path("notes"), encoding="utf-8") as file:
+                    notes = file.read()
+                self.assertIn(f"--target {target}\n", notes)
+                self.assertIn(f"--test-output-size-failed 100000000{selected}{rest}\n", notes)
+
     def test_tests_without_a_display_say_what_is_missing(self):
         self.all_packages_are_there()
         self.write("build/build.ninja", "")
