@@ -99,9 +99,10 @@ void TakeStatistics(vtkTable* table, littoral::TargetStatistics& numbers)
   take("ElevationSkewness", numbers.ElevationSkewness);
   take("Concavity", numbers.Concavity);
   numbers.KeepsHypsometry = false;
-  littoral::Require(hasNumbers ? ""
-                               : "Statistics have no number HypsometricIntegral, ElevationSkewness or Concavity; connect the "
-                                 "first output of Ground Statistics.");
+  littoral::Require(hasNumbers
+      ? ""
+      : "Statistics have no number HypsometricIntegral, ElevationSkewness or Concavity; connect the "
+        "first output of Ground Statistics.");
 }
 
 }

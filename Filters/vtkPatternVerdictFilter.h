@@ -110,8 +110,8 @@ public:
 
   ///@{
   /**
-   * Maximum distance of the test and of minimum contrast [m], not negative; default 0, a quarter of the shorter side, at
-   * most that within which a thousand points are expected.
+   * Maximum distance of the test and of minimum contrast [m], not negative; default 0, a quarter of the shorter side,
+   * at most that within which a thousand points are expected.
    */
   vtkSetMacro(MaximumDistance, double);
   vtkGetMacro(MaximumDistance, double);

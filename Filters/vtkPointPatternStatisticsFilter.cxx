@@ -252,7 +252,9 @@ void vtkPointPatternStatisticsFilter::ReadKinds(Pattern& pattern) const
   const bool hasSpecies = !IsNone(this->SpeciesArray);
   littoral::Require(
     this->Function == MarkCorrelation && !hasMarks ? "the mark correlation needs marks; choose a MarkArray." : "");
-  littoral::Require(littoral::IsCross(this->Options().Function) && !hasSpecies ? "cross functions need species; choose a SpeciesArray." : "");
+  littoral::Require(littoral::IsCross(this->Options().Function) && !hasSpecies
+      ? "cross functions need species; choose a SpeciesArray."
+      : "");
   pattern.Marks = hasMarks ? littoral::ReadMarks(pattern.Input, this->MarkArray) : pattern.Marks;
   pattern.Species = hasSpecies ? littoral::ReadSpecies(pattern.Input, this->SpeciesArray) : pattern.Species;
   if (pattern.Species.empty())

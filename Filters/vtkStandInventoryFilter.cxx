@@ -242,8 +242,8 @@ int vtkStandInventoryFilter::RequestData(
   writer.Write<vtkDoubleArray>("CrownDiameter",
     [&](std::size_t tree) { return littoral::CrownDiameterOf(trees[tree].Diameter, trees[tree].Height); });
   writer.Write<vtkIntArray>("Plot", [&](std::size_t tree) { return trees[tree].Plot; });
-  writer.Write<vtkIntArray>(
-    "Imputed", [&](std::size_t tree) { return (trees[tree].ImputedDiameter ? 1 : 0) + (trees[tree].ImputedHeight ? 2 : 0); });
+  writer.Write<vtkIntArray>("Imputed",
+    [&](std::size_t tree) { return (trees[tree].ImputedDiameter ? 1 : 0) + (trees[tree].ImputedHeight ? 2 : 0); });
   writer.Write<vtkStringArray>("SpeciesName", [&](std::size_t tree) { return trees[tree].Name; });
   AddPlants(plants.Plants, sites);
   sites->GetFieldData()->AddArray(WordsOf("Plots", stand.Plots));

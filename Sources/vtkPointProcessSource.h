@@ -28,8 +28,8 @@
  *   no points. The array is IntensityArray. It replaces the trend of the table.
  * - Window (port 2): vtkPolyData with one polygon, which replaces Origin and Size.
  *
- * Field data: `IsExact`, 0 for a Strauss pattern of a birth-death process after a burn-in of 32 lifetimes, where perfect
- * simulation takes too long, and for a SoftCore pattern, after 20 to 200 Metropolis sweeps; else 1.
+ * Field data: `IsExact`, 0 for a Strauss pattern of a birth-death process after a burn-in of 32 lifetimes, where
+ * perfect simulation takes too long, and for a SoftCore pattern, after 20 to 200 Metropolis sweeps; else 1.
  *
  * A piece holds a part of the points; all pieces together hold the same points for any number of pieces. A parameter
  * out of range, an intensity that is negative or 0 everywhere, and more points than fit into memory are reported as one
@@ -128,8 +128,8 @@ public:
 
   ///@{
   /**
-   * Intensity, the mean number of points on 1 m2, positive; default 0.01. A MaternII process has less than 1 / (pi Distance^2), a
-   * SoftCore process at most 2 / Distance^2. Not used by Strauss.
+   * Intensity, the mean number of points on 1 m2, positive; default 0.01. A MaternII process has less than 1 / (pi
+   * Distance^2), a SoftCore process at most 2 / Distance^2. Not used by Strauss.
    */
   vtkSetMacro(Intensity, double);
   vtkGetMacro(Intensity, double);

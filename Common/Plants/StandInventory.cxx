@@ -303,9 +303,10 @@ void RequirePlausible(const StandInventory& stand, LengthUnit diameters, LengthU
   const double middle = slenderness.empty() ? MinimumSlenderness : Median(slenderness);
   if (middle < MinimumSlenderness || middle > MaximumSlenderness)
   {
-    Refuse("half of the trees are ", middle < MinimumSlenderness ? "less" : "more", " than ", TextOf(std::floor(middle)),
-      " times as high as thick; the units of DBH (", UnitNames[static_cast<int>(diameters)], ") and height (",
-      UnitNames[static_cast<int>(heights)], ") do not fit each other: set DiameterUnit or HeightUnit.");
+    Refuse("half of the trees are ", middle < MinimumSlenderness ? "less" : "more", " than ",
+      TextOf(std::floor(middle)), " times as high as thick; the units of DBH (", UnitNames[static_cast<int>(diameters)],
+      ") and height (", UnitNames[static_cast<int>(heights)],
+      ") do not fit each other: set DiameterUnit or HeightUnit.");
   }
 }
 
@@ -413,7 +414,8 @@ void RequireRoom(const StandInventory& stand)
   if (stand.Trees.size() >= MinimumTreesForDensity && density > DensestStand)
   {
     Refuse(stand.Trees.size(), " trees on ", TextOf(area),
-      " m2 are no stand; set CoordinateScale or CoordinateUnit, as of a plot on a unit square. Degrees must be projected to "
+      " m2 are no stand; set CoordinateScale or CoordinateUnit, as of a plot on a unit square. Degrees must be "
+      "projected to "
       "metres.");
   }
 }

@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvbatch args=. args=--quick
+# run-with: pvbatch tier=all
 """A ParaView scene: a measured terrain and a twin grown from its statistics.
 
     ./littoral gui                    opens it in ParaView
     pvbatch scene.py [FOLDER]         writes scene.png and scene.pvsm into FOLDER; with --quick behind it
-                                      small, of coarse blocks, for a test
+                                      small, of coarse ground, for a test
 
 Change `Seed` of the twin and press Apply: another terrain with the same statistics appears, with
 its shadows. The chart shows the measured variogram and the fitted models.
@@ -17,7 +18,7 @@ import tempfile
 
 from paraview import servermanager, simple
 
-from littoral.elevation import read_elevation, write_vti
+from littoral.elevation import array_from_image, image_from_array, read_elevation, write_vti
 from littoral.gallery import relief as reliefs
 from littoral.gallery.relief import BACKGROUND, row_camera, row_centers, width_of
 from littoral.gallery.views import look, show_baked
@@ -97,9 +98,11 @@ def prepare_view(view, width, count):
     view.UseFXAA = 1
 
 
-def build(folder, size):
-    """Build the pipeline and its views, of a size in pixels; returns the render view."""
+def build(folder, size, quick=False):
+    """Build the pipeline and its views, of a size in pixels; quick: of coarse ground. Returns the render view."""
     place = read_elevation()
+    if quick:
+        place = image_from_array(array_from_image(place)[::3, ::3], [3.0 * side for side in place.GetSpacing()])
     filename = os.path.join(folder, "jacksboro.vti")
     write_vti(place, filename)
     reader = simple.XMLImageDataReader(
@@ -138,7 +141,7 @@ def main():
     quick = "--quick" in sys.argv
     if quick:
         reliefs.CELLS = 0
-    view = build(folder, [400, 190] if quick else [1600, 760])
+    view = build(folder, [400, 190] if quick else [1600, 760], quick)
     if __name__ == "__main__" and len(sys.argv) > 1:
         simple.SaveScreenshot(os.path.join(folder, "scene.png"), view)
         simple.SaveState(os.path.join(folder, "scene.pvsm"))

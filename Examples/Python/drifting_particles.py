@@ -1,8 +1,11 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: python3 args=. args=--quick
+# run-with: python3 tier=all
 """A coastal sea from below: plankton, marine snow and minerals in currents and waves.
 
-    python3 drifting_particles.py [FOLDER]     writes drifting_particles.png into FOLDER
+    python3 drifting_particles.py [FOLDER] [--quick]     writes drifting_particles.png into FOLDER; --quick, for a test,
+                                                         small, with fewer particles
 """
 
 import os
@@ -38,12 +41,12 @@ def flow(kind, strength, center, axis=(0.0, 0.0, 1.0)):
     return source
 
 
-def scene():
+def scene(quick):
     """The pipeline: particles as textured squares, drift, orbits and sea state."""
     particles = vtkSuspendedParticleSource()
     particles.SetMode(vtkSuspendedParticleSource.Quads)
     particles.SetBounds(-5.0, 3.0, -7.0, 1.0, -DEPTH, 0.0)
-    particles.SetDensity(22.0)
+    particles.SetDensity(4.0 if quick else 22.0)
     particles.SetSizeSpread(0.6)
     drift = vtkCurrentDriftFilter()
     drift.SetInputConnection(0, particles.GetOutputPort())
@@ -95,13 +98,13 @@ def particle_actor(orbits, particles):
     return actor
 
 
-def surface_actor(sea, time):
+def surface_actor(sea, time, quick):
     """The surface from below: bright where it converges and focuses light."""
     plane = vtkPlaneSource()
     plane.SetOrigin(-60.0, -12.0, 0.0)
     plane.SetPoint1(60.0, -12.0, 0.0)
     plane.SetPoint2(-60.0, 90.0, 0.0)
-    plane.SetResolution(600, 500)
+    plane.SetResolution(*((150, 125) if quick else (600, 500)))
     orbits = vtkParticleOrbitFilter()
     orbits.SetInputConnection(0, plane.GetOutputPort())
     orbits.SetSeaStateConnection(sea.GetOutputPort())
@@ -114,9 +117,9 @@ def surface_actor(sea, time):
     return unlit(data)
 
 
-def main(folder):
+def main(folder, quick=False):
     """Render the water at 7.3 s."""
-    particles, drift, orbits, sea = scene()
+    particles, drift, orbits, sea = scene(quick)
     orbits.UpdateTimeStep(7.3)
     before = vtk_to_numpy(particles.GetOutput().GetPoints().GetData())
     after = vtk_to_numpy(drift.GetOutput().GetPoints().GetData())
@@ -130,7 +133,7 @@ def main(folder):
     renderer.SetBackground2(*(below + (WATER - below) / HORIZON))
     renderer.UseDepthPeelingOn()
     renderer.SetMaximumNumberOfPeels(8)
-    renderer.AddActor(surface_actor(sea, 7.3))
+    renderer.AddActor(surface_actor(sea, 7.3, quick))
     renderer.AddActor(particle_actor(orbits, particles))
     camera = renderer.GetActiveCamera()
     camera.SetPosition(*EYE)
@@ -142,8 +145,9 @@ def main(folder):
     window.SetAlphaBitPlanes(1)
     window.AddRenderer(renderer)
     os.makedirs(folder, exist_ok=True)
-    write_png(window, os.path.join(folder, "drifting_particles.png"), (1000, 560))
+    write_png(window, os.path.join(folder, "drifting_particles.png"), (250, 140) if quick else (1000, 560))
 
 
 if __name__ == "__main__":
-    main(sys.argv[1] if len(sys.argv) > 1 else tempfile.mkdtemp(prefix="littoral-"))
+    words = [word for word in sys.argv[1:] if word != "--quick"]
+    main(words[0] if words else tempfile.mkdtemp(prefix="littoral-"), "--quick" in sys.argv)

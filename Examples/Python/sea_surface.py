@@ -1,8 +1,10 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: python3 args=. args=--quick
+# run-with: python3 tier=all
 """The surface of a wind sea: a plane displaced by wave trains, with foam where it nearly folds.
 
-    python3 sea_surface.py [FOLDER]     writes sea_surface.png into FOLDER
+    python3 sea_surface.py [FOLDER] [--quick]     writes sea_surface.png into FOLDER; --quick, for a test, small and coarse
 """
 
 import os
@@ -20,13 +22,13 @@ from littoral.picture import write_png
 WIDTH = 240.0  # side of the rendered square of sea [m]
 
 
-def sea_surface(time):
+def sea_surface(time, quick=False):
     """The surface at a time [s], with Normals and Jacobian."""
     plane = vtkPlaneSource()
     plane.SetOrigin(-0.5 * WIDTH, 0.0, 0.0)
     plane.SetPoint1(0.5 * WIDTH, 0.0, 0.0)
     plane.SetPoint2(-0.5 * WIDTH, 1.5 * WIDTH, 0.0)
-    plane.SetResolution(800, 1200)
+    plane.SetResolution(*((200, 300) if quick else (800, 1200)))
     sea = vtkSeaStateSource()
     sea.SetWindSpeed(10.0)
     sea.SetMeanDirection(-65.0)
@@ -60,9 +62,9 @@ def water_actor(surface):
     return actor
 
 
-def main(folder):
+def main(folder, quick=False):
     """Render the sea at 7.3 s."""
-    surface = sea_surface(7.3)
+    surface = sea_surface(7.3, quick)
     low, high = surface.GetBounds()[4:6]
     jacobian = surface.GetPointData().GetArray("Jacobian").GetRange()
     print(f"Heights {low:.2f} to {high:.2f} m, Jacobian {jacobian[0]:.2f} to {jacobian[1]:.2f}")
@@ -87,8 +89,9 @@ def main(folder):
     window = vtkRenderWindow()
     window.AddRenderer(renderer)
     os.makedirs(folder, exist_ok=True)
-    write_png(window, os.path.join(folder, "sea_surface.png"), (1000, 560))
+    write_png(window, os.path.join(folder, "sea_surface.png"), (250, 140) if quick else (1000, 560))
 
 
 if __name__ == "__main__":
-    main(sys.argv[1] if len(sys.argv) > 1 else tempfile.mkdtemp(prefix="littoral-"))
+    words = [word for word in sys.argv[1:] if word != "--quick"]
+    main(words[0] if words else tempfile.mkdtemp(prefix="littoral-"), "--quick" in sys.argv)

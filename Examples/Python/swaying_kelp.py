@@ -1,11 +1,14 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: python3 args=. args=--quick
+# run-with: python3 tier=all
 """Kelp that sways in a swell and a current, and particles that drift in the current, the swell and its wakes.
 
-    python3 swaying_kelp.py [FOLDER] [FRAMES]
+    python3 swaying_kelp.py [FOLDER] [FRAMES] [--quick]
 
 writes swaying_kelp.0000.png ... into FOLDER, a frame each 1/12 s, and prints amplitude and phase lag of a frond, and
-the displacement of particles by the wakes of the kelp.
+the displacement of particles by the wakes of the kelp. --quick, for a test, has fewer plants and particles, measures at
+fewer times and draws small.
 """
 
 import os
@@ -52,12 +55,12 @@ def make_bed():
     return sand
 
 
-def make_kelp(sand):
+def make_kelp(sand, quick):
     """Sugar kelp at random positions on the bed."""
     sites = vtkQuadratPointSource()
     sites.SetOrigin(-7.0, -1.5)
     sites.SetSize(14.0, 12.0)
-    sites.SetQuadrats(7, 6)
+    sites.SetQuadrats(*((3, 3) if quick else (7, 6)))
     sites.SetSeed(4)
     plant = vtkSeaweedSource()
     plant.SetPreset(vtkSeaweedSource.SugarKelp)
@@ -97,9 +100,9 @@ def make_currents():
 class Scene:
     """The pipeline: kelp, its wakes, and particles with and without these wakes."""
 
-    def __init__(self):
+    def __init__(self, quick):
         self.sand, self.sea, self.currents = make_bed(), make_swell(), make_currents()
-        standing = make_kelp(self.sand)
+        standing = make_kelp(self.sand, quick)
         self.kelp = vtkSeaweedDeformationFilter()
         self.kelp.SetInputConnection(0, standing.GetOutputPort())
         self.kelp.SetSeaStateConnection(self.sea.GetOutputPort())
@@ -112,7 +115,7 @@ class Scene:
         self.particles = vtkSuspendedParticleSource()
         self.particles.SetMode(vtkSuspendedParticleSource.Quads)
         self.particles.SetBounds(-8.0, 8.0, -4.5, 11.0, 0.0, 4.5)
-        self.particles.SetDensity(5.0)
+        self.particles.SetDensity(2.0 if quick else 5.0)
         self.stirred = self.drift(self.currents + [self.wake])
         self.calm = self.drift(self.currents)
         self.riding = self.on_waves(self.stirred.GetOutputPort())
@@ -148,14 +151,14 @@ def cloud(points):
     return data
 
 
-def measure_frond(scene):
+def measure_frond(scene, samples):
     """Motion of the tallest frond along the swell, at each node, and of the water at the mean position of the node.
 
     Heights over the foot [m], amplitudes of frond and water [m], phase lag of the frond [degrees; negative: lead].
     """
     scene.sea.Update()
     swell = scene.sea.GetOutput().GetColumnByName("AngularFrequency").GetValue(0)
-    times = TIME + np.arange(SAMPLES) * 2.0 * np.pi / swell / SAMPLES
+    times = TIME + np.arange(samples) * 2.0 * np.pi / swell / samples
     moving = []
     for time in times:
         scene.kelp.UpdateTimeStep(time)
@@ -173,7 +176,7 @@ def measure_frond(scene):
     for time in times:
         orbits.UpdateTimeStep(time)
         water.append(places(orbits.GetOutput()))
-    turn = np.exp(1j * swell * times) * 2.0 / SAMPLES
+    turn = np.exp(1j * swell * times) * 2.0 / samples
     of_plant, of_water = (np.tensordot(turn, way[..., 0], 1) for way in (plant, np.array(water)))
     behind = np.degrees(np.angle(of_plant[1:] / of_water[1:]))
     return plant.mean(axis=0)[1:, 2] - plant[0, 0, 2], np.abs(of_plant[1:]), np.abs(of_water[1:]), behind
@@ -250,7 +253,7 @@ def particle_actor(scene):
     return actor
 
 
-def draw(scene, folder, frames):
+def draw(scene, folder, frames, size):
     """Write the frames."""
     renderer, window = vtkRenderer(), vtkRenderWindow()
     renderer.GradientBackgroundOn()
@@ -273,15 +276,15 @@ def draw(scene, folder, frames):
         for actor in actors:
             renderer.AddActor(actor)
         renderer.ResetCameraClippingRange()
-        write_png(window, os.path.join(folder, f"swaying_kelp.{frame:04d}.png"), (640, 360))
+        write_png(window, os.path.join(folder, f"swaying_kelp.{frame:04d}.png"), size)
         for actor in actors:
             renderer.RemoveActor(actor)
 
 
-def main(folder, frames):
+def main(folder, frames=1, quick=False):
     """Measure and draw."""
-    scene = Scene()
-    heights, ways, of_water, behind = measure_frond(scene)
+    scene = Scene(quick)
+    heights, ways, of_water, behind = measure_frond(scene, SAMPLES // 3 if quick else SAMPLES)
     print("height over the foot [m], amplitudes of frond and water [m], phase lag of the frond [degrees]:")
     for row in list(zip(heights, ways, of_water, behind))[::2]:
         print("  {:5.2f}  {:6.3f}  {:6.3f}  {:6.1f}".format(*row))
@@ -292,9 +295,9 @@ def main(folder, frames):
           f"and {(moved == 0.0).sum()} not at all")
     assert moved[near].mean() > 10.0 * moved[~near].mean() > 0.0, "particles do not feel the kelp"
     os.makedirs(folder, exist_ok=True)
-    draw(scene, folder, frames)
+    draw(scene, folder, frames, (160, 90) if quick else (640, 360))
 
 
 if __name__ == "__main__":
-    main(sys.argv[1] if len(sys.argv) > 1 else tempfile.mkdtemp(prefix="littoral-"),
-         int(sys.argv[2]) if len(sys.argv) > 2 else 1)
+    words = [word for word in sys.argv[1:] if word != "--quick"]
+    main(words[0] if words else tempfile.mkdtemp(prefix="littoral-"), *map(int, words[1:2]), quick="--quick" in sys.argv)

@@ -1,11 +1,13 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: python3 args=. args=--quick
+# run-with: python3 tier=all
 """An oak, a pine and a birch in the wind, as an image sequence, with their amplitudes and frequencies.
 
-    python3 swaying_trees.py [FOLDER] [FRAMES] [SPEED]
+    python3 swaying_trees.py [FOLDER] [FRAMES] [SPEED] [--quick]
 
 writes swaying.0000.png ... into FOLDER, a frame each 1/12 s, in a wind of SPEED (default 10 m/s), and prints
-amplitudes and frequencies of trunks and branches.
+amplitudes and frequencies of trunks and branches. --quick, for a test, measures an eighth as long and draws small.
 """
 
 import os
@@ -72,11 +74,11 @@ def frequency(series):
     return np.sqrt((speed ** 2).sum() / (moving ** 2).sum()) / (2.0 * np.pi)
 
 
-def measure(sway):
+def measure(sway, samples):
     """Trunk, and branches relative to their feet: mean deflection, standard deviation [m], frequency [Hz]."""
     rest = vtk_to_numpy(block(sway.GetInputDataObject(0, 0), "High", "Skeleton").GetPoints().GetData())
     feet, tips = feet_and_tips(sway)
-    moves = np.array([joints(sway, k * STEP) - rest for k in range(SAMPLES)])
+    moves = np.array([joints(sway, k * STEP) - rest for k in range(samples)])
     own = moves[:, tips] - moves[:, feet]
     numbers = []
     for series in (own[:, :1], own[:, 1:]):
@@ -85,7 +87,7 @@ def measure(sway):
     return numbers
 
 
-def draw(trees, folder, frames):
+def draw(trees, folder, frames, size):
     """Write the frames."""
     renderer, window = vtkRenderer(), vtkRenderWindow()
     renderer.GradientBackgroundOn()
@@ -117,23 +119,24 @@ def draw(trees, folder, frames):
                 actors[-1].SetPosition(across, 0.0, 0.0)
                 renderer.AddActor(actors[-1])
         renderer.ResetCameraClippingRange()
-        write_png(window, os.path.join(folder, f"swaying.{frame:04d}.png"), (640, 360))
+        write_png(window, os.path.join(folder, f"swaying.{frame:04d}.png"), size)
         for actor in actors:
             renderer.RemoveActor(actor)
 
 
-def main(folder, frames, speed):
+def main(folder, frames=2, speed=10.0, quick=False):
     """Measure and draw."""
     trees = make_trees(make_wind(speed))
     for sway, (preset, _, _) in zip(trees, SPECIES):
-        trunk, branches = measure(sway)
+        trunk, branches = measure(sway, SAMPLES // 8 if quick else SAMPLES)
         print(f"{preset:6} trunk: leans {trunk[0]:.3f} m, sways by {trunk[1]:.3f} m at {trunk[2]:.2f} Hz; branches "
               f"besides: {branches[0]:.3f} m, {branches[1]:.3f} m, {branches[2]:.2f} Hz")
         assert 0.0 < trunk[1] < 2.0 and branches[1] > 0.0, "nothing sways, or trees fall"
     os.makedirs(folder, exist_ok=True)
-    draw(trees, folder, frames)
+    draw(trees, folder, frames, (160, 90) if quick else (640, 360))
 
 
 if __name__ == "__main__":
-    main(sys.argv[1] if len(sys.argv) > 1 else tempfile.mkdtemp(prefix="littoral-"),
-         int(sys.argv[2]) if len(sys.argv) > 2 else 2, float(sys.argv[3]) if len(sys.argv) > 3 else 10.0)
+    words = [word for word in sys.argv[1:] if word != "--quick"]
+    main(words[0] if words else tempfile.mkdtemp(prefix="littoral-"), *map(int, words[1:2]), *map(float, words[2:3]),
+         quick="--quick" in sys.argv)

@@ -12,7 +12,7 @@ set(standard_TestDetrendedWindow
 set(standard_TestDrainageCarving
   DrainageCarving.GroundMuchLargerThanItsPlaceDrainsWithThePlacesHeights DrainageCarving.MeetsThePlacesMeasures)
 set(standard_TestFieldAtData FieldAtData.HasTheModelsCovariance)
-set(standard_TestFractalDimension FractalDimension.OfFractalSurfacesIsTheirs)
+set(standard_TestFractalDimension FractalDimension.OfWavesInPhaseIsExact FractalDimension.OfFractalSurfacesIsTheirs)
 set(standard_TestGardnerPlant
   Kinds/*/Tree Kinds/*/Bush GardnerTexture.ShellsAreAsOpaqueAsTheFunctionIsAboveTheirThreshold)
 set(all_TestGardnerPlant Kinds/*/Cypress Kinds/*/StonePine) # as tree and bush
@@ -43,6 +43,7 @@ set(standard_TestProcessFits ProcessFits.SimulatedProcessesAreFoundAgain Process
 set(standard_TestQuadratLaws QuadratLaws/LargeLaws.*)
 set(standard_TestSeaweedDynamics SeaweedDynamics.RodsInSpaceMoveAsLagrangesEquationsSay)
 set(standard_TestSeaweedMotion
+  SeaweedMotion.UndampedSegmentsKeepTheirEnergy SeaweedMotion.ConvergesWithTheSquareOfTheStep
   SeaweedMotion.ChainsOfAnyStiffnessAreStable
   SeaweedMotion.PlantsOfAnyResolutionAndStiffnessFollowTheWater)
 set(standard_TestSoftCore
@@ -50,13 +51,14 @@ set(standard_TestSoftCore
   SoftCore.IntensityIsThatAskedFor)
 set(standard_TestTerrainLevels *AreWatertightInRandomViews/*)
 set(standard_TestTurningBands
+  TurningBands.TablesKeepThePowerOfTheShortestWaves
   */SimpleExponential */Spherical */Bessel1 TurningBands.SpectrumIsAsEvenAsThatOfExactNoise
   TurningBands.MeasuredVarianceIsTheModels TurningBands.UniformBinsOfThePaperKeepVarianceAndCovariance)
 # CovarianceOfLinesAndShortWavesIsTheModels for all models too.
 set(all_TestTurningBands */DoubleExponential */Telis */Bessel2)
 set(standard_TestVariogramFit VariogramFit.GrownFieldsGiveBackModelAndParameters)
 set(standard_TestWaterWalls WaterWalls.GatherNoTracers)
-set(standard_TestWaveTrains WaveDirections.HaveTheMomentsOfTheirDistribution)
-set(standard_TestWindField WindField.SpectraOfOneRun WindField.AgreesWithCholesky)
+set(standard_TestWaveTrains Spectrum.EnergiesAreThoseOfAnotherQuadrature WaveDirections.HaveTheMomentsOfTheirDistribution)
+set(standard_TestWindField WindField.DoesNotPulseBetweenItsTimes WindField.SpectraOfOneRun WindField.AgreesWithCholesky)
 # Coherence is that of the model in ImpliedCoherenceIsTheModelWithinTheReportedError and AgreesWithCholesky too.
 set(all_TestWindField WindField.CoherenceOfSixRuns)

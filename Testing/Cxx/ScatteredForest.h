@@ -31,7 +31,8 @@ struct Forest
   vtkNew<vtkImageData> Terrain;
   vtkNew<vtkPlantScatterFilter> Filter;
 
-  explicit Forest(int sites = 60)
+  /// Of its own trees, or of those of another, which are grown once.
+  explicit Forest(int sites = 60, const Forest* grown = nullptr)
   {
     vtkNew<vtkPoints> points;
     for (int site = 0; site < sites; ++site)
@@ -53,6 +54,10 @@ struct Forest
     this->Filter->SetViewAngle(60.0);
     this->Filter->SetNearDistance(25.0);
     this->Filter->SetFarDistance(50.0);
+    if (grown)
+    {
+      this->TakeTrees(*grown);
+    }
   }
 
   /// Takes the trees of another forest, which are grown once.

@@ -227,7 +227,7 @@ bool CheckTimeOrderAndThreads(bool tide, double interval)
   for (const int type : { VTK_FLOAT, VTK_DOUBLE })
   {
     const auto make = [&](Drift* drift) {
-      Connect(drift, 0.0, 0.0, type, 500);
+      Connect(drift, 0.0, 0.0, type, 250);
       if (tide)
       {
         vtkNew<Tide> current;
@@ -245,11 +245,11 @@ bool CheckTimeOrderAndThreads(bool tide, double interval)
       good &= Check(Moved(other, time) != wanted, "time has no effect");
     }
     good &= Check(Moved(other, 7.3) == wanted, "another state after 0 to 7");
-    const std::vector<char> late = Moved(other, 20.0);
-    good &= Check(Moved(other, 7.3) == wanted, "another state after 20 and back");
+    const std::vector<char> late = Moved(other, 10.0);
+    good &= Check(Moved(other, 7.3) == wanted, "another state after 10 and back");
     good &= Check(Moved(other, 7.33) != wanted, "the rest of a step has no effect");
     good &= Check(Moved(other, 7.3) == wanted, "the rest of a step is kept");
-    good &= Check(Moved(direct, 20.0) == late, "another state at 20");
+    good &= Check(Moved(direct, 10.0) == late, "another state at 10");
     for (const int threads : { 1, 2 })
     {
       vtkSMPTools::Initialize(threads);

@@ -288,8 +288,8 @@ bool StatisticsAreTaken()
 {
   const auto terrain = Terrain(80, 3);
   vtkNew<vtkTable> table;
-  for (const auto& [name, value] :
-    { std::pair{ "HypsometricIntegral", 0.33 }, { "ElevationSkewness", 0.7 }, { "Concavity", 0.3 }, { "DepressionFraction", 0.05 } })
+  for (const auto& [name, value] : { std::pair{ "HypsometricIntegral", 0.33 }, { "ElevationSkewness", 0.7 },
+         { "Concavity", 0.3 }, { "DepressionFraction", 0.05 } })
   {
     vtkNew<vtkDoubleArray> column;
     column->SetName(name);

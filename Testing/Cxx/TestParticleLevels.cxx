@@ -36,6 +36,7 @@
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
 #include "vtkSOADataArrayTemplate.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
@@ -300,10 +301,28 @@ vtkNew<vtkPolyData> ParticlesOfPicture(vtkCamera* camera, double aspect, const s
   return data;
 }
 
+constexpr double TimeStep = 5.3; // [s]
+
+/// Particles in all trains, at some times.
+std::vector<vtkSmartPointer<vtkPolyData>> InAllTrains(Sea* sea, vtkPolyData* particles, int times)
+{
+  vtkNew<Orbits> all;
+  all->SetInputData(0, particles);
+  all->SetSeaStateConnection(sea->GetOutputPort());
+  std::vector<vtkSmartPointer<vtkPolyData>> moved;
+  for (int time = 0; time < times; ++time)
+  {
+    all->UpdateTimeStep(TimeStep * time);
+    moved.push_back(vtkSmartPointer<vtkPolyData>::New());
+    moved.back()->DeepCopy(all->GetOutputDataObject(0));
+  }
+  return moved;
+}
+
 /// How far off on the picture the particles are that a filter leaves an orbit of their own, against all trains, at most
 /// [pixels], over some times.
-double ErrorOnPicture(
-  Levels* levels, Sea* sea, vtkCamera* camera, double aspect, vtkPolyData* particles, double& trains)
+double ErrorOnPicture(Levels* levels, Sea* sea, vtkCamera* camera, double aspect, vtkPolyData* particles,
+  const std::vector<vtkSmartPointer<vtkPolyData>>& all, double& trains)
 {
   levels->SetInputData(0, particles);
   levels->SetSeaStateConnection(sea->GetOutputPort());
@@ -312,16 +331,12 @@ double ErrorOnPicture(
   vtkNew<Orbits> some;
   some->SetInputConnection(0, levels->GetOutputPort());
   some->SetSeaStateConnection(sea->GetOutputPort());
-  vtkNew<Orbits> all;
-  all->SetInputData(0, particles);
-  all->SetSeaStateConnection(sea->GetOutputPort());
   vtkMatrix4x4* projection = camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
   double largest = 0.0;
-  for (int time = 0; time < 3; ++time)
+  for (std::size_t time = 0; time < all.size(); ++time)
   {
-    some->UpdateTimeStep(5.3 * time);
-    all->UpdateTimeStep(5.3 * time);
-    auto* moved = vtkPolyData::SafeDownCast(all->GetOutputDataObject(0));
+    some->UpdateTimeStep(TimeStep * static_cast<double>(time));
+    vtkPolyData* moved = all[time];
     for (int index = 0; index < 2; ++index)
     {
       vtkPolyData* block = BlockOf(some, index);
@@ -383,6 +398,7 @@ bool CheckPixelPromise()
             ? std::vector<double>{ 5.0, 15.0, 30.0, 39.0, 80.0, 150.0 }
             : std::vector<double>{ 0.7, 1.5, 4.0, 9.0, 20.0, 60.0, 150.0 };
           vtkNew<vtkPolyData> particles = ParticlesOfPicture(camera, aspect, distances);
+          const auto all = InAllTrains(sea, particles, 2);
           for (const bool useLevels : { true, false })
           {
             for (const int rule : { Levels::PerTrain, Levels::TailSum })
@@ -395,7 +411,7 @@ bool CheckPixelPromise()
                 levels->SetTrainSelection(rule);
               }
               double trains = 0.0;
-              const double error = ErrorOnPicture(levels, sea, camera, aspect, particles, trains);
+              const double error = ErrorOnPicture(levels, sea, camera, aspect, particles, all, trains);
               worst[rule] = std::max(worst[rule], error);
               most[rule] = std::max(most[rule], useLevels ? 0.0 : 30.0 - trains);
             }

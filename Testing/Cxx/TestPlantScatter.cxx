@@ -31,9 +31,9 @@ namespace
 constexpr int LevelOfPart[] = { 0, 0, 0, 1, 1, 2 };
 
 //----------------------------------------------------------------------------
-bool Blocks()
+bool Blocks(const Forest& grown)
 {
-  Forest forest;
+  Forest forest(60, &grown);
   forest.Filter->Update();
   bool good = Check(forest.Counter("PlantsHigh") > 0 && forest.Counter("PlantsMedium") > 0 &&
       forest.Counter("PlantsLow") > 0 && forest.Counter("PlantsShown") < 60,
@@ -104,9 +104,9 @@ bool Blocks()
 }
 
 /// Joints are nodes of the plant's own part of the skeleton, and weights are those of the prototype.
-bool Joints()
+bool Joints(const Forest& grown)
 {
-  Forest forest;
+  Forest forest(60, &grown);
   forest.Filter->Update();
   vtkDataArray* ofNode = forest.Array("High/Skeleton", "PlantId");
   vtkDataArray* parents = forest.Array("High/Skeleton", "ParentId");
@@ -142,9 +142,9 @@ bool Joints()
 }
 
 /// The lowest point of a plant's trunk stands on the terrain, at the site.
-bool Ground()
+bool Ground(const Forest& grown)
 {
-  Forest forest;
+  Forest forest(60, &grown);
   forest.AddTerrain();
   forest.Filter->UseLevelsOff();
   forest.Filter->UseCullingOff();
@@ -179,9 +179,9 @@ bool Ground()
 }
 
 /// Arrays of the sites win over what is drawn; identity, not the index, decides what is drawn.
-bool Arrays()
+bool Arrays(const Forest& grown)
 {
-  Forest forest(10);
+  Forest forest(10, &grown);
   vtkNew<vtkIntArray> species;
   species->SetName("Species");
   vtkNew<vtkDoubleArray> scale;
@@ -209,8 +209,8 @@ bool Arrays()
   }
   good = Check(good, "arrays of the sites");
 
-  Forest all(10);
-  Forest some(5); // the same sites as 5 to 9 of all
+  Forest all(10, &grown);
+  Forest some(5, &grown); // the same sites as 5 to 9 of all
   vtkNew<vtkTypeInt64Array> id;
   id->SetName("SiteId");
   for (int site = 0; site < 5; ++site)
@@ -236,16 +236,15 @@ bool Arrays()
 }
 
 /// What is kept between executions never shows: the same bytes as from a new filter.
-bool Memory()
+/// It changes the trees.
+bool Memory(Forest& old)
 {
-  Forest old;
   old.Filter->Update();
   const std::string before = BytesOf(old);
   bool good = true;
   const auto changes = std::vector<std::pair<const char*, std::function<void(Forest&)>>>{
     { "the view", [](Forest& f) { f.Filter->SetViewPoint(3.0, -15.0, 4.0); } },
-    { "Seed", [](Forest& f) { f.Filter->SetSeed(8); } },
-    { "Weight", [](Forest& f) { f.Filter->SetWeight(1, 0.1); } },
+    { "Seed", [](Forest& f) { f.Filter->SetSeed(8); } }, { "Weight", [](Forest& f) { f.Filter->SetWeight(1, 0.1); } },
     { "ScaleVariation", [](Forest& f) { f.Filter->SetScaleVariation(0.3); } },
     { "TintVariation", [](Forest& f) { f.Filter->SetTintVariation(0.2); } },
     { "HeightRange", [](Forest& f) { f.Filter->SetHeightRange(1.0, 3.0); } },
@@ -261,13 +260,11 @@ bool Memory()
   };
   for (const auto& [what, change] : changes)
   {
-    Forest kept;
-    kept.TakeTrees(old);
+    Forest kept(60, &old);
     kept.Filter->Update();
     change(kept);
     kept.Filter->Update();
-    Forest fresh;
-    fresh.TakeTrees(old);
+    Forest fresh(60, &old);
     change(fresh);
     fresh.Filter->Update();
     const std::string after = BytesOf(kept);
@@ -277,9 +274,9 @@ bool Memory()
   return good;
 }
 
-bool Threads()
+bool Threads(const Forest& grown)
 {
-  Forest forest;
+  Forest forest(60, &grown);
   vtkSMPTools::Initialize(1);
   forest.Filter->Update();
   const std::string one = BytesOf(forest);
@@ -289,9 +286,9 @@ bool Threads()
   return Check(one == BytesOf(forest), "bytes depend on the number of threads");
 }
 
-bool Pieces()
+bool Pieces(const Forest& grown)
 {
-  Forest forest;
+  Forest forest(60, &grown);
   forest.Filter->Update();
   std::map<std::string, double> whole;
   const char* const counters[] = { "PlantsInAll", "PlantsShown", "PlantsHigh", "PlantsMedium", "PlantsLow",
@@ -338,14 +335,14 @@ bool Pieces()
   return good;
 }
 
-bool EmptySites()
+bool EmptySites(const Forest& grown)
 {
-  Forest forest(0);
+  Forest forest(0, &grown);
   vtkNew<ErrorCounter> errors;
   errors->Watch(forest.Filter);
   forest.Filter->Update();
   bool good = Check(errors->Count == 0, "an error without sites: " + errors->Last);
-  Forest full;
+  Forest full(60, &grown);
   full.Filter->Update();
   for (const char* path : Parts)
   {
@@ -361,7 +358,9 @@ bool EmptySites()
 
 int TestPlantScatter(int argc, char* argv[])
 {
-  if (!Blocks() || !Joints() || !Ground() || !Arrays() || !Memory() || !Threads() || !Pieces() || !EmptySites())
+  Forest grown;
+  if (!Blocks(grown) || !Joints(grown) || !Ground(grown) || !Arrays(grown) || !Threads(grown) || !Pieces(grown) ||
+    !EmptySites(grown) || !Memory(grown))
   {
     return EXIT_FAILURE;
   }

@@ -102,6 +102,7 @@ bool LatticeIsRegular()
 {
   const auto points = Lattice();
   const auto filter = OnLattice(points);
+  filter->SetNumberOfSimulations(39);
   bool good = true;
   for (const int function :
     { Filter::K, Filter::L, Filter::PairCorrelation, Filter::NearestNeighbor, Filter::EmptySpace, Filter::J })
@@ -170,6 +171,7 @@ bool LawIsRecognized()
   filter->SetInputConnection(source->GetOutputPort());
   filter->SetSize(100.0, 100.0);
   filter->SetNumberOfSteps(64);
+  filter->SetNumberOfSimulations(39);
   filter->Update();
   bool good = Check(Word(filter, "Verdict") == "differs" && Word(filter, "Pattern") == "clustered", "no clusters");
   filter->SetLawConnection(analysis->GetOutputPort());
@@ -205,10 +207,12 @@ bool ProcessIsRecognized()
   vtkNew<vtkPatternVerdictFilter> judge;
   judge->SetInputConnection(source->GetOutputPort());
   judge->SetSize(100.0, 100.0);
+  judge->SetNumberOfSimulations(19);
   vtkNew<Filter> filter;
   filter->SetInputConnection(source->GetOutputPort());
   filter->SetSize(100.0, 100.0);
   filter->SetNumberOfSteps(64);
+  filter->SetNumberOfSimulations(39);
   filter->Update();
   bool good = Check(Word(filter, "Verdict") == "differs", "clusters are random");
   filter->SetLawConnection(judge->GetOutputPort());
@@ -255,6 +259,7 @@ bool KindsAreRead()
   points->GetPointData()->AddArray(species);
   points->GetPointData()->AddArray(codes);
   const auto filter = OnLattice(points);
+  filter->SetNumberOfSimulations(39);
   filter->SetMarkArray("DBH");
   filter->SetFunction(Filter::MarkCorrelation);
   filter->SetEdgeCorrection(Filter::NoCorrection);

@@ -24,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <string>
@@ -52,6 +53,10 @@ struct Kinds
   {
     this->Pine->SetPresetToPine();
     this->Birch->SetPresetToBirch();
+    for (vtkPlantSource* plant : std::initializer_list<vtkPlantSource*>{ Pine, Oak, Birch, Forked, Tufts })
+    {
+      plant->SetTextureSize(32, 16); // small pictures cost less
+    }
   }
 };
 
@@ -122,22 +127,41 @@ struct Stand
   {
     vtkPolyData* skin = this->Part(path);
     vtkDataArray* plants = skin->GetPointData()->GetArray("PlantId");
-    vtkNew<vtkPolyData> own;
+    const double cutAt = this->Feet->GetPoint(plant)[2] + height;
+    vtkNew<vtkPolyData> own; // what the plane cuts
+    vtkNew<vtkPoints> points;
+    points->SetDataType(skin->GetPoints()->GetDataType());
     vtkNew<vtkCellArray> triangles;
+    std::map<vtkIdType, vtkIdType> places; // in `points`
     vtkIdType size = 0;
     const vtkIdType* corners = nullptr;
     for (vtkIdType cell = 0; cell < skin->GetNumberOfCells(); ++cell)
     {
       skin->GetCellPoints(cell, size, corners);
-      if (static_cast<vtkIdType>(plants->GetTuple1(corners[0])) == plant)
+      if (static_cast<vtkIdType>(plants->GetTuple1(corners[0])) != plant)
       {
-        triangles->InsertNextCell(size, corners);
+        continue;
+      }
+      const auto isBelow = [&](vtkIdType corner) { return skin->GetPoint(corner)[2] <= cutAt; };
+      const auto isAbove = [&](vtkIdType corner) { return skin->GetPoint(corner)[2] >= cutAt; };
+      if (std::any_of(corners, corners + size, isBelow) && std::any_of(corners, corners + size, isAbove))
+      {
+        triangles->InsertNextCell(static_cast<int>(size));
+        for (vtkIdType corner = 0; corner < size; ++corner)
+        {
+          const auto [place, isNew] = places.try_emplace(corners[corner], points->GetNumberOfPoints());
+          if (isNew)
+          {
+            points->InsertNextPoint(skin->GetPoint(corners[corner]));
+          }
+          triangles->InsertCellPoint(place->second);
+        }
       }
     }
-    own->SetPoints(skin->GetPoints());
+    own->SetPoints(points);
     own->SetPolys(triangles);
     vtkNew<vtkPlane> level;
-    level->SetOrigin(0.0, 0.0, this->Feet->GetPoint(plant)[2] + height);
+    level->SetOrigin(0.0, 0.0, cutAt);
     level->SetNormal(0.0, 0.0, 1.0);
     vtkNew<vtkCutter> cut;
     cut->SetInputData(own);

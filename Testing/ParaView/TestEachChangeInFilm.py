@@ -5,6 +5,6 @@
 
 from TestChangesInFilm import check, check_reset
 
-for name in ("Forest", "Swaying Forest", "Orbits"):
+for name in ("Forest", "Swaying Forest", "Sea", "Orbits"):
     check(name)
-check_reset("Sea")
+check_reset("Orbits")

@@ -12,7 +12,7 @@ from window import picture, small_view
 
 
 def new_terrain():
-    return simple.TurningBandsTerrain(WholeExtent=[0, 64, 0, 64, 0, 0])
+    return simple.TurningBandsTerrain(WholeExtent=[0, 32, 0, 32, 0, 0], Spacing=[4.0, 4.0, 1.0])
 
 
 def check_own_camera():
@@ -35,7 +35,7 @@ def check_twin_on_raster():
     image.UpdatePipeline()
     fits = simple.CovarianceFit(Input=image)
     fits.Array = ["POINTS", "Height"]
-    twin = simple.TurningBandsTerrainFromFits(Input=fits, WholeExtent=[0, 64, 0, 64, 0, 0])
+    twin = simple.TurningBandsTerrainFromFits(Input=fits, WholeExtent=[0, 32, 0, 32, 0, 0], Spacing=[4.0, 4.0, 1.0])
     for dimensions, is_replaced in (("2D", True), ("3D", False)):
         view = small_view(SIZE)
         view.InteractionMode = dimensions
@@ -71,8 +71,8 @@ def check_kelp_under_sea():
 
 def check_forest_on_map():
     """A forest replaces the map of its sites, unless something else is shown there or the map has another color."""
-    sites = simple.QuadratPoints(Size=[100, 100], Quadrats=[10, 10])
-    pine = simple.ReevesTree(Preset="Pine")
+    sites = simple.QuadratPoints(Size=[50, 50], Quadrats=[6, 6])
+    tree = simple.ReevesTree(Preset="Custom", NumberOfLeaves=1500, MainBranches=8, Orders=1)
     for change, is_replaced in ((None, True), ("Background", False), ("other", False)):
         view = small_view(SIZE)
         simple.Show(sites, view)
@@ -82,7 +82,7 @@ def check_forest_on_map():
             view.Background = [0.9, 0.9, 1.0]
         elif change == "other":
             simple.Show(simple.Plane(), view)
-        simple.Show(simple.PlantScatter(Sites=sites, Prototypes=[pine]), view)
+        simple.Show(simple.PlantScatter(Sites=sites, Prototypes=[tree]), view)
         simple.Hide(sites, view)
         simple.Render(view)
         eye = np.array(view.CameraPosition) - np.array(view.CameraFocalPoint)

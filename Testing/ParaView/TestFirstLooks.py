@@ -1,17 +1,33 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvbatch mpi=2
-"""The first looks of a terrain, a sea, a flow and a wind: what one rank draws of all data, on two ranks."""
+# run-with: pvbatch mpi=2 tier=all
+"""The first looks of a terrain, a sea, a flow and a wind: what one rank draws of all data, on two ranks.
+
+TestOtherFirstLooks has them on one.
+"""
 
 import quick
 from first_looks import check
 from paraview import simple
 
-terrain = simple.TurningBandsTerrain(WholeExtent=[0, 128, 0, 128, 0, 0])
-ground = check("Turning Bands Terrain", terrain, "Relief", "RGB", "land", 0.12)
-red, green, blue = ground.mean(axis=0)
-assert red > blue + 10 and green > blue + 10, "not the colors of the ground"
-water = check("Sea State", simple.SeaState(), "Surface", "RGB", "sea", 0.4)
-assert water.mean(axis=0)[2] > water.mean(axis=0)[0] + 10, "the sea is not blue"
-check("Flow Primitive Vortex", simple.FlowPrimitive(FlowType="Vortex"), "Flow Arrows", "RGB", "water", 0.01)
-check("Wind Field", simple.WindField(Dimensions=[60, 24, 12]), "Sections", "Velocity", "land", 0.05)
+
+def check_legend(shown):
+    """The legend of a wind has words and a unit."""
+    legend = simple.GetScalarBar(shown.LookupTable, simple.GetActiveView())
+    assert (legend.Title, legend.ComponentTitle) == ("Wind speed [m/s]", ""), (legend.Title, legend.ComponentTitle)
+
+
+def check_four():
+    terrain = simple.TurningBandsTerrain(WholeExtent=[0, 128, 0, 128, 0, 0])
+    ground = check("Turning Bands Terrain", terrain, "Relief", "RGB", "land", 0.12)
+    red, green, blue = ground.mean(axis=0)
+    assert red > blue + 10 and green > blue + 10, "not the colors of the ground"
+    water = check("Sea State", simple.SeaState(), "Surface", "RGB", "sea", 0.4)
+    assert water.mean(axis=0)[2] > water.mean(axis=0)[0] + 10, "the sea is not blue"
+    check("Flow Primitive Vortex", simple.FlowPrimitive(FlowType="Vortex"), "Flow Arrows", "RGB", "water", 0.01)
+    check("Wind Field", simple.WindField(Dimensions=[60, 24, 12]), "Sections", "Velocity", "land", 0.05,
+          display=check_legend)
+
+
+if __name__ == "__main__":
+    check_four()

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython
+# run-with: none
 """A mistake in a panel is one message, however often it is drawn, and leaves the plant as it is; put right, the plant moves.
 
-TestMistakes has one mistake and more with each entry of the menus.
+TestUndo plays it in its own window. TestMistakes has one mistake and more with each entry of the menus.
 """
 
 from player import Session
@@ -31,8 +31,11 @@ def check_motion():
     assert moves(), "the plant does not move once the mistake is put right"
 
 
-def main():
-    session = Session(__file__)
+MESSAGE = "There is no sea state and no current"
+
+
+def steps(session):
+    """In an empty window."""
     session.source("Seaweed")
     session.apply()
     session.select(0, 0)
@@ -47,8 +50,9 @@ def main():
     session.connect("SeaState", "SeaState1")
     session.apply()
     session.call(check_motion)
-    session.play("There is no sea state and no current")
 
 
 if __name__ == "__main__":
-    main()
+    alone = Session(__file__)
+    steps(alone)
+    alone.play(MESSAGE)

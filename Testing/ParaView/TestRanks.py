@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvbatch mpi=1,2
+# run-with: pvbatch mpi=1,2 tier=all
 """The same terrain, fit, twin, valleys, fields through data, points, processes, verdict, stand, sea, wood, drift,
 levels of detail, fog and seaweeds on any number of ranks.
 

@@ -1,5 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: none
 """File > Open reads a raster of heights in metres, and Save Data writes its twin in the same place."""
 import os
 import tempfile

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython
-"""Before a server that renders, a scene, textured blocks and a view that is dragged are what they are without one.
+"""Before a server that renders, a scene, textured blocks and a view that is dragged are what they are without one, and an
+exported scene has the bytes of TestExportScene.
 
 TestServers has more ranks, and pictures that the client renders, TestScenesWithServer more scenes.
 """
@@ -10,7 +11,7 @@ import quick
 import TestDragging
 import TestScenesWithServer
 import TestTextures
-from paraview import simple
+from paraview import servermanager, simple
 from server import connected
 
 PORT = 21533
@@ -33,8 +34,20 @@ def check(where, threshold):
         one(where)
 
 
-if __name__ == "__main__":
+def main():
+    exports = hasattr(servermanager.writers, "GLTFSceneWriter")
     sea = TestScenesWithServer.pictures("Sea")
+    if exports:
+        import TestExportScene
+
+        scene = TestExportScene.wood("alone.glb")
     with connected(PORT):
+        if exports:
+            assert TestExportScene.wood("remote.glb") == scene, "the server writes another scene"
+            simple.ResetSession()
         TestScenesWithServer.compare("Sea", "before a server", sea)
         check("rendered by the server", 0.0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython
+# run-with: pvpython tier=all
 """A client with a server of two ranks: outputs in blocks have the same ones on both, empty or not, and are drawn; a chart has
-its series, rows and picture once. TestOtherOnTwoRanks has the other pipelines and charts.
+its series, rows and picture once. TestOtherOnTwoRanks has the other pipelines and charts,
+TestRanksOfClasses the blocks of all classes, a picture and a chart without a client.
 
 ParaView's ranks exchange data block by block, so that a rank with fewer of them never answers. Translucent blocks are
 redistributed before they are drawn. A rank that never answers is ended here, with what was drawn.
@@ -73,8 +74,8 @@ def check_structure(output, name):
     assert ranks[0] == ranks[1], f"{name}: the first rank has\n{ranks[0]}\nthe second\n{ranks[1]}"
 
 
-def check_picture(output, name, opacity):
-    """It is drawn, at a second time and from another place too."""
+def check_picture(output, name, opacity, times=(0.0, 0.5)):
+    """It is drawn, at each time."""
     view = simple.CreateView("RenderView")
     view.ViewSize = [100, 80]
     view.OrientationAxesVisibility = 0
@@ -84,7 +85,7 @@ def check_picture(output, name, opacity):
     simple.SetActiveView(view)
     shown = simple.Show(output, view)
     shown.Opacity = opacity
-    for time in (0.0, 0.5):
+    for time in times:
         view.ViewTime = time
         simple.ResetCamera(view)
         simple.Render(view)
@@ -127,27 +128,32 @@ def compare_charts(seen, wanted):
         assert part < 0.002, f"{name}: {part:.2%} of the picture is another"
 
 
+def check_pipeline(make):
+    """On a server of two ranks that renders: blocks and pictures."""
+    name = make.__name__
+    signal.signal(signal.SIGALRM, lambda *_: end(name))
+    signal.alarm(LIMIT)
+    start = clock.monotonic()
+    output = make()
+    check_structure(output, name)
+    for opacity in (1.0, 0.5) if make in TRANSLUCENT else (1.0,):
+        check_picture(output, name, opacity)
+    signal.alarm(0)
+    print(f"{name}: the same blocks on two ranks, drawn in {clock.monotonic() - start:.1f} s", flush=True)
+    simple.Delete(output)
+
+
 def check(pipelines, charts):
+    if not shutil.which("mpirun"):
+        sys.exit(125)
     wanted = draw_charts(charts, "alone")
     with connected(PORT, 2):
         simple.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = 0.0
         for make in pipelines:
-            name = make.__name__
-            signal.signal(signal.SIGALRM, lambda *_: end(name))
-            signal.alarm(LIMIT)
-            start = clock.monotonic()
-            output = make()
-            check_structure(output, name)
-            for opacity in (1.0, 0.5) if make in TRANSLUCENT else (1.0,):
-                check_picture(output, name, opacity)
-            signal.alarm(0)
-            print(f"{name}: the same blocks on two ranks, drawn in {clock.monotonic() - start:.1f} s", flush=True)
-            simple.Delete(output)
+            check_pipeline(make)
         seen = draw_charts(charts, "ranks")
     compare_charts(seen, wanted)
 
 
-if not shutil.which("mpirun"):
-    sys.exit(125)
 if __name__ == "__main__":
     check([tree, kelp], [sea_chart])

@@ -4,12 +4,14 @@
 """Undo and redo in the window: a filter with a second input; in TestEachUndo a source, a property, a deletion, a scene.
 
 Each undo brings back the pipeline from before, each redo that from after, and its picture.
+A mistake comes first: TestMistakeInWindow, on whose pipeline this goes on.
 """
 
 import glob
 import os
 import xml.etree.ElementTree as ElementTree
 
+import TestMistakeInWindow
 from player import Session, difference, drawn
 
 
@@ -39,8 +41,8 @@ class Undo(Session):
         self.checks.append((name, before))
         return f"{name}-redone"
 
-    def end(self):
-        self.play()
+    def end(self, *mistakes):
+        self.play(*mistakes)
         for item in self.checks:
             check(*item)
 
@@ -80,11 +82,7 @@ def check(name, before):
 
 def main():
     session = Undo(__file__)
-    session.source("Seaweed")
-    session.apply()
-    session.source("SeaState")
-    session.field("SeaLevel", 8, "DoubleLineEdit0")
-    session.apply()
+    TestMistakeInWindow.steps(session)
     session.select(0, 0)
     at = session.record("sea")
     session.filter("SeaweedDeformation")
@@ -92,7 +90,7 @@ def main():
     session.choose("Method", "Procedural")
     session.apply()
     session.there_and_back("filter", at, 2, with_picture=True)
-    session.end()
+    session.end(TestMistakeInWindow.MESSAGE)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ from paraview import simple
 
 from guide import compare
 
-PAGE, NUMBER = "scenes", 1
+PAGE = "scenes"
 
 
 def prepare():

@@ -1,5 +1,7 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: python3 args=1
+# run-with: python3 tier=all
 """Twins with valleys have the measures of their place, within the tolerances of the design.
 
     python3 TestValleys.py [SEED...]

@@ -119,7 +119,7 @@ IntensityRaster Thirds()
 }
 
 // sum over pairs closer than r of 1 / |W and W moved by their difference| has the mean intensity^2 K(r), whatever the
-// process (Ohser 1983); 500 seeds, 200 where each costs much, and three standard errors.
+// process (Ohser 1983); 500 seeds, 100 where each costs much, and three standard errors.
 TEST_P(AllProcesses, SimulatedPairsFollowTheClosedForm)
 {
   const PointProcessParameters process = Process(GetParam());
@@ -131,7 +131,7 @@ TEST_P(AllProcesses, SimulatedPairsFollowTheClosedForm)
   }
   std::vector<Sample> sums(distances.size());
   Sample counts;
-  const int seeds = process.Process == PointProcess::LogGaussianCox ? 200 : 500;
+  const int seeds = process.Process == PointProcess::LogGaussianCox ? 100 : 500;
   for (int seed = 1; seed <= seeds; ++seed)
   {
     ProcessOptions options;
@@ -211,7 +211,7 @@ TEST_P(AllProcesses, RasterChangesTheIntensity)
   const PointProcessParameters process = Process(GetParam());
   const bool isSlow = process.Process == PointProcess::LogGaussianCox || process.Process == PointProcess::SoftCore;
   std::vector<Sample> thirds(3);
-  for (int seed = 1; seed <= (isSlow ? 150 : 400); ++seed)
+  for (int seed = 1; seed <= (isSlow ? 50 : 200); ++seed)
   {
     ProcessOptions options;
     options.Seed = seed;
@@ -246,7 +246,7 @@ TEST_P(AllProcesses, SameBytesOnAnyThreads)
     ProcessOptions options;
     options.Raster = hasRaster ? &raster : nullptr;
     PointProcessParameters process = Process(GetParam());
-    process.Intensity = process.Process == PointProcess::SoftCore ? 5000.0 : 20000.0;
+    process.Intensity = process.Process == PointProcess::SoftCore ? 2500.0 : 20000.0;
     process.Activity = 3000.0;
     process.Distance = 0.002;
     const ObservationWindow window = Box(0.0, 0.0, 1.0, 1.0);
@@ -325,10 +325,10 @@ TEST(PointProcesses, StraussPointsObeyTheirConditionalIntensity)
   {
     PointProcessParameters process = Process(5);
     process.Interaction = interaction;
-    process.Distance = 0.06;
+    process.Distance = 0.05;
     std::vector<Sample> differences(3);
     Sample all;
-    for (int seed = 1; seed <= 400; ++seed)
+    for (int seed = 1; seed <= 300; ++seed)
     {
       ProcessOptions options;
       options.Seed = seed;
@@ -338,10 +338,10 @@ TEST(PointProcesses, StraussPointsObeyTheirConditionalIntensity)
       std::sort(points.begin(), points.end());
       const auto within = [&](const PlanePosition& place) { // a point itself counts too
         int count = 0;
-        for (auto other = std::lower_bound(points.begin(), points.end(), PlanePosition{ place[0] - 0.06, -1.0 });
-             other != points.end() && (*other)[0] < place[0] + 0.06; ++other)
+        for (auto other = std::lower_bound(points.begin(), points.end(), PlanePosition{ place[0] - 0.05, -1.0 });
+             other != points.end() && (*other)[0] < place[0] + 0.05; ++other)
         {
-          count += SquareDistance(place, *other) < 0.06 * 0.06;
+          count += SquareDistance(place, *other) < 0.05 * 0.05;
         }
         return count;
       };
@@ -354,13 +354,13 @@ TEST(PointProcesses, StraussPointsObeyTheirConditionalIntensity)
           difference[std::min(t, 2)] += t < 2 ? 1.0 : 0.0;
         }
       }
-      const int steps = 44;
-      const double area = 0.02 * 0.02;
+      const int steps = 22;
+      const double area = 0.04 * 0.04;
       for (int cell = 0; cell < steps * steps; ++cell)
       {
         const int column = cell % steps;
         const int row = cell / steps;
-        const int t = within({ 0.07 + 0.02 * column, 0.07 + 0.02 * row });
+        const int t = within({ 0.08 + 0.04 * column, 0.08 + 0.04 * row });
         difference[std::min(t, 2)] -= t < 2 ? 150.0 * std::pow(interaction, t) * area : 0.0;
       }
       for (int t = 0; t < 2; ++t)

@@ -103,7 +103,7 @@ TEST_P(StationaryModels, EnsembleCovarianceIsTheModels)
   const CovarianceModel model = static_cast<CovarianceModel>(GetParam());
   TurningBandsParameters parameters = Parameters(model, model == CovarianceModel::Spherical ? 30.0 : 8.0);
   const int size = 128;
-  const int runs = 150;
+  const int runs = 100;
   const std::vector<int> lags = { 0, 1, 2, 4, 8, 12, 16, 24, 32 };
   std::vector<std::vector<double>> covariance(3, std::vector<double>(lags.size(), 0.0));
   for (int run = 0; run < runs; ++run)

@@ -1,0 +1,11 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+# run-with: client
+"""TestChangesInFilm.py for waves, and TestChartsInWindow.py, in one window."""
+
+import together
+from TestChangesInFilm import check, check_reset
+
+check("Waves")
+check_reset("Waves")
+together.run("TestChartsInWindow")
