@@ -31,8 +31,8 @@ endfunction ()
 #   # run-with: pvbatch mpi=1,2,3 tier=all args=--size=9 args=--seed=7
 #   # run-with: none
 #
-# The tier is standard unless it is named. Each further such line is an entry of its own, named after its tier:
-# <label>.<name>.all. Each entry runs in a folder of its own, Testing/Output/<entry> in the build tree. Rank counts are
+# The tier is standard unless it is named. Each further such line is an entry of its own, named after its tier,
+# <label>.<name>.all, or by a word name=WORD. Each entry runs in a folder of its own, Testing/Output/<entry> in the build tree. Rank counts are
 # entries that share that folder and run one after the other, so that a run can compare its result with what the run
 # before it wrote. A script that exits with 125 counts as skipped.
 function (littoral_add_script_test label script runner)
@@ -55,6 +55,7 @@ endfunction ()
 function (littoral_add_script_entry entry label script runner line others)
   set(ranks)
   set(tier standard)
+  set(suffix)
   set(arguments)
   separate_arguments(words UNIX_COMMAND "${line}")
   foreach (word IN LISTS words)
@@ -64,6 +65,8 @@ function (littoral_add_script_entry entry label script runner line others)
       list(APPEND arguments "${CMAKE_MATCH_1}")
     elseif (word MATCHES "^tier=(quick|standard|all)$")
       set(tier "${CMAKE_MATCH_1}")
+    elseif (word MATCHES "^name=(.*)$")
+      set(suffix "${CMAKE_MATCH_1}")
     elseif (word MATCHES "^(none|python3|pvpython|pvbatch|client)$")
       set(runner "${word}")
     else ()
@@ -81,7 +84,9 @@ function (littoral_add_script_entry entry label script runner line others)
     return ()
   endif ()
 
-  if (others)
+  if (suffix)
+    string(APPEND entry ".${suffix}")
+  elseif (others)
     string(APPEND entry ".${tier}")
   endif ()
   set(folder "${CMAKE_BINARY_DIR}/Testing/Output/${entry}")

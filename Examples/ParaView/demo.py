@@ -273,9 +273,9 @@ def stills(folder, quick=False):
     progress.begin("drawing patterns.png")
     runpy.run_path(PATTERNS)["main"](folder)
 
-    progress.begin("drawing underwater.png")
-    runpy.run_path(UNDERWATER, run_name="underwater")["main"](
-        folder, sized(*FILM_SIZE), 2 if quick else 0, quick)
+    if not quick:
+        progress.begin("drawing underwater.png")
+        runpy.run_path(UNDERWATER, run_name="underwater")["main"](folder, FILM_SIZE)
     progress.begin("waiting for forest.png")
     if forest_process:
         end_forest(forest_process)

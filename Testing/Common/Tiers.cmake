@@ -16,12 +16,12 @@ set(standard_TestFractalDimension FractalDimension.OfWavesInPhaseIsExact Fractal
 set(standard_TestGardnerPlant
   Kinds/*/Tree Kinds/*/Bush GardnerTexture.ShellsAreAsOpaqueAsTheFunctionIsAboveTheirThreshold)
 set(all_TestGardnerPlant Kinds/*/Cypress Kinds/*/StonePine) # as tree and bush
-set(standard_TestIntensityTrend
+set(standard_TestIntensityTrend IntensityTrend.WeightsTakeTheTrendOutOfPairs
   IntensityTrend.PointsAtADistanceHaveATrend IntensityTrend.ClustersAreFoundUnderATrend)
 # The fit is right by MeetsTheEquationsOfTheLikelihood too.
 set(all_TestIntensityTrend IntensityTrend.WhatWasSimulatedIsFoundAgain)
 set(standard_TestLevelLooks *LookTheSameAtAllLevels)
-set(standard_TestPairFunctions PairFunctions.AgreeWithSpatstat PairFunctions.FollowTheirDefinitions)
+set(standard_TestPairFunctions PairFunctions.OfRandomPatternsAreThoseOfChance PairFunctions.AgreeWithSpatstat PairFunctions.FollowTheirDefinitions)
 set(standard_TestParticleLevels
   ParticleLevels.NothingVisibleIsLost ParticleLevels.SlavesStayWithinTheirBound
   TrainSelection.TailSumBoundsTheErrorOnTheScreen)

@@ -272,7 +272,7 @@ class EntryScript(unittest.TestCase):
                 with open(self.path("notes"), encoding="utf-8") as file:
                     notes = file.read()
                 self.assertIn(f"--target {target}\n", notes)
-                self.assertIn(f"--test-output-size-failed 100000000{selected}{rest}\n", notes)
+                self.assertRegex(notes, f"--parallel \\d+{re.escape(selected + rest)}\n")
 
     def test_tests_without_a_display_say_what_is_missing(self):
         self.all_packages_are_there()

@@ -4,7 +4,7 @@
 """A property is changed while a film plays in the window: the last picture is that of a new pipeline with that value.
 
 ParaView's window handles clicks between two frames; so the change is made there. The session is reset there, too.
-TestInClient has waves, TestEachChangeInFilm the other pipelines.
+TestWavesInFilm has waves, TestEachChangeInFilm the other pipelines.
 """
 
 import sys

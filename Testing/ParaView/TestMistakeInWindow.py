@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: none
+# run-with: pvpython
 """A mistake in a panel is one message, however often it is drawn, and leaves the plant as it is; put right, the plant moves.
 
 TestUndo plays it in its own window. TestMistakes has one mistake and more with each entry of the menus.

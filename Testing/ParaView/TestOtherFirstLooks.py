@@ -1,11 +1,10 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython
-"""TestFirstLooks.py on one rank, and for other grounds and seas, arrows, points, fog and images."""
+"""TestFirstLooks.py for other grounds and seas, arrows, points, fog and images."""
 
 import numpy as np
 import quick
-import TestFirstLooks
 from first_looks import SIZE, check
 from paraview import simple
 from window import small_view
@@ -55,7 +54,6 @@ def check_textures():
     simple.Delete(view)
 
 
-TestFirstLooks.check_four()
 check_grounds()
 check_arrows_and_points()
 check_fog()

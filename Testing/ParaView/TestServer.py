@@ -1,11 +1,14 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython
-"""Before a server that renders, a scene, textured blocks and a view that is dragged are what they are without one, and an
-exported scene has the bytes of TestExportScene.
+# run-with: pvpython tier=all args=export
+"""Before a server that renders, a scene, textured blocks and a view that is dragged are what they are without one; with
+`export`, an exported scene has the bytes of TestExportScene.
 
 TestServers has more ranks, and pictures that the client renders, TestScenesWithServer more scenes.
 """
+
+import sys
 
 import quick
 import TestDragging
@@ -35,7 +38,7 @@ def check(where, threshold):
 
 
 def main():
-    exports = hasattr(servermanager.writers, "GLTFSceneWriter")
+    exports = "export" in sys.argv[1:] and hasattr(servermanager.writers, "GLTFSceneWriter")
     sea = TestScenesWithServer.pictures("Sea")
     if exports:
         import TestExportScene

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython
+# run-with: pvpython tier=all
 """Undo and redo in the window: a filter with a second input; in TestEachUndo a source, a property, a deletion, a scene.
 
 Each undo brings back the pipeline from before, each redo that from after, and its picture.

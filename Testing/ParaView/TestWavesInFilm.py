@@ -1,11 +1,9 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: client
-"""TestChangesInFilm.py for waves, and TestChartsInWindow.py, in one window."""
+"""TestChangesInFilm.py for waves, in the window."""
 
-import together
 from TestChangesInFilm import check, check_reset
 
 check("Waves")
 check_reset("Waves")
-together.run("TestChartsInWindow")
