@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: python3 tier=quick
+# run-with: python3
 """The check of the tiers: a test beyond its budget, without a tier or without a time is named; others are not."""
 
 import json
