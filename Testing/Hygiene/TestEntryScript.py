@@ -282,7 +282,7 @@ class EntryScript(unittest.TestCase):
         for tool in ("bash", "awk", "cat", "comm", "cp", "cut", "date", "dirname", "echo", "env", "fold", "flock", "git",
                      "grep", "head", "id", "mkdir", "nproc", "readlink", "rm", "sed", "seq", "sh", "sleep", "sort",
                      "tail", "tee", "tr", "true", "wc"):
-            if not os.path.exists(self.path("bin", tool)):
+            if shutil.which(tool) and not os.path.exists(self.path("bin", tool)):  # not each system has git
                 os.symlink(shutil.which(tool), self.path("bin", tool))
         self.environment["PATH"] = self.path("bin")
         printed = self.run_script("test")
