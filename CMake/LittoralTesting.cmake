@@ -30,7 +30,8 @@ endfunction ()
 #
 #   # run-with: pvbatch mpi=1,2,3 tier=all args=--size=9 args=--seed=7
 #   # run-with: none
-#
+# Those with together=GROUP share a process in the entry <label>.GROUP (littoral_add_groups); their own entries are of the
+# tier all.
 # The tier is standard unless it is named. Each further such line is an entry of its own, named after its tier,
 # <label>.<name>.all, or by a word name=WORD. Each entry runs in a folder of its own, Testing/Output/<entry> in the build tree. Rank counts are
 # entries that share that folder and run one after the other, so that a run can compare its result with what the run
@@ -57,6 +58,7 @@ function (littoral_add_script_entry entry label script runner line others)
   set(tier standard)
   set(suffix)
   set(arguments)
+  set(group)
   separate_arguments(words UNIX_COMMAND "${line}")
   foreach (word IN LISTS words)
     if (word MATCHES "^mpi=(.*)$")
@@ -67,6 +69,8 @@ function (littoral_add_script_entry entry label script runner line others)
       set(tier "${CMAKE_MATCH_1}")
     elseif (word MATCHES "^name=(.*)$")
       set(suffix "${CMAKE_MATCH_1}")
+    elseif (word MATCHES "^together=(.*)$")
+      set(group "${CMAKE_MATCH_1}")
     elseif (word MATCHES "^(none|python3|pvpython|pvbatch|client)$")
       set(runner "${word}")
     else ()
@@ -75,6 +79,11 @@ function (littoral_add_script_entry entry label script runner line others)
   endforeach ()
   if (runner STREQUAL "none")
     return ()
+  endif ()
+  if (group)
+    set_property(DIRECTORY APPEND PROPERTY LITTORAL_GROUPS "${group}")
+    set_property(DIRECTORY APPEND PROPERTY "LITTORAL_GROUP_${group}" "${script}")
+    set(tier all)
   endif ()
   if ("${arguments}" STREQUAL "")
     set(arguments ${ARGN})
@@ -105,6 +114,26 @@ function (littoral_add_script_entry entry label script runner line others)
     littoral_add_script_run("${test}" "${label}" "${tier}" "${folder}" "${script}" mpirun -np "${rank}" ${command})
     set_tests_properties("${test}" PROPERTIES PROCESSORS "${rank}" DEPENDS "${before}")
     set(before "${test}")
+  endforeach ()
+endfunction ()
+
+# littoral_add_groups(<label> <runner>): an entry for each group of the scripts of this directory, by together.py beside
+# them. They begin first, being the longest.
+function (littoral_add_groups label runner)
+  littoral_find_runner(program "${runner}")
+  get_property(groups DIRECTORY PROPERTY LITTORAL_GROUPS)
+  list(REMOVE_DUPLICATES groups)
+  foreach (group IN LISTS groups)
+    if (NOT program)
+      return ()
+    endif ()
+    get_property(scripts DIRECTORY PROPERTY "LITTORAL_GROUP_${group}")
+    list(TRANSFORM scripts REPLACE "^.*/([^/]*)[.]py$" "\\1" OUTPUT_VARIABLE names)
+    set(folder "${CMAKE_BINARY_DIR}/Testing/Output/${label}.${group}")
+    file(MAKE_DIRECTORY "${folder}")
+    littoral_add_script_run("${label}.${group}" "${label}" standard "${folder}" "${scripts}"
+      "${program}" "${CMAKE_CURRENT_SOURCE_DIR}/together.py" ${names})
+    set_tests_properties("${label}.${group}" PROPERTIES COST 100)
   endforeach ()
 endfunction ()
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: client
+# run-with: none
 """In ParaView's own window a chart that Apply opens leaves the render view active, for what comes next."""
 
 import quick

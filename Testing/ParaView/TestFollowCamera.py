@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython
+# run-with: together=views
 """FollowCamera: levels of detail change with the camera, and after a state; TestServers has it before a server."""
 
 import math
@@ -114,7 +114,8 @@ def check_here(where):
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = [200, 150]
     forest = forest_in(view)
-    simple.Render(view)  # the first picture of a view resets its camera, to what it shows
+    simple.ResetCamera(view)
+    simple.Render(view)
     assert sum(counts(forest)) == NUMBER, f"{where}: {counts(forest)} plants in the first picture, not {NUMBER}"
     check_follows(forest, view, where)
     check_parallel(forest, view, where)

@@ -15,7 +15,7 @@ walked = set()
 for file in glob.glob(os.path.join(HERE, "guide_*.py")):
     page, number = re.search(r'^PAGE(?:, NUMBER)? = "([^"]+)"(?:, (\d+))?$', read(file), re.MULTILINE).groups()
     walked.add((page, int(number or 0)))
-played = {name for file in glob.glob(os.path.join(HERE, "TestGuideLists?*.py"))
+played = {name for file in glob.glob(os.path.join(HERE, "Test*.py"))
           for name in re.findall(r"^import (guide_\w+)$", read(file), re.MULTILINE)}
 there = {(page, number) for page in pages() for number in range(len(lists(page)))}
 assert there, "the guide has no numbered lists"

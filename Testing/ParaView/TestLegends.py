@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython
 # run-with: pvpython tier=all args=export
 """Colors that are drawn as they are have no legend, in a window with one view and with several, whatever the eyes show.
 With `export`, what a view shows is exported by the menu too.
+
+TestRecordedWindow plays it without.
 """
 
 import os
@@ -49,8 +50,8 @@ def check_export(scene):
     assert kinds == {"ground"}, kinds  # rivers, which are lines, are hidden
 
 
-def main():
-    session = Session(__file__)
+def steps(session):
+    """In an empty window."""
     session.source("TurningBandsTerrain")
     for end in 1, 3:
         session.field("WholeExtent", 40, f"LineEdit{end}")
@@ -65,6 +66,11 @@ def main():
     session.call(first_view)
     session.eye(0, 0, 1)
     session.call(check, "the first view: hidden")
+
+
+def main():
+    session = Session(__file__)
+    steps(session)
     exports = "export" in sys.argv[1:] and hasattr(servermanager.writers, "GLTFSceneWriter")
     if exports:
         session.menu("menu_File", "actionExport")

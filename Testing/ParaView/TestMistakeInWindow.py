@@ -1,12 +1,10 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython
+# run-with: none
 """A mistake in a panel is one message, however often it is drawn, and leaves the plant as it is; put right, the plant moves.
 
-TestUndo plays it in its own window. TestMistakes has one mistake and more with each entry of the menus.
+TestRecordedWindow plays it. TestMistakes has one mistake and more with each entry of the menus.
 """
-
-from player import Session
 
 
 def moves():
@@ -50,9 +48,3 @@ def steps(session):
     session.connect("SeaState", "SeaState1")
     session.apply()
     session.call(check_motion)
-
-
-if __name__ == "__main__":
-    alone = Session(__file__)
-    steps(alone)
-    alone.play(MESSAGE)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: client
+# run-with: none
 """TestChangesInFilm.py for waves, in the window."""
 
 from TestChangesInFilm import check, check_reset

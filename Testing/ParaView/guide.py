@@ -157,19 +157,24 @@ class Walk(Session):
         assert self.done == len(self.steps), f"{self.page}: the test does {self.done} of {len(self.steps)} steps"
 
 
-def play(*modules):
-    """Walk the lists of some modules guide_*.py in one window, then check what has come of each."""
+def walk(*modules):
+    """A session that walks the lists of some modules guide_*.py in one window."""
     shutil.rmtree("settings", ignore_errors=True)
     os.environ["XDG_CONFIG_HOME"] = os.path.abspath("settings")  # where ParaView keeps an imported macro
-    walk = Walk()
+    session = Walk()
     for module in modules:
         getattr(module, "prepare", lambda: None)()
         if module is not modules[0]:
-            walk.empty()
-        walk.begin(module.PAGE, getattr(module, "NUMBER", 0))
-        module.walk(walk)
-        walk.end()
-    walk.play()
+            session.empty()
+        session.begin(module.PAGE, getattr(module, "NUMBER", 0))
+        module.walk(session)
+        session.end()
+    return session
+
+
+def play(*modules):
+    """Walk, then check what has come of each."""
+    walk(*modules).play()
     for module in modules:
         module.check()
 

@@ -123,6 +123,18 @@ class Session:
         self.menu("menu_File", "actionFileLoadServerState")
         self.event(f"{WINDOW}/FileLoadServerStateDialog", "filesSelected", os.path.abspath(file))
 
+    def join(self, other):
+        """Go on with the steps of another session, from an empty window."""
+        self.lap()
+        self.reset()
+        self.small_view()  # for the old view: off
+        self.events += other.events
+        self.module = other.module
+
+    def lap(self):
+        """The processor time since the last lap, for Testing/Tiers/check.py."""
+        self.call(lap, self.module)
+
     def play(self, *mistakes):
         """Play all steps in a client of its own; each mistake is one message with these words."""
         write_events("steps.xml", self.events)
@@ -144,6 +156,20 @@ class Session:
             messages.remove(about[0])
         assert not messages, f"{len(messages)} messages, the first: {messages[0]}"
         assert client.returncode == 0, f"the client ended with {client.returncode}"
+
+
+def time_since(begin, name):
+    """A line for Testing/Tiers/check.py: the processor time of a part of a process and its children."""
+    spent = [end - start for start, end in zip(begin, os.times())]
+    return f"CPU time of {name}: {spent[0] + spent[2]:.3f} user, {spent[1] + spent[3]:.3f} system"
+
+
+laps = [os.times()]  # in the client
+
+
+def lap(name):
+    print(time_since(laps[-1], name), file=sys.__stdout__, flush=True)
+    laps.append(os.times())
 
 
 def write_events(file, events):

@@ -21,14 +21,16 @@ from typing import NamedTuple
 BUDGETS = {"quick": 1.0, "standard": 10.0, "all": float("inf")}  # of a test [s of processor time]
 LOOP = 0.0067  # processor time of loop() where budgets hold as they are [s]; they grow on slower machines
 TIME = re.compile(r"CPU time: ([\d.]+) user, ([\d.]+) system")
+PART = re.compile(r"CPU time of (\S+): ([\d.]+) user, ([\d.]+) system")  # of a script that shares a process
 NOISE = 1.5  # two runs of one test on one machine differ by up to this factor
 SHOWN = 10  # of the dearest tests
 
 
 class Cost(NamedTuple):
-    """What a test took."""
+    """What a test took, or a script of several in one test."""
 
     name: str
+    entry: str  # ctest's name
     tiers: list
     field: str
     seconds: float  # of processor time; None: not in the record
@@ -55,19 +57,22 @@ def labels_of(path):
             for test in tests}
 
 
-def cost_of(case, labels):
-    """The cost of an element testcase."""
-    times = TIME.findall(case.findtext("system-out") or "")
-    seconds = sum(map(float, times[-1])) if times else None
+def costs_of_case(case, labels):
+    """The costs of an element testcase: of each script that shares it, and of the rest."""
+    output, name = case.findtext("system-out") or "", case.get("name")
     field = next((label for label in labels if label not in BUDGETS), "")
-    return Cost(case.get("name"), [label for label in labels if label in BUDGETS], field, seconds)
+    tiers = [label for label in labels if label in BUDGETS]
+    parts = [(f"{name} {script}", float(user) + float(system)) for script, user, system in PART.findall(output)]
+    times = TIME.findall(output)
+    rest = sum(map(float, times[-1])) - sum(seconds for _, seconds in parts) if times else None
+    return [Cost(one, name, tiers, field, seconds) for one, seconds in [*parts, (name, rest)]]
 
 
 def costs_of(record, tests):
     """The costs of the tests that ran, the dearest first."""
     labels = labels_of(tests)
-    ran = [cost_of(case, labels.get(case.get("name"), [])) for case in ElementTree.parse(record).iter("testcase")
-           if case.get("status") in ("run", "fail")]
+    ran = [cost for case in ElementTree.parse(record).iter("testcase") if case.get("status") in ("run", "fail")
+           for cost in costs_of_case(case, labels.get(case.get("name"), []))]
     return sorted(ran, key=lambda cost: -(cost.seconds or 0.0))
 
 
@@ -75,12 +80,12 @@ def faults_of(costs, slow):
     """The name of each test that breaks a rule, and a sentence, on a machine that is so much slower than that of the budgets."""
     for cost in costs:
         if len(cost.tiers) != 1:
-            yield cost.name, f"{cost.name} has the tiers {cost.tiers}; it must have one of {', '.join(BUDGETS)}."
+            yield cost.entry, f"{cost.name} has the tiers {cost.tiers}; it must have one of {', '.join(BUDGETS)}."
         elif cost.seconds is None:
-            yield cost.name, (f"{cost.name} has no processor time in the record; its command must begin with "
+            yield cost.entry, (f"{cost.name} has no processor time in the record; its command must begin with "
                               "Testing/Tiers/measured.")
         elif cost.seconds > NOISE * slow * BUDGETS[cost.tiers[0]]:
-            yield cost.name, (f"{cost.name} takes {cost.seconds:.1f} s of processor time; the tier {cost.tiers[0]} allows "
+            yield cost.entry, (f"{cost.name} takes {cost.seconds:.1f} s of processor time; the tier {cost.tiers[0]} allows "
                               f"{NOISE * slow * BUDGETS[cost.tiers[0]]:.1f} s on this machine, noise included.")
 
 
