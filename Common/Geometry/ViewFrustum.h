@@ -93,10 +93,6 @@ public:
   bool MayShow(const Box& box) const;
   bool MayShow(const Vector3& center, double radius) const;
 
-  /// Size on the screen [pixels] of a length [m] across the view, in the middle of the picture at a distance [m];
-  /// infinite at distance 0. In a parallel projection at any distance.
-  double PixelsOf(double length, double distance) const;
-
   /**
    * Bound of the distance on the screen [pixels] of two places of a box, one straight above the other by at most a rise
    * [m], if either is on the picture, for any view within the margins; infinite where one may be at the eye.

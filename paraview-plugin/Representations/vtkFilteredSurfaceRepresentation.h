@@ -34,7 +34,6 @@ protected:
 
   /// Sets the filter; for the constructor of a subclass.
   void SetFilter(vtkAlgorithm* filter);
-  vtkAlgorithm* GetFilter() { return this->Filter; }
 
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

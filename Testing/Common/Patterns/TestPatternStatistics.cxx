@@ -3,6 +3,7 @@
 #include "../OnThreads.h"
 #include "Numerics/Constants.h"
 #include "Patterns/PatternStatistics.h"
+#include "QuadratPosition.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,7 @@
 
 using namespace littoral;
 using littoral::testing::OnThreads;
+using littoral::testing::QuadratPosition;
 
 namespace
 {

@@ -5,6 +5,7 @@
 #include "Patterns/QuadratFit.h"
 #include "Patterns/QuadratLaws.h"
 #include "Patterns/QuadratPattern.h"
+#include "QuadratPosition.h"
 
 #include <gtest/gtest.h>
 
@@ -23,6 +24,7 @@
 #include <string>
 
 using namespace littoral;
+using littoral::testing::QuadratPosition;
 
 namespace
 {
