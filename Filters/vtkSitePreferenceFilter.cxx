@@ -59,7 +59,7 @@ public:
     : Grid(littoral::MakeGrid(terrain))
     , Drainage(littoral::ArrayReader::OfPoints(terrain, "the Terrain").Find("DrainageArea", 1))
   {
-    littoral::Require(!this->Drainage && littoral::AnyAnswers(species, Factor::Wetness)
+    littoral::Require(!this->Drainage && littoral::AnyResponds(species, Factor::Wetness)
         ? "a species has a wetness, and the Terrain has no point array DrainageArea."
         : "");
     const long long count = static_cast<long long>(this->Grid.Count[0]) * this->Grid.Count[1];

@@ -168,8 +168,8 @@ private:
   void AddVortexChain(const Local& local, const WaterLayer& layer);
 
   Vector3 Everywhere{ 0.0 };
-  std::vector<Local> Around; ///< those without an end
-  std::vector<Local> Ending; ///< those with one
+  std::vector<Local> Around; ///< flows that reach everywhere
+  std::vector<Local> Ending; ///< flows with an end
   LimitedSources Limited;    ///< the same, if all are sources and sinks that end about a box
   std::vector<Box> Reaches;  ///< where they end
   std::vector<Column> Columns;

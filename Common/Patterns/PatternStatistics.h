@@ -68,7 +68,7 @@ void ChoosePair(MappedPattern& pattern);
 /// Options of the measurement and comparison of a pattern.
 struct StatisticsOptions
 {
-  PatternFunction Function = PatternFunction::L;         ///< that is compared; its kind sets the distances
+  PatternFunction Function = PatternFunction::L;         ///< function that is compared; its kind sets the distances
   EdgeCorrection Correction = EdgeCorrection::Isotropic; ///< Border is for K; other functions take Translation then
   DistanceCorrection Nearest = DistanceCorrection::KaplanMeier;
   double MaximumDistance = 0.0; ///< largest distance [m]; 0: DefaultDistances, or DefaultNearestDistances

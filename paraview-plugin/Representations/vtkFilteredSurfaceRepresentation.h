@@ -45,7 +45,7 @@ private:
   void UpdateFilter(vtkInformation* input);
 
   vtkSmartPointer<vtkAlgorithm> Filter;
-  vtkSmartPointer<vtkTrivialProducer> Shown; ///< what the filter makes, on the first rank
+  vtkSmartPointer<vtkTrivialProducer> Shown; ///< output of the filter, on the first rank
 };
 
 #endif

@@ -166,7 +166,7 @@ TEST(SitePreference, OneMessageEach)
   says(WhyNot("species,slope,slope_tolerance\noak,10,0\n"), "slope_tolerance of oak is 0");
   says(WhyNot("species,slope\noak,10\n"), "slope_tolerance of oak is nan");
   says(WhyNot("species,slope,slope_tolerance\noak,steep,3\n"), "slope of row 1 is 'steep'");
-  EXPECT_TRUE(AnyAnswers(DefaultPreferences(), GroundFactor::Slope));
-  EXPECT_FALSE(AnyAnswers(DefaultPreferences(), GroundFactor::Wetness));
-  EXPECT_TRUE(AnyAnswers(DefaultPreferences(true), GroundFactor::Wetness));
+  EXPECT_TRUE(AnyResponds(DefaultPreferences(), GroundFactor::Slope));
+  EXPECT_FALSE(AnyResponds(DefaultPreferences(), GroundFactor::Wetness));
+  EXPECT_TRUE(AnyResponds(DefaultPreferences(true), GroundFactor::Wetness));
 }
