@@ -771,6 +771,47 @@ TEST(ParticleFog, SpreadsParticlesOverTheVolumeOfTheirSample)
   }
 }
 
+namespace
+{
+
+constexpr int Rays = 160; // a side
+
+/// Place of a ray along x or z [m].
+double RayAt(int index)
+{
+  const double from = 0.2;
+  const double step = 3.6 / Rays;
+  return from + (index + 0.5) * step;
+}
+
+/// Particles of a radius that each ray along y meets.
+std::vector<std::vector<int>> ParticlesOfRays(const std::vector<Vector3>& places, double radius)
+{
+  std::vector<std::vector<int>> columns(Rays * Rays);
+  for (std::size_t n = 0; n < places.size(); ++n)
+  {
+    for (int i = 0; i < Rays; ++i)
+    {
+      const double x = RayAt(i);
+      if (std::abs(places[n].x - x) > radius)
+      {
+        continue;
+      }
+      for (int j = 0; j < Rays; ++j)
+      {
+        const double z = RayAt(j);
+        if (std::hypot(places[n].x - x, places[n].z - z) <= radius)
+        {
+          columns[i * Rays + j].push_back(static_cast<int>(n));
+        }
+      }
+    }
+  }
+  return columns;
+}
+
+}
+
 TEST(ParticleFog, HidesAsMuchAsItsParticlesDo)
 {
   // Light along y through a box of particles: the part of rays that meet none, against the fog. Some particles are
@@ -796,40 +837,16 @@ TEST(ParticleFog, HidesAsMuchAsItsParticlesDo)
   const std::vector<float> blended = ParticleFog(grid, particles).GetExtinction();
   const std::vector<float> whole = ParticleFog(grid, all).GetExtinction();
 
-  constexpr int Rays = 160; // a side
   double drawn = 0.0;
   double fog = 0.0;
   double both = 0.0;
-  // Particles by columns of the grid of rays.
-  const double from = 0.2;
-  const double step = 3.6 / Rays;
-  std::vector<std::vector<int>> columns(Rays * Rays);
-  for (std::size_t n = 0; n < places.size(); ++n)
-  {
-    const double r = 0.5 * diameter;
-    for (int i = 0; i < Rays; ++i)
-    {
-      const double x = from + (i + 0.5) * step;
-      if (std::abs(places[n].x - x) > r)
-      {
-        continue;
-      }
-      for (int j = 0; j < Rays; ++j)
-      {
-        const double z = from + (j + 0.5) * step;
-        if (std::hypot(places[n].x - x, places[n].z - z) <= r)
-        {
-          columns[i * Rays + j].push_back(static_cast<int>(n));
-        }
-      }
-    }
-  }
+  const std::vector<std::vector<int>> columns = ParticlesOfRays(places, 0.5 * diameter);
   for (int i = 0; i < Rays; ++i)
   {
     for (int j = 0; j < Rays; ++j)
     {
-      const double x = from + (i + 0.5) * step;
-      const double z = from + (j + 0.5) * step;
+      const double x = RayAt(i);
+      const double z = RayAt(j);
       double depth = 0.0;
       double depthBlended = 0.0;
       for (double y = 0.05; y < 10.0; y += 0.1)
