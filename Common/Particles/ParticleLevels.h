@@ -42,7 +42,7 @@ struct LevelWeights
 LevelWeights WeightsAt(double distance, const ParticleLevelOptions& options);
 
 /// 0 before -width, 1 beyond width, smooth between; a step for a width of 0.
-double SmoothStep(double x, double width);
+double BlendAt(double x, double width);
 
 /// A particle that a level shows.
 struct ShownParticle

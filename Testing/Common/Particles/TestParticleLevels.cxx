@@ -542,21 +542,21 @@ TEST(ParticleLevels, ASlaveAboveItsMasterMovesMoreThanIt)
 
 TEST(ParticleLevels, StepsAreSmoothAndEven)
 {
-  EXPECT_EQ(SmoothStep(-2.0, 2.0), 0.0);
-  EXPECT_EQ(SmoothStep(-9.0, 2.0), 0.0);
-  EXPECT_EQ(SmoothStep(2.0, 2.0), 1.0);
-  EXPECT_EQ(SmoothStep(9.0, 2.0), 1.0);
+  EXPECT_EQ(BlendAt(-2.0, 2.0), 0.0);
+  EXPECT_EQ(BlendAt(-9.0, 2.0), 0.0);
+  EXPECT_EQ(BlendAt(2.0, 2.0), 1.0);
+  EXPECT_EQ(BlendAt(9.0, 2.0), 1.0);
   double before = 0.0;
   for (double x = -2.0; x <= 2.0; x += 0.01)
   {
-    const double now = SmoothStep(x, 2.0);
-    EXPECT_NEAR(now + SmoothStep(-x, 2.0), 1.0, 1e-12);
+    const double now = BlendAt(x, 2.0);
+    EXPECT_NEAR(now + BlendAt(-x, 2.0), 1.0, 1e-12);
     EXPECT_GE(now, before);
     EXPECT_LT(now - before, 0.0038); // the slope of a cubic step is nowhere above 3/2 of the straight line's
     before = now;
   }
-  EXPECT_EQ(SmoothStep(-1e-9, 0.0), 0.0);
-  EXPECT_EQ(SmoothStep(1e-9, 0.0), 1.0);
+  EXPECT_EQ(BlendAt(-1e-9, 0.0), 0.0);
+  EXPECT_EQ(BlendAt(1e-9, 0.0), 1.0);
 }
 
 TEST(ParticleLevels, NothingVisibleIsLost)
