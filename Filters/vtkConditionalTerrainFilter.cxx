@@ -234,7 +234,7 @@ void vtkConditionalTerrainFilter::ReadData(vtkInformationVector** inputVector, l
   littoral::Require(errors && this->NormalScores
       ? "Measurement errors have no meaning for normal scores; set ErrorArray to None, or turn NormalScores off."
       : "");
-  littoral::Require(littoral::TakeData(data, values, errors, survey));
+  littoral::TakeData(data, values, errors, survey);
 }
 
 //----------------------------------------------------------------------------
@@ -244,9 +244,6 @@ void vtkConditionalTerrainFilter::ReadGrid(vtkInformationVector** inputVector, l
   if (grid)
   {
     littoral::RequireRaster(grid, 1);
-  }
-  if (grid)
-  {
     survey.Raster.clear();
   }
   else if (survey.IsRaster)
@@ -259,7 +256,7 @@ void vtkConditionalTerrainFilter::ReadGrid(vtkInformationVector** inputVector, l
     return;
   }
   // Around one place alone: as far as the field is correlated.
-  littoral::Require(littoral::SpanGrid({ this->Dimensions[0], this->Dimensions[1] }, this->Range, survey));
+  littoral::SpanGrid({ this->Dimensions[0], this->Dimensions[1] }, this->Range, survey);
 }
 
 //----------------------------------------------------------------------------
@@ -282,7 +279,7 @@ void vtkConditionalTerrainFilter::ReadDrift(vtkInformationVector** inputVector, 
   littoral::Require(drift
       ? ""
       : "An external drift is a point array of the Grid, but there is none; connect an image that has one as Grid.");
-  littoral::Require(littoral::TakeDrift(drift, survey));
+  littoral::TakeDrift(drift, survey);
 }
 
 //----------------------------------------------------------------------------
@@ -297,13 +294,16 @@ void vtkConditionalTerrainFilter::FindModel(vtkInformationVector** inputVector, 
   {
     littoral::TakeFit(fits, statistics);
   }
-  littoral::Require(littoral::TakeModel(statistics, survey));
-  littoral::Require(this->NormalScores ? littoral::TakeScores(survey) : "");
+  littoral::TakeModel(statistics, survey);
+  if (this->NormalScores)
+  {
+    littoral::TakeScores(survey);
+  }
   survey.Mean = this->KrigingType != Simple || survey.Scores ? 0.0 : survey.Mean;
   littoral::TakeNeighbors(this->NumberOfNeighbors, survey);
   if (!fits && this->Model == FittedToData)
   {
-    littoral::Require(littoral::FitModel(survey, littoral::AbortableFor(this)));
+    littoral::FitModel(survey, littoral::AbortableFor(this));
   }
 }
 

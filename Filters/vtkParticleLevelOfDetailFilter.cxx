@@ -47,7 +47,7 @@ class vtkParticleLevelOfDetailFilter::vtkInternals
 public:
   std::vector<littoral::Vector3> Places;
   std::unique_ptr<littoral::ParticleGroups> Groups;
-  double Lowest = 0.0; ///< that a particle may be centered, as a slave too [m]
+  double Lowest = 0.0; ///< lowest height of the center of a particle, as a slave too [m]
   double Highest = 0.0;
   double MeanHeight = 0.0;
   vtkDataArray* Points = nullptr; ///< compared, never used

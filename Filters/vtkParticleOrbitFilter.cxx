@@ -136,7 +136,7 @@ struct MovedArrays
   vtkSmartPointer<Array> Jacobian; ///< null unless a surface moves
   std::vector<Real> Gradient;      ///< of the surface, five numbers a point
   littoral::OrbitRequest<Real> Request;
-  std::vector<Real*> Vectors; ///< what slaves take over from their masters
+  std::vector<Real*> Vectors; ///< vectors that slaves take over from their masters
 
   /// Adds the arrays that are wanted.
   MovedArrays(vtkPointSet* input, bool velocity, bool acceleration, bool surface, vtkPointData* arrays)

@@ -184,13 +184,10 @@ int vtkPatternVerdictFilter::RequestData(
   auto* polygon = littoral::OptionalInputOf<vtkPolyData>(inputVector[1], "Window");
   littoral::Require(WhyInvalid(options));
   const std::vector<littoral::PlanePosition> points = littoral::PlanePositionsOf(input);
-  if (points.size() < littoral::FewestPatternPoints)
-  {
-    littoral::Require(littoral::WhyInvalid(points, {}, littoral::FewestPatternPoints));
-  }
+  littoral::Require(points.size() < littoral::FewestPatternPoints ? littoral::WhyInvalid(points, {}) : "");
   const littoral::ObservationWindow window =
     polygon ? littoral::ReadWindow(polygon) : littoral::ReadWindow(input, this->Origin, this->Size);
-  littoral::Require(littoral::WhyInvalid(points, window, littoral::FewestPatternPoints));
+  littoral::Require(littoral::WhyInvalid(points, window));
   this->SetProgressText("Simulating patterns");
   const littoral::Poll heard = littoral::PollOf(this);
   int polls = 0;

@@ -236,7 +236,7 @@ littoral::StatisticsOptions vtkPointPatternStatisticsFilter::Options() const
   options.Function = static_cast<littoral::PatternFunction>(this->Function);
   options.Correction = static_cast<littoral::EdgeCorrection>(this->EdgeCorrection);
   options.Nearest = static_cast<littoral::DistanceCorrection>(this->DistanceCorrection);
-  options.Largest = this->MaximumDistance;
+  options.MaximumDistance = this->MaximumDistance;
   options.Steps = this->NumberOfSteps;
   options.HalfWidth = this->Bandwidth;
   options.Simulations = this->NumberOfSimulations;
@@ -262,7 +262,7 @@ void vtkPointPatternStatisticsFilter::ReadKinds(Pattern& pattern) const
     return;
   }
   pattern.Pair = { this->FirstSpecies, this->SecondSpecies };
-  littoral::Require(littoral::ChoosePair(pattern));
+  littoral::ChoosePair(pattern);
 }
 
 //----------------------------------------------------------------------------

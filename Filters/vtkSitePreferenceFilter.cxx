@@ -8,9 +8,9 @@
 #include "Data/TableTexts.h"
 #include "Data/TerrainGrid.h"
 #include "Drainage/GroundWetness.h"
-#include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Pipeline.h"
+#include "Plants/SiteGround.h"
 #include "Plants/SitePreference.h"
 
 #include "vtkCellArray.h"
@@ -33,7 +33,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,60 +46,27 @@ constexpr int SitesPort = 0;
 constexpr int TerrainPort = 1;
 constexpr int PreferencesPort = 2;
 constexpr double LargestIdentity = 9007199254740992.0; // 2^53
-constexpr double Degrees = 180.0 / littoral::Pi;
 
 using Factor = littoral::GroundFactor;
 using Species = std::vector<littoral::SpeciesPreference>;
 
-/// The ground of a terrain by factors.
-class Ground
+/// The ground of a terrain; without drainage areas its wetness is not known.
+littoral::SiteGround GroundOf(vtkImageData* terrain, const Species& species)
 {
-public:
-  Ground(vtkImageData* terrain, const Species& species)
-    : Grid(littoral::MakeGrid(terrain))
-    , Drainage(littoral::ArrayReader::OfPoints(terrain, "the Terrain").Find("DrainageArea", 1))
+  const littoral::HeightGrid grid = littoral::MakeGrid(terrain);
+  vtkDataArray* drainage = littoral::ArrayReader::OfPoints(terrain, "the Terrain").Find("DrainageArea", 1);
+  littoral::Require(!drainage && littoral::AnyResponds(species, Factor::Wetness)
+      ? "a species has a wetness, and the Terrain has no point array DrainageArea."
+      : "");
+  if (!drainage)
   {
-    littoral::Require(!this->Drainage && littoral::AnyAnswers(species, Factor::Wetness)
-        ? "a species has a wetness, and the Terrain has no point array DrainageArea."
-        : "");
-    const long long count = static_cast<long long>(this->Grid.Count[0]) * this->Grid.Count[1];
-    for (long long point = 0; point < count; ++point)
-    {
-      const double height = this->Grid.HeightOf(point);
-      this->Low = height < this->Low ? height : this->Low;
-      this->High = height > this->High ? height : this->High;
-    }
+    return littoral::SiteGround(grid);
   }
-
-  bool HasDrainage() const { return this->Drainage != nullptr; }
-
-  /// The ground at a place; false if there is none.
-  bool At(double x, double y, littoral::GroundFactors& factors) const
-  {
-    const littoral::GroundPoint point = this->Grid.At(x, y);
-    if (!point.IsCovered || !std::isfinite(point.Height))
-    {
-      return false;
-    }
-    const double range = this->High - this->Low;
-    factors = { point.Height, range > 0.0 ? (point.Height - this->Low) / range : 0.5, Degrees * point.Slope,
-      littoral::AspectOf(point), std::numeric_limits<double>::quiet_NaN() };
-    if (this->Drainage)
-    {
-      const double area = this->Drainage->GetComponent(static_cast<vtkIdType>(this->Grid.Nearest(x, y)), 0);
-      const double width = std::sqrt(this->Grid.Spacing[0] * this->Grid.Spacing[1]);
-      factors[static_cast<int>(Factor::Wetness)] = littoral::WetnessOf(area, width, point.Slope);
-      return area > 0.0 && std::isfinite(area);
-    }
-    return true;
-  }
-
-private:
-  littoral::HeightGrid Grid;
-  vtkDataArray* Drainage;
-  double Low = 1e300;
-  double High = -1e300;
-};
+  const double width = std::sqrt(grid.Spacing[0] * grid.Spacing[1]);
+  return littoral::SiteGround(grid, [drainage, width](long long point, double slope) {
+    return littoral::WetnessOf(drainage->GetComponent(static_cast<vtkIdType>(point), 0), width, slope);
+  });
+}
 
 /// A site that is kept.
 struct KeptSite
@@ -124,8 +91,8 @@ public:
   }
 
   /// Whether a site is kept, with what becomes of it.
-  bool Keeps(vtkIdType site, const Species& species, const Ground& ground, const littoral::PreferenceOptions& options,
-    KeptSite& kept) const
+  bool Keeps(vtkIdType site, const Species& species, const littoral::SiteGround& ground,
+    const littoral::PreferenceOptions& options, KeptSite& kept) const
   {
     double place[3];
     this->Points->GetPoint(site, place);
@@ -133,10 +100,12 @@ public:
     littoral::ParameterCheck check;
     const std::string ofSite = " of site " + std::to_string(site);
     check.Range("SiteId" + ofSite, identity, -LargestIdentity, LargestIdentity);
-    check.Require(ground.At(place[0], place[1], kept.Ground),
+    const std::optional<littoral::GroundFactors> factors = ground.At(place[0], place[1]);
+    check.Require(factors.has_value(),
       "site " + std::to_string(site) + " at (" + littoral::TextOf(place[0]) + ", " + littoral::TextOf(place[1]) +
         ") lies outside of the Terrain, or where it has no height or no drainage area.");
     littoral::Require(check.Reason());
+    kept.Ground = *factors;
     kept.Site = site;
     kept.Identity = static_cast<long long>(identity);
     std::copy_n(place, 2, kept.Place);
@@ -274,7 +243,7 @@ int vtkSitePreferenceFilter::RequestData(
   const bool knowsDrainage = terrain->GetPointData()->HasArray("DrainageArea");
   const Species species =
     table ? littoral::ReadPreferences(littoral::TextsOf(table)) : littoral::DefaultPreferences(knowsDrainage);
-  const Ground ground(terrain, species);
+  const littoral::SiteGround ground = GroundOf(terrain, species);
   const Sites arrays(sites);
   std::vector<KeptSite> kept;
   vtkInformation* output = outputVector->GetInformationObject(0);
@@ -288,7 +257,7 @@ int vtkSitePreferenceFilter::RequestData(
     }
   }
   vtkPolyData* result = vtkPolyData::GetData(output);
-  Write(kept, sites, ground.HasDrainage(), result);
+  Write(kept, sites, ground.HasWetness(), result);
   vtkNew<vtkStringArray> names;
   names->SetName("SpeciesNames");
   for (const littoral::SpeciesPreference& each : species)

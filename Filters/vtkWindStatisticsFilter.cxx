@@ -106,8 +106,8 @@ int vtkWindStatisticsFilter::RequestData(
   const littoral::ModelledWind wind =
     littoral::ReadModelledWind(littoral::InputOf<vtkImageData>(inputVector[0], "Input"));
   const littoral::WindGrid& grid = wind.Grid;
-  littoral::WindPlaces places;
-  littoral::Require(littoral::FindPlaces(grid, this->Height, { this->Separation[0], this->Separation[1] }, places));
+  const littoral::WindPlaces places =
+    littoral::FindPlaces(grid, this->Height, { this->Separation[0], this->Separation[1] });
   this->SetProgressText("Measuring wind");
   const littoral::WindStatistics statistics(wind.Velocities.data(), grid, wind.Model, littoral::PollOf(this));
   WriteBands(statistics.Spectra(places.Layer, this->NumberOfBands), vtkTable::GetData(outputVector, 0));

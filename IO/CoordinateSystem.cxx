@@ -109,11 +109,6 @@ std::string NameOf(const OGRSpatialReference& system)
   return name + (number.empty() ? "" : " (" + number + ")");
 }
 
-std::optional<std::array<double, 2>> PlaceOnEarth(const OGRSpatialReference& system, double x, double y)
-{
-  return ToEarth(system).At(x, y);
-}
-
 std::optional<std::array<double, 2>> MapScale(const OGRSpatialReference& system, double x, double y)
 {
   const ToEarth earth(system);

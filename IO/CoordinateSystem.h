@@ -26,9 +26,6 @@ std::string WktOf(const OGRSpatialReference& system);
 /// Name and code, as "WGS 84 / UTM zone 16N (EPSG:32616)".
 std::string NameOf(const OGRSpatialReference& system);
 
-/// Longitude and latitude [degrees] of a place, on the datum of the system; none where the projection has no inverse.
-std::optional<std::array<double, 2>> PlaceOnEarth(const OGRSpatialReference& system, double x, double y);
-
 /**
  * Lengths on the map over those on the ground at a place, along x and y, for a projected system: 1 where it keeps
  * them. None where that cannot be told.

@@ -59,7 +59,7 @@ struct RasterGrid
   std::array<int, 2> Points{ 0, 0 };
   std::array<double, 2> Origin{ 0.0, 0.0 };  ///< of the southwestern point [m]
   std::array<double, 2> Spacing{ 1.0, 1.0 }; ///< [m]
-  std::array<double, 2> Offset{ 0.0, 0.0 };  ///< what was subtracted from the coordinates of the map [m]
+  std::array<double, 2> Offset{ 0.0, 0.0 };  ///< offset that was subtracted from the coordinates of the map [m]
   double MetresPerUnit = 1.0;                ///< of the coordinate system
   std::string System;                        ///< WKT; empty: none
   std::string SystemName;

@@ -44,7 +44,7 @@ struct VolumeBlock
   std::size_t Stride = 1;                 ///< from one sample to the next
   const unsigned char* Ghosts = nullptr;  ///< a byte a sample; null: all samples count
   unsigned char Hidden = 0;               ///< bits of Ghosts that take a sample away
-  std::vector<std::shared_ptr<void>> Own; ///< what keeps the pointers valid
+  std::vector<std::shared_ptr<void>> Own; ///< owners of the memory that the pointers lead to
 
   std::size_t Count(int axis) const
   {
@@ -63,7 +63,7 @@ struct Volume
 {
   std::string Place; ///< name of the block; empty for an input without blocks
   std::string Array;
-  std::string Name; ///< in the file, where no other volume has it
+  std::string Name; ///< name in the file, where no other volume has it
   VolumeLattice Lattice;
   int Components = 1; ///< 1 or 3
   VolumeVectors Vectors = VolumeVectors::Relative;

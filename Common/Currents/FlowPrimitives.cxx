@@ -89,13 +89,13 @@ struct FlowField::Row
 
 /// Rows in the order of the enumeration.
 const FlowField::Row FlowField::Rows[NumberOfFlowTypes] = {
-  // name, unit of strength, axis, core, point, captures, solenoidal; divisor, whole water, images
-  { { "Uniform", "m/s", true, false, false, false, true }, 1.0, true, IsLevelUniform, nullptr, MirrorUniform, nullptr },
-  { { "Source", "m3/s", false, true, true, false, false }, 4.0 * Pi, false, nullptr, nullptr, nullptr,
+  // name, axis, core, point, captures, solenoidal; divisor, whole water, images
+  { { "Uniform", true, false, false, false, true }, 1.0, true, IsLevelUniform, nullptr, MirrorUniform, nullptr },
+  { { "Source", false, true, true, false, false }, 4.0 * Pi, false, nullptr, nullptr, nullptr,
     &FlowField::AddSourceStack },
-  { { "Sink", "m3/s", false, true, true, true, false }, -4.0 * Pi, false, nullptr, nullptr, nullptr,
+  { { "Sink", false, true, true, true, false }, -4.0 * Pi, false, nullptr, nullptr, nullptr,
     &FlowField::AddSourceStack },
-  { { "Vortex", "m2/s", true, true, false, false, true }, TwoPi, false, IsUprightVortex, ClipVortex, MirrorVortex,
+  { { "Vortex", true, true, false, false, true }, TwoPi, false, IsUprightVortex, ClipVortex, MirrorVortex,
     &FlowField::AddVortexChain },
 };
 

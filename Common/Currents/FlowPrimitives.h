@@ -29,13 +29,12 @@ inline constexpr int NumberOfFlowTypes = 4;
 /// velocity.
 struct FlowTraits
 {
-  const char* Name;         ///< as in the enumeration
-  const char* StrengthUnit; ///< of its strength
-  bool HasAxis;             ///< whether Axis counts
-  bool HasCore;             ///< whether CoreRadius counts
-  bool IsPoint;             ///< whether it flows from or to its center, which then has to lie in the water
-  bool Captures;            ///< whether what comes into its core stays there
-  bool IsSolenoidal;        ///< whether it is free of divergence wherever its influence does not end
+  const char* Name;  ///< as in the enumeration
+  bool HasAxis;      ///< whether Axis counts
+  bool HasCore;      ///< whether CoreRadius counts
+  bool IsPoint;      ///< whether it flows from or to its center, which then has to lie in the water
+  bool Captures;     ///< whether what comes into its core stays there
+  bool IsSolenoidal; ///< whether it is free of divergence wherever its influence does not end
 };
 
 /// The traits of a type, which must be one of the enumeration.
@@ -169,8 +168,8 @@ private:
   void AddVortexChain(const Local& local, const WaterLayer& layer);
 
   Vector3 Everywhere{ 0.0 };
-  std::vector<Local> Around; ///< those without an end
-  std::vector<Local> Ending; ///< those with one
+  std::vector<Local> Around; ///< flows that reach everywhere
+  std::vector<Local> Ending; ///< flows with an end
   LimitedSources Limited;    ///< the same, if all are sources and sinks that end about a box
   std::vector<Box> Reaches;  ///< where they end
   std::vector<Column> Columns;

@@ -280,15 +280,15 @@ private:
   SteppedPoll Steps;
   double Fall;
   const double* FloodedHeights = nullptr;
-  FloodQueue Rim;                      ///< of the flood
+  FloodQueue Rim;                      ///< cells at which the flood goes on
   std::vector<CellIndex> Backlink;     ///< cell from which the flood came; -1: not reached
-  std::vector<std::uint8_t> IsFlooded; ///< by the flood
+  std::vector<std::uint8_t> IsFlooded; ///< whether the flood has passed a cell
   std::vector<CellIndex> Pits;
   std::vector<CellIndex> Way;  ///< path from the cell after the pit to the end
-  std::vector<double> Cost;    ///< of the path from the pit that visited a cell last
-  std::vector<CellIndex> Seen; ///< that pit
+  std::vector<double> Cost;    ///< cost of the path from the pit that visited a cell last
+  std::vector<CellIndex> Seen; ///< pit that visited a cell last
   std::vector<CellIndex> From; ///< the cell before on the path
-  FloodQueue Front;            ///< of the search
+  FloodQueue Front;            ///< cells at which the search goes on
   BreachCount Done;
 };
 

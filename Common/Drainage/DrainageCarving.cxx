@@ -135,19 +135,19 @@ public:
     if (report.Before.DepressionFraction > CarvingTolerances().DepressionFraction)
     {
       this->AddMissingWaves();
-      const bool isBegun = this->Terrain.Values.size() > MaximumCellsAtOnce;
-      if (isBegun)
+      const bool isLarge = this->Terrain.Values.size() > MaximumCellsAtOnce;
+      if (isLarge)
       {
         this->CarveCoarse();
       }
-      this->Erode(isBegun ? std::min(FineErosionSteps, this->Parameters.ErosionSteps) : this->Parameters.ErosionSteps);
+      this->Erode(isLarge ? std::min(FineErosionSteps, this->Parameters.ErosionSteps) : this->Parameters.ErosionSteps);
     }
     std::vector<double> best;
     double least = std::numeric_limits<double>::infinity();
-    int vain = 0;
+    int stalled = 0;
     const int rounds = this->Parameters.MaximumIterations;
-    const int mostVain = this->Begun > 0.0 ? MaximumStalledFineIterations : MaximumStalledIterations;
-    for (int round = 0; round < rounds && vain < mostVain && !report.HasConverged; ++round)
+    const int maximumStalled = this->CoarseWork > 0.0 ? MaximumStalledFineIterations : MaximumStalledIterations;
+    for (int round = 0; round < rounds && stalled < maximumStalled && !report.HasConverged; ++round)
     {
       this->AdvanceRound(round);
       this->RestoreStatistics();
@@ -160,17 +160,17 @@ public:
       this->AdvanceRound(round + 0.9);
       const GroundMeasures measures = this->Measure(graded);
       const double misfit = Misfit(measures, this->Target);
-      ++vain;
+      ++stalled;
       if (misfit < least)
       {
-        vain = 0;
+        stalled = 0;
         least = misfit;
         best = std::move(graded.Values);
         report.After = measures;
       }
       report.Iterations = round + 1;
       report.HasConverged = misfit <= 1.0;
-      this->Correct(measures, 1.0);
+      this->Correct(measures);
     }
     this->Terrain.Values = std::move(best);
     report.UnmetTargets = UnmetTargetsOf(report.After, this->Target.Measures);
@@ -268,7 +268,7 @@ private:
     this->Law = carver.Law;
     this->Gains = carver.Gains;
     TakeLongWaves(this->Terrain, coarse, this->Parallel);
-    this->Begun = CoarsePart;
+    this->CoarseWork = CoarsePart;
   }
 
   double CellArea() const { return this->Terrain.Spacing[0] * this->Terrain.Spacing[1]; }
@@ -285,12 +285,12 @@ private:
     const littoral::Poll poll = [this] { this->Poll(); };
     for (int step = 0; step < steps; ++step)
     {
-      this->Advance(this->Begun, ErosionPart, step, steps);
+      this->Advance(this->CoarseWork, ErosionPart, step, steps);
       this->RestoreStatistics();
       const OutletMask outlets = this->Parameters.Outlets.Of(this->Terrain);
       // The coarse grid has set where rivers run; breaches that are left are short.
       BreachDepressions(
-        this->Terrain, outlets, this->Begun > 0.0 ? BreachPath::LeastCost : BreachPath::FloodOrder, poll);
+        this->Terrain, outlets, this->CoarseWork > 0.0 ? BreachPath::LeastCost : BreachPath::FloodOrder, poll);
       const FlowRouting routing = RouteFlow(this->Terrain, outlets, this->Parallel, poll);
       StepStreamPower(this->Terrain, routing, DrainageArea(routing, lattice), law, 1.0);
       this->LowerRim();
@@ -447,21 +447,20 @@ private:
     });
   }
 
-  /// Corrects the channel law, the fraction of cut and the gains of the rings by the deviations of the last iteration,
-  /// at a rate of 0 to 1.
-  void Correct(const GroundMeasures& measures, double rate)
+  /// Corrects the channel law, the fraction of cut and the gains of the rings by the deviations of the last iteration.
+  void Correct(const GroundMeasures& measures)
   {
     const double missing = this->Target.Measures.Concavity - measures.Concavity;
     if (!std::isnan(missing))
     {
-      this->Law.Concavity = std::clamp(this->Law.Concavity + rate * std::clamp(0.7 * missing, -0.15, 0.15), -0.3, 1.2);
-      const double steeper = std::exp(-2.0 * rate * std::clamp(missing, -0.15, 0.15));
+      this->Law.Concavity = std::clamp(this->Law.Concavity + std::clamp(0.7 * missing, -0.15, 0.15), -0.3, 1.2);
+      const double steeper = std::exp(-2.0 * std::clamp(missing, -0.15, 0.15));
       this->Law.SlopeFraction =
         std::clamp(this->Law.SlopeFraction * steeper, 0.5 * MinimumSlopeFraction, MaximumSlopeFraction);
     }
     // Cut raises the skewness of curvature, fill lowers it.
-    this->Law.Cut = std::clamp(
-      this->Law.Cut - 0.1 * rate * std::clamp(measures.CurvatureSkewness, -1.0, 1.0), 0.0, MaximumCutFraction);
+    this->Law.Cut =
+      std::clamp(this->Law.Cut - 0.1 * std::clamp(measures.CurvatureSkewness, -1.0, 1.0), 0.0, MaximumCutFraction);
     const std::vector<int> lags = SemivarianceLags(this->Terrain.Width, this->Terrain.Height);
     std::vector<double> wanted;
     for (std::size_t n = 0; n < lags.size(); ++n)
@@ -469,16 +468,16 @@ private:
       wanted.push_back(this->Target.Measures.SemivarianceAt(measures.Lags[n]) / measures.Semivariance[n]);
     }
     const BandGains gains = this->Bands->GainsFor(lags, wanted);
-    this->Gains.Plane = std::clamp(this->Gains.Plane * std::pow(gains.Plane, rate), MinimumPlaneGain, MaximumPlaneGain);
+    this->Gains.Plane = std::clamp(this->Gains.Plane * gains.Plane, MinimumPlaneGain, MaximumPlaneGain);
     for (std::size_t wave = 0; wave < 9; ++wave)
     {
       this->Gains.LongWaves[wave] =
-        std::clamp(this->Gains.LongWaves[wave] * std::pow(gains.LongWaves[wave], rate), MinimumGain, MaximumGain);
+        std::clamp(this->Gains.LongWaves[wave] * gains.LongWaves[wave], MinimumGain, MaximumGain);
     }
     for (std::size_t ring = 1; ring < this->Gains.Rings.size(); ++ring)
     {
       double& correction = this->Gains.Rings[ring];
-      correction = std::clamp(correction * std::pow(gains.Rings[ring], rate), MinimumGain, MaximumGain);
+      correction = std::clamp(correction * gains.Rings[ring], MinimumGain, MaximumGain);
     }
   }
 
@@ -491,7 +490,7 @@ private:
   GradingLaw Law;
   BandGains Gains{ {}, { 1, 1, 1, 1, 1, 1, 1, 1, 1 }, 1.0 }; ///< gains beside those to the target's spectrum
   std::optional<SemivarianceBands> Bands;                    ///< bands of the field whose spectrum was restored last
-  double Begun = 0.0;                                        ///< part of the work that the coarse grid was
+  double CoarseWork = 0.0;                                   ///< part of the work that was done on the coarse grid
   double Done = 0.0;
 };
 

@@ -57,9 +57,9 @@ struct CarvingTolerances
   double DepressionFraction = 0.05;
   double HypsometricIntegral = 0.03;
   double ElevationSkewness = 0.15;
-  double Semivariance = 0.1; ///< part of the target's, at each lag
+  double Semivariance = 0.1; ///< relative, at each lag
   double Concavity = 0.1;
-  double CurvatureSkewness = 1.0; ///< in size, whatever the target's
+  double CurvatureSkewness = 1.0; ///< largest absolute value, whatever the target's
 };
 
 /// Result of carving.

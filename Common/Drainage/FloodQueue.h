@@ -97,7 +97,7 @@ public:
 
 private:
   static constexpr std::size_t Children = 4;
-  static constexpr std::size_t CellsOfInterval = 256; ///< mean
+  static constexpr std::size_t CellsOfInterval = 256; ///< mean number of cells in an interval
 
   struct Entry
   {
@@ -143,9 +143,9 @@ private:
   }
 
   std::vector<Entry> Heap;
-  std::vector<std::vector<Entry>> Waiting{ 1 }; ///< of the intervals of height that are still to come
+  std::vector<std::vector<Entry>> Waiting{ 1 }; ///< cells of the intervals of height that are still to come
   double Lowest = 0.0;
-  double PerHeight = 0.0; ///< intervals
+  double PerHeight = 0.0; ///< intervals of height in a metre
   std::size_t Present = 0;
   std::size_t Size = 0;
   std::uint32_t Next = 0;

@@ -36,7 +36,7 @@ struct GroundMeasures
   double CurvatureSkewness = 0.0; ///< skewness of the five-point Laplacian of inner cells
   double ChannelSlope = 0.0;      ///< mean slope above 0 at drainage areas of 100 to 200 cells [m/m]
   std::vector<SlopeAreaBin> SlopeArea;
-  std::vector<double> Lags;         ///< those of SemivarianceLags(), times the mean spacing [m]
+  std::vector<double> Lags;         ///< lags of SemivarianceLags(), times the mean spacing [m]
   std::vector<double> Semivariance; ///< semivariance at these lags [m^2]
 
   /// Semivariance at a lag [m], by a power law between the lags; NaN beyond the last.

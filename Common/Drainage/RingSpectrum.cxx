@@ -173,7 +173,7 @@ RingSpectrum SpectrumOfCoefficients(const GridSamples& coefficients, const Paral
   spectrum.Step = 0.5 / shorter;
   const double highest = WaveNumber(coefficients, coefficients.Width - 1, coefficients.Height - 1);
   const auto rings = static_cast<std::size_t>(highest / spectrum.Step + 0.5) + 1;
-  // Sums of each row, then over the rows in order: whatever the threads.
+  // Sums of blocks of rows, then over the blocks in order: whatever the threads.
   const auto height = static_cast<std::size_t>(coefficients.Height);
   constexpr std::size_t rowsAtOnce = 64;
   const std::size_t blocks = (height + rowsAtOnce - 1) / rowsAtOnce;

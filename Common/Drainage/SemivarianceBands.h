@@ -67,9 +67,9 @@ private:
   int Width;
   int Height;
   std::size_t Rings;
-  std::array<double, 2> Fall;                ///< of the plane from cell to cell along x and y [m]
-  std::vector<std::size_t> First;            ///< of the rings of each band
-  std::vector<std::vector<double>> PowerOfX; ///< of each band: sum of squares by the wave along x
+  std::array<double, 2> Fall;                ///< fall of the plane from cell to cell along x and y [m]
+  std::vector<std::size_t> First;            ///< first ring of each band of rings
+  std::vector<std::vector<double>> PowerOfX; ///< sums of squared coefficients of each band, by the wave along x
   std::vector<std::vector<double>> PowerOfY;
 };
 

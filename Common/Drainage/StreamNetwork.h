@@ -26,7 +26,7 @@ struct River
 struct StreamNetwork
 {
   std::vector<int> Orders;   ///< Strahler order of each cell; 0 where there is no stream
-  std::vector<River> Rivers; ///< by the index of their heads
+  std::vector<River> Rivers; ///< rivers in the order of the indices of their heads
 };
 
 /**

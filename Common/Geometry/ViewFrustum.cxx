@@ -217,16 +217,6 @@ bool ViewFrustum::MayShow(const Vector3& center, double radius) const
     [&](const Plane& plane) { return glm::dot(plane.Normal, center) + plane.Offset >= -radius; });
 }
 
-double ViewFrustum::PixelsOf(double length, double distance) const
-{
-  if (length == 0.0)
-  {
-    return 0.0;
-  }
-  const double half = this->Seen.IsParallel ? this->Seen.ParallelScale : distance * this->Tangents[1];
-  return length * this->Seen.Height / (2.0 * half);
-}
-
 double ViewFrustum::PixelsOfRise(double rise, const Box& box) const
 {
   if (rise == 0.0)

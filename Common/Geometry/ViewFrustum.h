@@ -23,11 +23,11 @@ struct View
   double ParallelScale = 1.0;                           ///< half the height of a parallel picture [m], positive
   double AspectRatio = 1.0;                             ///< width / height of the picture, positive
   double Height = 1080.0;                               ///< of the picture [pixels], positive
-  double DetailFactor = 1.0;                            ///< by which the distances of levels are longer, above 0 to 1
+  double DetailFactor = 1.0;                            ///< inverse factor of the distances of levels, above 0 to 1
   double Near = 0.0;                                    ///< [m], not negative
   double Far = std::numeric_limits<double>::infinity(); ///< [m], above Near
-  double Margin = 0.0;                                  ///< by which the volume is widened on all sides [m]
-  double AngleMargin = 0.0; ///< by which the view may be turned; no near and far planes then [rad]
+  double Margin = 0.0;                                  ///< widening of the volume on all sides [m]
+  double AngleMargin = 0.0; ///< turn of the view that is allowed for; no near and far planes then [rad]
 };
 
 /// Whether two views show the same picture.
@@ -92,10 +92,6 @@ public:
 
   bool MayShow(const Box& box) const;
   bool MayShow(const Vector3& center, double radius) const;
-
-  /// Size on the screen [pixels] of a length [m] across the view, in the middle of the picture at a distance [m];
-  /// infinite at distance 0. In a parallel projection at any distance.
-  double PixelsOf(double length, double distance) const;
 
   /**
    * Bound of the distance on the screen [pixels] of two places of a box, one straight above the other by at most a rise

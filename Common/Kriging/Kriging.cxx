@@ -112,7 +112,6 @@ public:
   Internals(const Internals&) = delete;
   Internals& operator=(const Internals&) = delete;
 
-  virtual void Solve() = 0;
   virtual void Estimate(const KrigingPlace* places, std::size_t count, double* estimates, double* variances) const = 0;
   virtual std::vector<LeaveOneOutEstimate> LeaveOneOut(const ParallelFor& parallel) const = 0;
   virtual std::size_t GetNeighbors() const { return this->Data.Places.size(); }
@@ -162,28 +161,7 @@ public:
     {
       throw KrigingFailure("The kriging system cannot be solved: " + this->Solver.Reason() + ".");
     }
-  }
-
-  void Solve() override
-  {
-    const Vector values = Eigen::Map<const Vector>(this->Data.Values.data(), this->DriftMatrix.rows());
-    this->Solver.Dual(values, this->DriftMatrix, this->Weights, this->Factors);
-    // Iterative refinement: the residuals, once more through the factor.
-    Vector b;
-    Vector c;
-    this->Solver.Dual(this->Residuals(values), this->DriftMatrix, b, c);
-    this->Weights += b;
-    this->Factors += c;
-    const double scale = std::max(std::sqrt(this->Table.GetVariance()), values.lpNorm<Eigen::Infinity>());
-    const double worst = this->Residuals(values).lpNorm<Eigen::Infinity>();
-    if (!(worst <= MaximumResidual * scale))
-    {
-      throw KrigingFailure(
-        "The kriging system is singular to working precision: its solution misses the data by up to " +
-        TextOf(worst / scale) +
-        " of their scale; give a nugget or measurement errors, leave out data that are close together, or take a "
-        "rougher model.");
-    }
+    this->Solve();
   }
 
   void Estimate(const KrigingPlace* places, std::size_t count, double* estimates, double* variances) const override
@@ -244,6 +222,28 @@ public:
   }
 
 private:
+  void Solve()
+  {
+    const Vector values = Eigen::Map<const Vector>(this->Data.Values.data(), this->DriftMatrix.rows());
+    this->Solver.Dual(values, this->DriftMatrix, this->Weights, this->Factors);
+    // Iterative refinement: the residuals, once more through the factor.
+    Vector b;
+    Vector c;
+    this->Solver.Dual(this->Residuals(values), this->DriftMatrix, b, c);
+    this->Weights += b;
+    this->Factors += c;
+    const double scale = std::max(std::sqrt(this->Table.GetVariance()), values.lpNorm<Eigen::Infinity>());
+    const double worst = this->Residuals(values).lpNorm<Eigen::Infinity>();
+    if (!(worst <= MaximumResidual * scale))
+    {
+      throw KrigingFailure(
+        "The kriging system is singular to working precision: its solution misses the data by up to " +
+        TextOf(worst / scale) +
+        " of their scale; give a nugget or measurement errors, leave out data that are close together, or take a "
+        "rougher model.");
+    }
+  }
+
   double EstimateAt(const KrigingPlace& place) const
   {
     // z*(x) = sum b_i C(x - x_i) + sum c_m f_m(x)
@@ -350,8 +350,6 @@ public:
         " data is too small for a drift of " + std::to_string(NumberOfDriftFunctions(options.Type)) + " functions.");
     }
   }
-
-  void Solve() override {}
 
   std::size_t GetNeighbors() const override { return this->Options.Neighbors; }
 
@@ -473,16 +471,9 @@ Kriging::Kriging(
   {
     this->Self = std::make_unique<Neighborhoods>(model, std::move(data), options);
   }
-  this->Self->Solve();
 }
 
 Kriging::~Kriging() = default;
-
-void Kriging::SetValues(std::vector<double> values)
-{
-  this->Self->Data.Values = std::move(values);
-  this->Self->Solve();
-}
 
 void Kriging::Estimate(const KrigingPlace* places, std::size_t count, double* estimates, double* variances) const
 {

@@ -54,19 +54,14 @@ class KrigingFailure : public InvalidInput
 class Kriging
 {
 public:
-  /// Throws KrigingFailure if the system of all data is singular, or there are too few data for the drift.
-  /// The data are those that WhyInvalid() passes.
+  /// Takes data that WhyInvalid() passes. Throws KrigingFailure if there are too few data for the drift, or if the
+  /// system of all data is singular: it cannot be factored, or its residuals at exact data exceed 1e-10 of the larger of
+  /// the field's standard deviation and the largest value.
   Kriging(const KrigingModel& model, KrigingData data, const KrigingOptions& options,
     const ParallelFor& parallel = SerialFor);
   ~Kriging();
   Kriging(const Kriging&) = delete;
   Kriging& operator=(const Kriging&) = delete;
-
-  /**
-   * Takes other values at the same places. Throws KrigingFailure if the residuals at exact data exceed 1e-10 of the
-   * larger of the field's standard deviation and the largest value.
-   */
-  void SetValues(std::vector<double> values);
 
   /// Estimates at `count` places, and kriging variances of the field less the estimate; null: not wanted. On any
   /// thread; throws KrigingFailure where the system of a neighbourhood is singular.

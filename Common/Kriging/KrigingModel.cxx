@@ -13,7 +13,7 @@ namespace littoral
 namespace
 {
 
-/// "at (3, 4)"
+/// "(3, 4)"
 std::string PlaceText(const KrigingPlace& place)
 {
   return "(" + TextOf(place.X) + ", " + TextOf(place.Y) + ")";

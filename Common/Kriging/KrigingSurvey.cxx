@@ -3,6 +3,7 @@
 #include "Kriging/KrigingSurvey.h"
 
 #include "Kriging/DataVariogram.h"
+#include "Numerics/InvalidInput.h"
 #include "Numerics/ParameterCheck.h"
 
 #include <algorithm>
@@ -67,13 +68,10 @@ KrigingOptions KrigingSurvey::OptionsAtData() const
   return options;
 }
 
-std::string SpanGrid(const std::array<int, 2>& dimensions, double reach, KrigingSurvey& survey)
+void SpanGrid(const std::array<int, 2>& dimensions, double reach, KrigingSurvey& survey)
 {
   const auto& places = survey.Data.Places;
-  if (places.empty())
-  {
-    return "There are no data; at least one is needed.";
-  }
+  Require(places.empty() ? "There are no data; at least one is needed." : "");
   std::array<double, 2> low{ places[0].X, places[0].Y };
   std::array<double, 2> high = low;
   for (const KrigingPlace& place : places)
@@ -89,18 +87,16 @@ std::string SpanGrid(const std::array<int, 2>& dimensions, double reach, Kriging
     survey.Grid.Origin[axis] = low[axis] - margin;
     survey.Grid.Spacing[axis] = (high[axis] - low[axis] + 2.0 * margin) / survey.Window.Last[axis];
   }
-  return "";
 }
 
-std::string TakeDrift(std::vector<double> drift, KrigingSurvey& survey)
+void TakeDrift(std::vector<double> drift, KrigingSurvey& survey)
 {
   survey.Drift = std::move(drift);
   for (std::size_t n = 0; n < survey.Drift.size(); ++n)
   {
     if (!IsSensible(survey.Drift[n]))
     {
-      return "The drift at point " + std::to_string(n) + " of the Grid is " + TextOf(survey.Drift[n]) +
-        "; it must be finite.";
+      Refuse("The drift at point ", n, " of the Grid is ", TextOf(survey.Drift[n]), "; it must be finite.");
     }
   }
   for (std::size_t n = 0; n < survey.Data.Places.size(); ++n)
@@ -109,27 +105,23 @@ std::string TakeDrift(std::vector<double> drift, KrigingSurvey& survey)
     place.External = BetweenPoints(survey.Drift, survey.Grid, survey.Window, place);
     if (std::isnan(place.External))
     {
-      return "Datum " + std::to_string(n) + " is outside the Grid, where there is no external drift.";
+      Refuse("Datum ", n, " is outside the Grid, where there is no external drift.");
     }
   }
-  return "";
 }
 
-std::string TakeScores(KrigingSurvey& survey)
+void TakeScores(KrigingSurvey& survey)
 {
   survey.Scores.emplace(survey.Data.Values);
-  if (survey.Scores->IsEmpty())
-  {
-    return "All data have the same value, which has no normal score; turn NormalScores off.";
-  }
+  Require(
+    survey.Scores->IsEmpty() ? "All data have the same value, which has no normal score; turn NormalScores off." : "");
   for (double& value : survey.Data.Values)
   {
     value = survey.Scores->ScoreOf(value);
   }
-  return "";
 }
 
-std::string FitModel(KrigingSurvey& survey, const ParallelFor& parallel)
+void FitModel(KrigingSurvey& survey, const ParallelFor& parallel)
 {
   std::string first;
   const KrigingOptions options = survey.OptionsAtData();
@@ -146,7 +138,7 @@ std::string FitModel(KrigingSurvey& survey, const ParallelFor& parallel)
       {
         kriging.Estimate(&survey.Data.Places[n], 1, &estimate);
       }
-      return "";
+      return;
     }
     catch (const KrigingFailure& failure)
     {
@@ -156,7 +148,7 @@ std::string FitModel(KrigingSurvey& survey, const ParallelFor& parallel)
       }
     }
   }
-  return first;
+  throw KrigingFailure(first);
 }
 
 void TakeNeighbors(int number, KrigingSurvey& survey)

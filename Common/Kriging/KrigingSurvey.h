@@ -11,7 +11,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace littoral
@@ -48,20 +47,20 @@ struct KrigingSurvey
   KrigingOptions OptionsAtData() const;
 };
 
-// Each of these returns why it cannot be done, in words for a user, or nothing.
+// Each of these throws InvalidInput if it cannot be done.
 
 /// Takes a grid of so many points along x and y that covers the data and a margin around them of a twentieth of their
 /// longer side; around a single place this reach [m].
-std::string SpanGrid(const std::array<int, 2>& dimensions, double reach, KrigingSurvey& survey);
+void SpanGrid(const std::array<int, 2>& dimensions, double reach, KrigingSurvey& survey);
 
 /// Takes an external drift at the points of the grid, and from there, bilinear, at the data.
-std::string TakeDrift(std::vector<double> drift, KrigingSurvey& survey);
+void TakeDrift(std::vector<double> drift, KrigingSurvey& survey);
 
 /// Turns the values into normal scores.
-std::string TakeScores(KrigingSurvey& survey);
+void TakeScores(KrigingSurvey& survey);
 
 /// Takes the best of the models fitted to the data (FitToData) whose system can be solved.
-std::string FitModel(KrigingSurvey& survey, const ParallelFor& parallel = SerialFor);
+void FitModel(KrigingSurvey& survey, const ParallelFor& parallel = SerialFor);
 
 /// Takes this number of neighbours, at most all data; 0: all of up to 2000 data, else 50.
 void TakeNeighbors(int number, KrigingSurvey& survey);

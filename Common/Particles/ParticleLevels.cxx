@@ -3,6 +3,7 @@
 #include "Particles/ParticleLevels.h"
 
 #include "Numerics/ParameterCheck.h"
+#include "Numerics/SmoothStep.h"
 
 #include <algorithm>
 #include <cmath>
@@ -224,15 +225,13 @@ std::string WhyInvalid(const ParticleLevelOptions& options)
   return check.Reason();
 }
 
-double SmoothStep(double x, double width)
+double BlendAt(double x, double width)
 {
   if (!(width > 0.0))
   {
     return x < 0.0 ? 0.0 : 1.0;
   }
-  // 3 t^2 - 2 t^3, t = 0 at -width and 1 at width
-  const double part = std::clamp(0.5 * (x / width + 1.0), 0.0, 1.0);
-  return part * part * (3.0 - 2.0 * part);
+  return SmoothStep(0.0, 1.0, 0.5 * (x / width + 1.0));
 }
 
 LevelWeights WeightsAt(double distance, const ParticleLevelOptions& options)
@@ -241,8 +240,8 @@ LevelWeights WeightsAt(double distance, const ParticleLevelOptions& options)
   {
     return { 1.0, 0.0, 0.0 };
   }
-  const double beyondMiddle = SmoothStep(distance - options.MiddleDistance, options.BlendDistance);
-  const double beyondFar = SmoothStep(distance - options.FarDistance, options.BlendDistance);
+  const double beyondMiddle = BlendAt(distance - options.MiddleDistance, options.BlendDistance);
+  const double beyondFar = BlendAt(distance - options.FarDistance, options.BlendDistance);
   return { 1.0 - beyondMiddle, beyondMiddle - beyondFar, beyondFar };
 }
 

@@ -20,8 +20,8 @@ struct ParticleLevelOptions
 {
   bool UseLevels = true;        ///< masters, slaves and fog; else each particle has its orbit
   bool UseCulling = true;       ///< leave out what the view cannot show
-  double MiddleDistance = 2.0;  ///< from which particles follow masters [m]
-  double FarDistance = 12.0;    ///< from which they are fog [m], not below MiddleDistance
+  double MiddleDistance = 2.0;  ///< distance from which particles follow masters [m]
+  double FarDistance = 12.0;    ///< distance from which they are fog [m], not below MiddleDistance
   double BlendDistance = 0.5;   ///< half the width of the bands in which levels change [m]
   double VisibleDistance = 0.0; ///< beyond which there is nothing [m]; 0: no limit
   double Margin = 0.01;         ///< about the view, for the size of particles [m]
@@ -42,14 +42,14 @@ struct LevelWeights
 LevelWeights WeightsAt(double distance, const ParticleLevelOptions& options);
 
 /// 0 before -width, 1 beyond width, smooth between; a step for a width of 0.
-double SmoothStep(double x, double width);
+double BlendAt(double x, double width);
 
 /// A particle that a level shows.
 struct ShownParticle
 {
   int Particle;
   int Master;   ///< place of its master in the level; -1 for a particle with an orbit of its own
-  int Trains;   ///< that move it; none for a slave, and for fog
+  int Trains;   ///< number of trains that move it; 0 for a slave, and for fog
   float Weight; ///< 0 for a master that is needed for its slaves alone
   float Error;  ///< bound of its distance from where all trains would have it [m]
 };
@@ -57,14 +57,14 @@ struct ShownParticle
 struct ParticleSelection
 {
   std::vector<ShownParticle> Near;
-  std::vector<ShownParticle> Middle; ///< those with orbits first
+  std::vector<ShownParticle> Middle; ///< particles at the level Middle, those with orbits first
   std::vector<ShownParticle> Far;
   long long CellsShown = 0;
   long long CellsInAll = 0;
-  long long Orbits = 0;           ///< that are to be computed
-  long long TrainSum = 0;         ///< of trains over orbits: the work
+  long long Orbits = 0;           ///< orbits that are to be computed
+  long long TrainSum = 0;         ///< number of trains, summed over orbits: the work
   long long Shown = 0;            ///< particles with a weight in Near or Middle
-  double MaximumSlaveError = 0.0; ///< error of a slave [m]
+  double MaximumSlaveError = 0.0; ///< largest error of a slave [m]
 };
 
 /**

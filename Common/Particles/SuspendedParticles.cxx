@@ -5,6 +5,7 @@
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
 #include "Numerics/RandomStream.h"
+#include "Numerics/SmoothStep.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,13 +35,6 @@ struct Shade
   double Opacity = 0.0;
 };
 
-/// 0 below the first edge, 1 above the second.
-double Ramp(double first, double second, double x)
-{
-  const double part = std::clamp((x - first) / (second - first), 0.0, 1.0);
-  return part * part * (3.0 - 2.0 * part);
-}
-
 /// Smooth noise without random numbers: pictures are the same everywhere and always.
 double Waviness(double x, double y)
 {
@@ -54,10 +48,10 @@ Shade DiatomAt(double x, double y)
   const double angle = std::atan2(y, x);
   const double rays = 0.5 + 0.5 * std::cos(36.0 * angle);
   const double rings = 0.5 + 0.5 * std::cos(30.0 * r);
-  const double shell = Ramp(0.80, 0.86, r) * (1.0 - Ramp(0.90, 0.95, r));
-  const double pores = rays * rings * Ramp(0.25, 0.4, r);
-  const double heart = 1.0 - Ramp(0.12, 0.22, r);
-  const double inside = 1.0 - Ramp(0.90, 0.95, r);
+  const double shell = SmoothStep(0.80, 0.86, r) * (1.0 - SmoothStep(0.90, 0.95, r));
+  const double pores = rays * rings * SmoothStep(0.25, 0.4, r);
+  const double heart = 1.0 - SmoothStep(0.12, 0.22, r);
+  const double inside = 1.0 - SmoothStep(0.90, 0.95, r);
   return { std::min(1.0, 0.62 + 0.3 * shell + 0.3 * heart + 0.14 * pores),
     inside * std::min(1.0, 0.5 + 0.5 * shell + 0.3 * heart + 0.3 * pores) };
 }
@@ -69,7 +63,7 @@ Shade FlakeAt(double x, double y)
   const double edge =
     0.66 + 0.12 * std::sin(3.0 * angle + 0.6) + 0.09 * std::sin(7.0 * angle + 2.0) + 0.05 * std::sin(13.0 * angle);
   const double lumps = Waviness(1.4 * x, 1.4 * y);
-  const double body = 1.0 - Ramp(0.45 * edge, 1.25 * edge, r + 0.16 * lumps);
+  const double body = 1.0 - SmoothStep(0.45 * edge, 1.25 * edge, r + 0.16 * lumps);
   return { std::clamp(0.86 + 0.16 * lumps, 0.0, 1.0), std::clamp(0.95 * body, 0.0, 1.0) };
 }
 
@@ -90,9 +84,9 @@ Shade GrainAt(double x, double y)
       light = 0.72 + 0.26 * std::cos(angle - 2.2);
     }
   }
-  const double table = 1.0 - Ramp(-0.34, -0.30, distance);
+  const double table = 1.0 - SmoothStep(-0.34, -0.30, distance);
   const double grey = (1.0 - table) * light + table * (0.9 + 0.05 * Waviness(2.0 * x, 2.0 * y));
-  return { std::clamp(grey, 0.0, 1.0), 1.0 - Ramp(-0.03, 0.03, distance) };
+  return { std::clamp(grey, 0.0, 1.0), 1.0 - SmoothStep(-0.03, 0.03, distance) };
 }
 
 /// Opacity of a stroke along a curve y = c (x - x0)^2 + y0 between two x.
@@ -100,16 +94,16 @@ double Stroke(double x, double y, double from, double to, double y0, double bend
 {
   const double u = std::clamp(x, from, to);
   const double line = y0 + bend * (u - from) * (u - from);
-  return 1.0 - Ramp(0.6 * width, 1.6 * width, std::hypot(x - u, y - line));
+  return 1.0 - SmoothStep(0.6 * width, 1.6 * width, std::hypot(x - u, y - line));
 }
 
 Shade CopepodAt(double x, double y)
 {
   const double along = (x + 0.05) / 0.52;
   const double half = std::abs(along) < 1.0 ? 0.29 * std::sqrt(1.0 - along * along) * (1.0 + 0.25 * along) : 0.0;
-  const double body = 1.0 - Ramp(half - 0.03, half + 0.02, std::abs(y));
+  const double body = 1.0 - SmoothStep(half - 0.03, half + 0.02, std::abs(y));
   const double rings = 0.5 + 0.5 * std::cos(34.0 * x);
-  const double gut = 1.0 - Ramp(0.03, 0.09, std::abs(y) + 0.15 * std::abs(x));
+  const double gut = 1.0 - SmoothStep(0.03, 0.09, std::abs(y) + 0.15 * std::abs(x));
   double thin = Stroke(x, y, -0.9, -0.5, 0.0, 0.0, 0.035);
   for (const double side : { -1.0, 1.0 })
   {
@@ -297,7 +291,7 @@ TextureImage ParticlePicture(ParticleKind kind)
         const double x = 2.0 * (column + (across + 0.5) / Samples) / ParticlePictureSize - 1.0;
         const double y = 2.0 * (row + (down + 0.5) / Samples) / ParticlePictureSize - 1.0;
         const Shade shade = Kinds[static_cast<int>(kind)].At(x, y);
-        const double seen = shade.Opacity * (1.0 - Ramp(0.9, 0.98, std::max(std::abs(x), std::abs(y))));
+        const double seen = shade.Opacity * (1.0 - SmoothStep(0.9, 0.98, std::max(std::abs(x), std::abs(y))));
         light += shade.Light * seen;
         opacity += seen;
         plain += shade.Light;

@@ -73,10 +73,10 @@ private:
 /// Fewer points say nothing about a pattern.
 inline constexpr std::size_t FewestPatternPoints = 5;
 
-/// Why points are no pattern in a window, in words for a user: fewer than `least`, one outside or not finite, two at
+/// Why points are no pattern in a window, in words for a user: fewer than `minimum`, one outside or not finite, two at
 /// one place unless they may be. Empty when they are one.
 std::string WhyInvalid(const std::vector<PlanePosition>& points, const ObservationWindow& window,
-  std::size_t least = FewestPatternPoints, bool mayCoincide = false);
+  std::size_t minimum = FewestPatternPoints, bool mayCoincide = false);
 
 }
 

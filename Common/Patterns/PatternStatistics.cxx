@@ -3,6 +3,7 @@
 #include "Patterns/PatternStatistics.h"
 
 #include "Numerics/Constants.h"
+#include "Numerics/InvalidInput.h"
 #include "Numerics/ParameterCheck.h"
 #include "Patterns/WindowSections.h"
 
@@ -69,7 +70,7 @@ bool IsCross(PatternFunction function)
   return function == PatternFunction::CrossK || function == PatternFunction::CrossPairCorrelation;
 }
 
-std::string ChoosePair(MappedPattern& pattern)
+void ChoosePair(MappedPattern& pattern)
 {
   std::map<std::string, int> counts;
   for (const std::string& species : pattern.Species)
@@ -87,12 +88,9 @@ std::string ChoosePair(MappedPattern& pattern)
   }
   for (const std::string& species : pattern.Pair)
   {
-    if (counts.find(species) == counts.end())
-    {
-      return "no point is of the species '" + species + "'.";
-    }
+    Require(counts.find(species) == counts.end() ? "no point is of the species '" + species + "'." : "");
   }
-  return pattern.Pair[0] == pattern.Pair[1] ? "cross functions need two different species." : "";
+  Require(pattern.Pair[0] == pattern.Pair[1] ? "cross functions need two different species." : "");
 }
 
 std::string WhyInvalid(const StatisticsOptions& options)
@@ -103,7 +101,7 @@ std::string WhyInvalid(const StatisticsOptions& options)
     "EdgeCorrection", static_cast<int>(options.Correction), { "none", "border", "isotropic", "translation" });
   check.Choice(
     "DistanceCorrection", static_cast<int>(options.Nearest), { "uncorrected", "reduced sample", "Kaplan-Meier" });
-  check.NotNegative("MaximumDistance", options.Largest, "m");
+  check.NotNegative("MaximumDistance", options.MaximumDistance, "m");
   check.Count("NumberOfSteps", options.Steps, 8, 10000);
   check.NotNegative("Bandwidth", options.HalfWidth, "m");
   check.Count("NumberOfSimulations", options.Simulations, 0, 100000);
@@ -124,7 +122,7 @@ PatternStatistics::PatternStatistics(
   DistanceRange& distances = this->Pairs.Distances;
   distances = IsOfPairs(options.Function) ? DefaultDistances(pattern.Window, points, options.Steps)
                                           : DefaultNearestDistances(pattern.Window, points, options.Steps);
-  distances.Maximum = options.Largest > 0.0 ? options.Largest : distances.Maximum;
+  distances.Maximum = options.MaximumDistance > 0.0 ? options.MaximumDistance : distances.Maximum;
   this->Pairs.Correction = options.Correction;
   this->Pairs.HalfWidth = options.HalfWidth;
   if (this->OtherPairs().Correction == EdgeCorrection::Translation)

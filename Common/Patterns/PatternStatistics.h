@@ -62,16 +62,16 @@ struct MappedPattern
 };
 
 /// Completes the pair of species of cross functions: the most frequent one but for the other, of equal ones the first
-/// by the alphabet. Why there is no such pair, in words for a user; empty when there is.
-std::string ChoosePair(MappedPattern& pattern);
+/// by the alphabet. Throws InvalidInput if there is no such pair.
+void ChoosePair(MappedPattern& pattern);
 
 /// Options of the measurement and comparison of a pattern.
 struct StatisticsOptions
 {
-  PatternFunction Function = PatternFunction::L;         ///< that is compared; its kind sets the distances
+  PatternFunction Function = PatternFunction::L;         ///< function that is compared; its kind sets the distances
   EdgeCorrection Correction = EdgeCorrection::Isotropic; ///< Border is for K; other functions take Translation then
   DistanceCorrection Nearest = DistanceCorrection::KaplanMeier;
-  double Largest = 0.0; ///< distance [m]; 0: DefaultDistances, or DefaultNearestDistances
+  double MaximumDistance = 0.0; ///< largest distance [m]; 0: DefaultDistances, or DefaultNearestDistances
   int Steps = 256;
   double HalfWidth = 0.0; ///< half width of the kernel of g [m]; 0: Stoyan's rule
   int Simulations = 99;   ///< 0: no comparison

@@ -69,7 +69,7 @@ struct PointProcessTraits
   std::string (*WhyInvalid)(const PointProcessParameters&) = nullptr;
   /// Offsets of the points of a cluster from its parent, in place of two uniform numbers each; null: no clusters.
   void (*Offsets)(double scale, std::size_t count, double* u, double* v) = nullptr;
-  double OffsetReach = 1.0; ///< of all offsets [ClusterScale]
+  double OffsetReach = 1.0; ///< maximum length of the offsets [ClusterScale]
 };
 
 /// The row of a process, which must be one of the enumeration.

@@ -271,7 +271,7 @@ ProcessPattern SimulateProcess(const PointProcessParameters& process, const Proc
   const ObservationWindow& window, const Poll& poll, const ParallelFor& parallel)
 {
   using Draw = ProcessPattern (*)(const ProcessScene&);
-  // Those without clusters, in the order of the enumeration.
+  // Processes in the order of the enumeration; null: of clusters.
   static constexpr Draw Draws[] = { DrawPoisson, nullptr, nullptr, DrawCox, DrawMaternII, DrawStrauss, DrawSoftCore };
   const ProcessScene scene{ Highest(process, options), options, FactorOf(options), BoxOf(window), poll, parallel };
   const bool isOfClusters = HasClusters(process);

@@ -70,13 +70,13 @@ double ExpectedDraws(
  * has no points farther than twice its Distance from the bounding box of the window.
  *
  * - Poisson, Thomas, Matern cluster: Poisson counts of points or parents in squares, all parents in reach of the
- * window.
+ *   window.
  * - Matern II: dependent thinning of Poisson points by their ages.
  * - Log-Gaussian Cox: the Gaussian field by turning bands of 128 lines, constant on squares of Range / 16.
  * - Strauss: perfect simulation by dominated coupling from the past (Kendall and Moller 2000): a birth-death process
  *   between an upper and a lower one; once these coincide in the window, their state is an exact draw. Where they have
  *   not after MaximumCouplingTime lifetimes, or where Activity (1 - Interaction) pi Distance^2 is 4 or more, the
- * pattern is that of one birth-death process after BurnIn lifetimes from an empty window, and IsExact is false.
+ *   pattern is that of one birth-death process after BurnIn lifetimes from an empty window, and IsExact is false.
  * - Soft core: Metropolis sampling from random places on a torus, the bounding box of the window and twice Distance on
  *   each side, by 20 to 200 sweeps, the more crowded the more; IsExact is false.
  *
@@ -92,8 +92,8 @@ struct MarkOptions
   int Seed = 1;
   double Mean = 1.0;      ///< mean, positive
   double Variation = 0.3; ///< coefficient of variation, 0 to 3
-  double ClusterCorrelation =
-    0.0; ///< part of the variance of the logarithm that the points of a cluster share, 0 to 1; 0 without
+  /// Part of the variance of the logarithm that the points of a cluster share, 0 to 1; of no effect without clusters.
+  double ClusterCorrelation = 0.0;
 };
 
 /// Why marks cannot be drawn so; empty when they can.

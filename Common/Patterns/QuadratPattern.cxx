@@ -319,16 +319,6 @@ std::vector<long long> QuadratSites(
   return sites;
 }
 
-std::array<double, 2> QuadratPosition(const QuadratGrid& grid, long long quadrat, int index, int seed)
-{
-  const RandomStream random(seed, RandomPurpose::QuadratPositions);
-  const auto u = random.UniformPair(static_cast<std::uint64_t>(quadrat), static_cast<std::uint64_t>(index));
-  const long long i = quadrat % grid.Count[0];
-  const long long j = quadrat / grid.Count[0];
-  return { grid.Origin[0] + grid.Size[0] * (static_cast<double>(i) + u[0]) / grid.Count[0],
-    grid.Origin[1] + grid.Size[1] * (static_cast<double>(j) + u[1]) / grid.Count[1] };
-}
-
 template <typename Id>
 void PlaceQuadratPoints(const QuadratGrid& grid, int seed, const std::vector<int>& counts, std::size_t begin,
   std::size_t end, double* positions, Id* quadrats)

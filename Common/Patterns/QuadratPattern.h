@@ -53,14 +53,10 @@ std::vector<int> QuadratCounts(const QuadratLawParameters& law, long long quadra
 std::vector<long long> QuadratSites(
   const std::vector<int>& counts, std::size_t begin, std::size_t end, std::size_t quadratsAtOnce);
 
-/// The position [m] of a point, uniform in its quadrat: a function of the seed, the quadrat and the point's index in
-/// it.
-std::array<double, 2> QuadratPosition(const QuadratGrid& grid, long long quadrat, int index, int seed);
-
 /**
- * The points of the quadrats [begin, end), whose counts are given for all: to each its position (x, y, 0) [m] and its
- * quadrat, from where the range's first point belongs. Ranges may be placed in any order, on any threads. Id is int or
- * long long.
+ * The points of the quadrats [begin, end), whose counts are given for all: to each its position (x, y, 0) [m], uniform
+ * in its quadrat by the seed, the quadrat and the point's index in it, and its quadrat, from where the range's first
+ * point belongs. Ranges may be placed in any order, on any threads. Id is int or long long.
  */
 template <typename Id>
 void PlaceQuadratPoints(const QuadratGrid& grid, int seed, const std::vector<int>& counts, std::size_t begin,

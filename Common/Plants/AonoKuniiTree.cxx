@@ -99,11 +99,11 @@ enum class Letter
 /// State with which a branch starts.
 struct Bud
 {
-  int Node; ///< that carries it
+  int Node; ///< node that carries it
   Vector3 Position;
   Turtle Frame;
   double Length; ///< of the next segment, unvaried [m]
-  int Step;      ///< at which its first segment was made
+  int Step;      ///< step at which its first segment was made
   Letter Kind;
   std::uint64_t Id; ///< of its next segment, for random numbers
 };

@@ -246,7 +246,7 @@ private:
   struct Vertex
   {
     Vector3 OfSphere;
-    Vector3 Facing; ///< in the sphere
+    Vector3 Facing; ///< facing in the sphere
     std::array<double, 2> TCoord;
     int Index = -1;
   };

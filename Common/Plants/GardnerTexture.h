@@ -49,7 +49,7 @@ private:
     double Amplitude;
     double X; ///< frequency
     double Y;
-    double XBefore; ///< that of the term before
+    double XBefore; ///< x of the term before
     double YBefore;
   };
   /// A term at a place along one direction: its own angle, and the phase that the place gives to the other direction.

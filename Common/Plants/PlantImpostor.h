@@ -25,7 +25,7 @@ inline constexpr int ImpostorSize = 96; ///< columns and rows of a picture [texe
 struct ImpostorShape
 {
   PlantExtent Extent;
-  std::array<double, ImpostorViews> Areas{}; ///< that are covered in each picture [m2]
+  std::array<double, ImpostorViews> Areas{}; ///< areas that are covered in each picture [m2]
 };
 
 /**

@@ -27,7 +27,7 @@ struct PlantLevelOptions
   MediumCrown Crown = MediumCrown::Leaves;
   int TextureColumns = 256; ///< of the crown's texture; of an envelope around the plant
   int TextureRows = 128;    ///< of the crown's texture; of an envelope from its foot to its top
-  double CrownJitter = 0.0; ///< by which the envelope's vertices move inwards at most, as part of the radius
+  double CrownJitter = 0.0; ///< largest move inwards of the envelope's vertices, as part of the radius
   int Seed = 1;             ///< of the jitter and the cards
   ParallelFor Parallel = SerialFor;
   Poll OnStep = NoPoll;

@@ -19,7 +19,7 @@ struct PlantPrototype
   // High
   Skeleton Wood;
   std::vector<SeaweedSegment> Segments; ///< of each node of a seaweed, else empty
-  WoodParameters Timber;                ///< what the skeleton is made of
+  WoodParameters Timber;                ///< wood of the skeleton
   PlantMesh Skin;
   PlantMesh Leaves;
   TextureImage LeafTexture;

@@ -139,7 +139,7 @@ std::vector<SpeciesPreference> DefaultPreferences(bool knowsDrainage)
   return species;
 }
 
-bool AnyAnswers(const std::vector<SpeciesPreference>& species, GroundFactor factor)
+bool AnyResponds(const std::vector<SpeciesPreference>& species, GroundFactor factor)
 {
   return std::any_of(species.begin(), species.end(),
     [factor](const SpeciesPreference& each) { return each.Responses[IndexOf(factor)].Counts(); });

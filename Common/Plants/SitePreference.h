@@ -64,7 +64,7 @@ std::vector<SpeciesPreference> ReadPreferences(const TextTable& table);
 std::vector<SpeciesPreference> DefaultPreferences(bool knowsDrainage = false);
 
 /// Whether one of the species responds to a factor.
-bool AnyAnswers(const std::vector<SpeciesPreference>& species, GroundFactor factor);
+bool AnyResponds(const std::vector<SpeciesPreference>& species, GroundFactor factor);
 
 /// Options of the choice of species for sites.
 struct PreferenceOptions

@@ -415,8 +415,7 @@ void RequireRoom(const StandInventory& stand)
   {
     Refuse(stand.Trees.size(), " trees on ", TextOf(area),
       " m2 are no stand; set CoordinateScale or CoordinateUnit, as of a plot on a unit square. Degrees must be "
-      "projected to "
-      "metres.");
+      "projected to metres.");
   }
 }
 

@@ -65,7 +65,7 @@ public:
 
 private:
   std::vector<StandSpecies> Species;
-  std::map<std::string, int> Rows; ///< by plain names
+  std::map<std::string, int> Rows; ///< rows by plain names
 };
 
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sea/SeaColor.h"
 
+#include "Numerics/SmoothStep.h"
+
 #include <glm/common.hpp>
 
 #include <cmath>
@@ -20,13 +22,6 @@ constexpr Vector3 Zenith{ 84.0, 134.0, 196.0 };
 constexpr double FoamIsWhite = 0.1;    ///< Jacobian
 constexpr double SightLength = 1800.0; ///< of light in haze, 1/extinction [m]
 
-/// Smooth step from 0 at low to 1 at high, without kinks.
-double Step(double low, double high, double x)
-{
-  const double t = glm::clamp((x - low) / (high - low), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
-
 }
 
 double WaterReflectance(double cosine)
@@ -37,13 +32,13 @@ double WaterReflectance(double cosine)
 
 Color SeaColor(const SeaPlace& place)
 {
-  const Vector3 water = glm::mix(Trough, Crest, Step(-0.6, 0.7, place.Height));
+  const Vector3 water = glm::mix(Trough, Crest, SmoothStep(-0.6, 0.7, place.Height));
   // The sky along the mirrored ray, r = 2 (n . v) n - v; below the horizon there is the sea, which mirrors it again.
   const double cosine = glm::dot(place.Normal, place.ToEye);
   const Vector3 mirrored = 2.0 * cosine * place.Normal - place.ToEye;
   const Vector3 sky = glm::mix(Horizon, Zenith, std::sqrt(glm::clamp(std::abs(mirrored.z), 0.0, 1.0)));
   Vector3 color = glm::mix(water, sky, WaterReflectance(cosine));
-  color = glm::mix(Foam, color, Step(FoamIsWhite, FoamBegins, place.Jacobian));
+  color = glm::mix(Foam, color, SmoothStep(FoamIsWhite, FoamBegins, place.Jacobian));
   color = glm::mix(Horizon, color, std::exp(-place.Distance / SightLength));
   return { static_cast<unsigned char>(color.x), static_cast<unsigned char>(color.y),
     static_cast<unsigned char>(color.z) };

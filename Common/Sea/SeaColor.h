@@ -15,7 +15,7 @@ struct SeaPlace
   Vector3 Normal{ 0.0, 0.0, 1.0 }; ///< of length 1
   Vector3 ToEye{ 0.0, 0.0, 1.0 };  ///< of length 1
   double Distance = 0.0;           ///< of the eye [m]
-  double Jacobian = 1.0;           ///< by which the surface is stretched, see SurfaceJacobian
+  double Jacobian = 1.0;           ///< stretch of the surface, see SurfaceJacobian
   double Height = 0.0;             ///< over the mean level [significant wave heights]
 };
 

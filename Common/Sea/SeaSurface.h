@@ -59,7 +59,7 @@ struct SeaSurfacePoints
 {
   std::vector<float> Places;    ///< from (Center, SeaLevel) [m]
   std::vector<float> Normals;   ///< of length 1, upwards
-  std::vector<float> Jacobians; ///< by which the surface is stretched, see SurfaceJacobian
+  std::vector<float> Jacobians; ///< stretch of the surface, see SurfaceJacobian
 };
 
 /**

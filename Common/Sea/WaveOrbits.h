@@ -31,7 +31,7 @@ struct WaveOrbitOptions
 {
   bool StokesDrift = false;         ///< orbit centers drift with the waves
   bool DopplerShift = false;        ///< orbits keep their periods in a current
-  double Current[2] = { 0.0, 0.0 }; ///< that carries the centers [m/s]; used with DopplerShift only
+  double Current[2] = { 0.0, 0.0 }; ///< current that carries the centers [m/s]; used with DopplerShift only
   double Choppiness = 1.0;          ///< factor of the horizontal motion, 0 to 1
 };
 

@@ -17,7 +17,7 @@ struct WaterOf
   using Vector = glm::vec<3, Real>;
   Vector Velocity{ Real(0.0) };     ///< of waves and current [m/s]
   Vector Acceleration{ Real(0.0) }; ///< of the water, following it: of waves and by their gradient [m/s2]
-  Vector Displacement{ Real(0.0) }; ///< by the waves [m]; of Direct loads in procedural motion only
+  Vector Displacement{ Real(0.0) }; ///< displacement by the waves [m]; of Direct loads in procedural motion only
 };
 
 /// The state of a joint: its shape and how fast it changes.

@@ -47,7 +47,7 @@ struct MovingPoint
   Vector3 Velocity{ 0.0 };
   Vector3 Acceleration{ 0.0 };
   double Volume = 0.0;
-  double Weight = 0.0; ///< in the center of gravity [kg]
+  double Weight = 0.0; ///< weight of the point in the center of gravity [kg]
 };
 
 /// Plant of points, at least one.

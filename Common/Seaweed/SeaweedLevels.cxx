@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Seaweed/SeaweedLevels.h"
 
+#include "Numerics/SmoothStep.h"
 #include "Sea/WaveOrbits.h"
 
 #include <algorithm>
@@ -12,16 +13,10 @@ namespace littoral
 namespace
 {
 
-double SmoothStep(double x)
-{
-  const double t = std::clamp(x, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
-
 /// 1 up to a distance, 0 beyond the band that follows.
 double ShareOf(double distance, double end, double band)
 {
-  return band > 0.0 ? 1.0 - SmoothStep((distance - end) / band) : (distance <= end ? 1.0 : 0.0);
+  return band > 0.0 ? 1.0 - SmoothStep(0.0, 1.0, (distance - end) / band) : (distance <= end ? 1.0 : 0.0);
 }
 
 }
@@ -43,7 +38,7 @@ std::vector<float> TrainShares(const SeaState& sea, double height, double maximu
   for (std::size_t n = shares.size(); n-- > 0 && sum <= 1.5 * maximum;)
   {
     sum += AxesAt(sea.Trains[n], height, sea.Depth).Horizontal;
-    shares[n] = static_cast<float>(SmoothStep(sum / maximum - 0.5));
+    shares[n] = static_cast<float>(SmoothStep(0.0, 1.0, sum / maximum - 0.5));
   }
   return shares;
 }

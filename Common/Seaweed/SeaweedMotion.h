@@ -21,7 +21,7 @@ struct LinkBatch
   static constexpr std::size_t Width = 4;
   std::array<std::size_t, Width> First; ///< first link of the tree in each lane
   std::size_t Links = 0;                ///< of a tree
-  int Trees = 0;                        ///< that count, 1 to Width
+  int Trees = 0;                        ///< number of trees that count, 1 to Width
   std::size_t Bodies = 0;               ///< index of the first of its LinkBodies
 
   /// Links of all lanes, filled ones included.

@@ -3,6 +3,7 @@
 #include "Sway/LeafMotion.h"
 
 #include "Numerics/SimdRotation.h"
+#include "Numerics/SmoothStep.h"
 
 #include <algorithm>
 #include <cmath>
@@ -164,8 +165,7 @@ struct FourLeaves
 
 double RiseBetween(double speed, const std::array<double, 2>& speeds)
 {
-  const double part = std::clamp((speed - speeds[0]) / (speeds[1] - speeds[0]), 0.0, 1.0);
-  return part * part * (3.0 - 2.0 * part);
+  return SmoothStep(speeds[0], speeds[1], speed);
 }
 
 //----------------------------------------------------------------------------

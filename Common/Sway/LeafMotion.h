@@ -37,8 +37,8 @@ struct FlutteringLeaf
 
   std::array<int, 4> Corners{};
   int Plant = 0;                 ///< whose wind it has
-  float Phase = 0.0f;            ///< by which its cells begin earlier, 0 to 1
-  std::uint64_t Identity = 0;    ///< what is random about it
+  float Phase = 0.0f;            ///< part of a cell of time by which its cells begin earlier, 0 to 1
+  std::uint64_t Identity = 0;    ///< object of its random numbers
   std::int64_t Cell = NoCell;    ///< of time, at whose ends its angles are known
   std::array<float, 2> Before{}; ///< angles at the beginning of the cell, 0 to 1
   std::array<float, 2> After{};  ///< and at its end

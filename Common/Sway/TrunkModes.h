@@ -30,7 +30,7 @@ struct TrunkBurden
   ShapeMixture Load{};    ///< of the shapes over the mass [m3 or m2]
   ShapeMixture Drag{};    ///< and over the area that meets the wind [m2]
   double Amount = 0.0;    ///< [m3 or m2]
-  double Area = 0.0;      ///< that meets the wind, in the lee of others [m2]
+  double Area = 0.0;      ///< area that meets the wind, in the lee of others [m2]
 };
 
 /// Stiffness of a trunk and masses that it bears, in numbers that scale with the plant.

@@ -3,6 +3,7 @@
 #include "Terrain/GroundColor.h"
 
 #include "Numerics/Constants.h"
+#include "Numerics/SmoothStep.h"
 #include "Numerics/Vector3.h"
 
 #include <glm/common.hpp>
@@ -25,22 +26,15 @@ constexpr double GrassEnds = 45.0 * Pi / 180.0;
 constexpr double Moist = 6.0;
 constexpr double Wet = 9.0;
 
-/// Smooth step from 0 at low to 1 at high, without kinks.
-double Step(double low, double high, double x)
-{
-  const double t = glm::clamp((x - low) / (high - low), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
-
 }
 
 Color GroundColor(const GroundPlace& place)
 {
-  const double dry = Step(0.1, 0.9, 0.7 * place.Reflectance + 0.3 * place.Height);
+  const double dry = SmoothStep(0.1, 0.9, 0.7 * place.Reflectance + 0.3 * place.Height);
   Vector3 color = glm::mix(Meadow, DryGrass, dry);
-  color = glm::mix(color, Upland, 0.7 * Step(0.5, 1.0, place.Height));
-  color = glm::mix(color, Lush, Step(Moist, Wet, place.Wetness));
-  color = glm::mix(color, Rock, Step(GrassHolds, GrassEnds, place.Slope));
+  color = glm::mix(color, Upland, 0.7 * SmoothStep(0.5, 1.0, place.Height));
+  color = glm::mix(color, Lush, SmoothStep(Moist, Wet, place.Wetness));
+  color = glm::mix(color, Rock, SmoothStep(GrassHolds, GrassEnds, place.Slope));
   return { static_cast<unsigned char>(color.x), static_cast<unsigned char>(color.y),
     static_cast<unsigned char>(color.z) };
 }

@@ -169,7 +169,7 @@ private:
   GridWindow Window;
   PlaneLattice Lattice; ///< of the grid's points in the space where the field is isotropic
   LineSpectrum Spectrum;
-  std::optional<ShortWaves> Short; ///< what lies beyond, if it matters
+  std::optional<ShortWaves> Short; ///< waves beyond those of the lines, if they matter
   double FirstDirection;           ///< angle of line 0 [rad]
   std::vector<Line> Lines;
 };

@@ -25,7 +25,8 @@ struct WindGrid
   double VerticalSpacing = 2.0;            ///< [m], positive
   double BottomHeight = 1.0;               ///< of the lowest layer above the ground [m], above the roughness length
 
-  int Waves() const { return this->Count[0] / 2 - 1; } ///< that a line is the sum of: frequencies 1, 2 ... a period
+  /// Number of waves of a line, of the frequencies 1, 2 ... a period.
+  int Waves() const { return this->Count[0] / 2 - 1; }
   double Period() const { return this->Count[0] * this->TimeStep; }
   double Height(int layer) const { return this->BottomHeight + layer * this->VerticalSpacing; }
   std::size_t NumberOfLines() const { return static_cast<std::size_t>(this->Count[1]) * this->Count[2]; }
@@ -118,7 +119,7 @@ private:
   LineFourier Up;
   RealLineFourier Along;
   std::array<std::vector<float>, WindComponents> Delay; ///< of the coherence, in the quarter of separations [s]
-  std::array<std::vector<float>, WindComponents> Still; ///< what it decays by at any frequency
+  std::array<std::vector<float>, WindComponents> Still; ///< exponent of its decay at any frequency
   int Component = 0;
   std::vector<float> PlaneRe; ///< Fourier coefficients in time: frequency, then across, then up (fastest)
   std::vector<float> PlaneIm;

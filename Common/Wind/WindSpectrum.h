@@ -58,7 +58,7 @@ struct WindModel
 struct WindSpectrumTraits
 {
   const char* Name;                    ///< as in the enumeration
-  ParameterList<WindModel> Parameters; ///< that count besides the mean wind
+  ParameterList<WindModel> Parameters; ///< parameters that count besides the mean wind
   double (*Density)(const WindModel&, int component, double frequency, double height); ///< one-sided [m2/s2/Hz]
   double (*Variance)(const WindModel&, int component); ///< its integral over all frequencies [m2/s2], at any height
 };

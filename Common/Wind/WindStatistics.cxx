@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Wind/WindStatistics.h"
 
+#include "Numerics/InvalidInput.h"
 #include "Numerics/ParameterCheck.h"
 #include "Numerics/PeriodFourier.h"
 
@@ -13,8 +14,9 @@
 namespace littoral
 {
 
-std::string FindPlaces(const WindGrid& grid, double height, const std::array<double, 2>& separation, WindPlaces& places)
+WindPlaces FindPlaces(const WindGrid& grid, double height, const std::array<double, 2>& separation)
 {
+  WindPlaces places;
   const double layer = std::round((height - grid.BottomHeight) / grid.VerticalSpacing);
   places.Layer = static_cast<int>(std::clamp(layer, 0.0, grid.Count[2] - 1.0));
   const double columns = std::round(separation[0] / grid.LateralSpacing);
@@ -22,13 +24,13 @@ std::string FindPlaces(const WindGrid& grid, double height, const std::array<dou
   const bool isAbove = places.Layer + layers < grid.Count[2];
   if ((columns == 0.0 && layers == 0.0) || columns >= grid.Count[1] || !(isAbove || layers <= places.Layer))
   {
-    return "Separation is " + TextOf(separation[0]) + ", " + TextOf(separation[1]) +
-      " m; it must be at least half a spacing of the grid, " + TextOf(grid.LateralSpacing) + ", " +
-      TextOf(grid.VerticalSpacing) + " m, and lie within the wind.";
+    Refuse("Separation is ", TextOf(separation[0]), ", ", TextOf(separation[1]),
+      " m; it must be at least half a spacing of the grid, ", TextOf(grid.LateralSpacing), ", ",
+      TextOf(grid.VerticalSpacing), " m, and lie within the wind.");
   }
   places.Columns = static_cast<int>(columns);
   places.Layers = static_cast<int>(isAbove ? layers : -layers);
-  return {};
+  return places;
 }
 
 /// Sums over the frequencies of each band.

@@ -7,7 +7,6 @@
 #include "Wind/WindField.h"
 
 #include <array>
-#include <string>
 #include <vector>
 
 namespace littoral
@@ -42,10 +41,8 @@ struct WindPlaces
   int Layers = 0; ///< to the other layer of the coherence, downwards where there is none above
 };
 
-/// Finds the places nearest to a height and to a separation across and up [m]. Why there are none, in words for a user;
-/// empty when there are.
-std::string FindPlaces(
-  const WindGrid& grid, double height, const std::array<double, 2>& separation, WindPlaces& places);
+/// Places nearest to a height and to a separation across and up [m]. Throws InvalidInput if there are none.
+WindPlaces FindPlaces(const WindGrid& grid, double height, const std::array<double, 2>& separation);
 
 /**
  * Statistics of a periodic wind field, compared with those of its model: spectra, coherence and profile.

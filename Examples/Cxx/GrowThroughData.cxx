@@ -8,6 +8,7 @@
 
 #include <Kriging/ConditionalField.h>
 #include <Kriging/FieldAtData.h>
+#include <Numerics/InvalidInput.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,17 +90,10 @@ void WriteGrid(const Survey& survey, const std::vector<double>& heights, const s
 //------------------------------------------------------------------------------
 void GrowThrough(Survey survey, int seed, const std::string& path)
 {
-  std::string reason = littoral::WhyInvalid(survey.Data, survey.Model);
-  if (reason.empty())
-  {
-    CoverWithCells(survey, 200);
-    littoral::TakeNeighbors(0, survey);
-    reason = littoral::FitModel(survey);
-  }
-  if (!reason.empty())
-  {
-    throw std::runtime_error(reason);
-  }
+  littoral::Require(littoral::WhyInvalid(survey.Data, survey.Model));
+  CoverWithCells(survey, 200);
+  littoral::TakeNeighbors(0, survey);
+  littoral::FitModel(survey);
   std::cout << survey.Data.Places.size() << " heights, model "
             << littoral::CovarianceModelName(survey.Model.Field.Model) << ", standard deviation "
             << std::sqrt(survey.Model.Field.Variance) << " m, range " << survey.Model.Field.Range << " m\n";

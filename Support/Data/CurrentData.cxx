@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/CurrentData.h"
 
+#include "Currents/LinearVelocity.h"
 #include "Currents/SplineVelocity.h"
 #include "Data/ArrayReader.h"
 #include "Data/Cells.h"
@@ -61,7 +62,7 @@ public:
   bool IsSingle() const { return this->Single != nullptr; }
 
   /// Velocity of a point; none where it is no number, or as large as what ocean models write on land.
-  Vector3 At(vtkIdType id) const
+  Vector3 operator()(vtkIdType id) const
   {
     const Vector3 value = this->Single
       ? Vector3(this->Single[3 * id], this->Single[3 * id + 1], this->Single[3 * id + 2])
@@ -75,71 +76,6 @@ private:
   const float* Single = nullptr;
   const double* Double = nullptr;
 };
-
-/// A place among the samples of one axis: the sample before it and the share of the next.
-struct AxisPlace
-{
-  int Index = 0;
-  double Share = 0.0;
-};
-
-/// Linear interpolation between the eight samples around a place. One layer of samples holds all along its axis.
-Vector3 Trilinear(const Velocities& values, const std::array<int, 3>& samples, const AxisPlace place[3])
-{
-  Vector3 sum(0.0);
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    double weight = 1.0;
-    vtkIdType id = 0;
-    vtkIdType stride = 1;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const int side = (corner >> axis) & 1;
-      weight *= side ? place[axis].Share : 1.0 - place[axis].Share;
-      id += stride * std::min(place[axis].Index + side, samples[axis] - 1);
-      stride *= samples[axis];
-    }
-    if (weight != 0.0)
-    {
-      sum += weight * values.At(id);
-    }
-  }
-  return sum;
-}
-
-/// False where the position [samples] is outside.
-bool PlaceAt(double position, int samples, AxisPlace& place)
-{
-  if (samples == 1)
-  {
-    place = { 0, 0.0 };
-    return true;
-  }
-  if (!(position >= 0.0 && position <= samples - 1))
-  {
-    return false;
-  }
-  place.Index = std::min(static_cast<int>(position), samples - 2);
-  place.Share = position - place.Index;
-  return true;
-}
-
-/// Whether no sample of the layers around a height has a vertical velocity there.
-bool IsLevel(const Velocities& values, const std::array<int, 3>& samples, const AxisPlace& height)
-{
-  for (int j = 0; j < samples[1]; ++j)
-  {
-    for (int i = 0; i < samples[0]; ++i)
-    {
-      const AxisPlace at[3] = { { i, 0.0 }, { j, 0.0 }, height };
-      if (Trilinear(values, samples, at).z != 0.0)
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
 
 class ImageVelocity : public SampledVelocity
 {
@@ -177,7 +113,7 @@ public:
     return { glm::dot(this->Turn[0], arm), glm::dot(this->Turn[1], arm), glm::dot(this->Turn[2], arm) };
   }
 
-  Vector3 Sample(std::size_t id) const override { return this->Values.At(static_cast<vtkIdType>(id)); }
+  Vector3 Sample(std::size_t id) const override { return this->Values(static_cast<vtkIdType>(id)); }
 
   bool IsSingle() const override { return this->Values.IsSingle(); }
 
@@ -194,17 +130,17 @@ public:
   bool IsLevelAt(double height) const override
   {
     AxisPlace at;
-    return this->IsUpright && PlaceAt(this->Turn[2].z * (height - this->Corner.z), this->Samples[2], at) &&
+    return this->IsUpright && FindPlace(this->Samples[2], this->Turn[2].z * (height - this->Corner.z), at) &&
       IsLevel(this->Values, this->Samples, at);
   }
 
   Vector3 Velocity(const Vector3& place) const override
   {
     const Vector3 position = this->PositionOf(place);
-    AxisPlace at[3];
+    std::array<AxisPlace, 3> at;
     for (int axis = 0; axis < 3; ++axis)
     {
-      if (!PlaceAt(position[axis], this->Samples[axis], at[axis]))
+      if (!FindPlace(this->Samples[axis], position[axis], at[axis]))
       {
         return Vector3(0.0);
       }
@@ -242,7 +178,7 @@ public:
 
   Vector3 PositionOf(const Vector3& place) const override { return place; }
 
-  Vector3 Sample(std::size_t id) const override { return this->Values.At(static_cast<vtkIdType>(id)); }
+  Vector3 Sample(std::size_t id) const override { return this->Values(static_cast<vtkIdType>(id)); }
 
   bool IsSingle() const override { return this->Values.IsSingle(); }
 
@@ -263,15 +199,15 @@ public:
   bool IsLevelAt(double height) const override
   {
     AxisPlace at;
-    return this->Find(2, height, at) && IsLevel(this->Values, this->Samples, at);
+    return FindPlace(this->Coordinates[2], height, at) && IsLevel(this->Values, this->Samples, at);
   }
 
   Vector3 Velocity(const Vector3& place) const override
   {
-    AxisPlace at[3];
+    std::array<AxisPlace, 3> at;
     for (int axis = 0; axis < 3; ++axis)
     {
-      if (!this->Find(axis, place[axis], at[axis]))
+      if (!FindPlace(this->Coordinates[axis], place[axis], at[axis]))
       {
         return Vector3(0.0);
       }
@@ -280,28 +216,6 @@ public:
   }
 
 private:
-  /// False where the position is outside.
-  bool Find(int axis, double position, AxisPlace& at) const
-  {
-    const std::vector<double>& values = this->Coordinates[axis];
-    if (values.size() == 1)
-    {
-      at = {};
-      return true;
-    }
-    const bool rising = values.front() < values.back();
-    if (!(position >= std::min(values.front(), values.back()) && position <= std::max(values.front(), values.back())))
-    {
-      return false;
-    }
-    const auto after = rising ? std::upper_bound(values.begin(), values.end(), position)
-                              : std::upper_bound(values.begin(), values.end(), position, std::greater<double>());
-    const int next = std::clamp(static_cast<int>(after - values.begin()), 1, this->Samples[axis] - 1);
-    const double width = values[next] - values[next - 1];
-    at = { next - 1, width != 0.0 ? (position - values[next - 1]) / width : 0.0 };
-    return true;
-  }
-
   Velocities Values;
   std::array<int, 3> Samples;
   std::vector<double> Coordinates[3];
@@ -339,7 +253,7 @@ public:
     }
     for (vtkIdType id = 0; id < this->Data->GetNumberOfPoints(); ++id)
     {
-      if (this->Data->GetPoint(id)[2] == height && this->Values.At(id).z != 0.0)
+      if (this->Data->GetPoint(id)[2] == height && this->Values(id).z != 0.0)
       {
         return false;
       }
@@ -364,7 +278,7 @@ public:
     Vector3 sum(0.0);
     for (vtkIdType corner = 0; cell >= 0 && corner < tools.Cell->GetNumberOfPoints(); ++corner)
     {
-      sum += tools.Weights[corner] * this->Values.At(tools.Cell->GetPointId(static_cast<int>(corner)));
+      sum += tools.Weights[corner] * this->Values(tools.Cell->GetPointId(static_cast<int>(corner)));
     }
     return sum;
   }

@@ -3,6 +3,7 @@
 #include "Data/Survey.h"
 
 #include "Data/ArrayReader.h"
+#include "Numerics/InvalidInput.h"
 #include "Numerics/ParameterCheck.h"
 
 #include "vtkDataArray.h"
@@ -25,7 +26,7 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 }
 
 //----------------------------------------------------------------------------
-std::string TakeData(vtkDataSet* data, vtkDataArray* values, vtkDataArray* errors, Survey& survey)
+void TakeData(vtkDataSet* data, vtkDataArray* values, vtkDataArray* errors, Survey& survey)
 {
   survey.Name = values && values->GetName() && *values->GetName() ? values->GetName() : "Elevation";
   for (vtkIdType n = 0; n < data->GetNumberOfPoints(); ++n)
@@ -48,14 +49,12 @@ std::string TakeData(vtkDataSet* data, vtkDataArray* values, vtkDataArray* error
       const double error = errors->GetComponent(n, 0);
       if (!(error >= 0.0))
       {
-        return "Datum " + std::to_string(n) + " has the error " + TextOf(error) +
-          "; standard deviations of errors must be at least 0.";
+        Refuse("Datum ", n, " has the error ", TextOf(error), "; standard deviations of errors must be at least 0.");
       }
       survey.Data.ErrorVariances.push_back(error * error);
     }
   }
   survey.Measured = survey.Data.Values;
-  return "";
 }
 
 //----------------------------------------------------------------------------
@@ -69,27 +68,26 @@ void TakeGrid(vtkImageData* grid, Survey& survey)
 }
 
 //----------------------------------------------------------------------------
-std::string TakeDrift(vtkDataArray* drift, Survey& survey)
+void TakeDrift(vtkDataArray* drift, Survey& survey)
 {
   std::vector<double> values(static_cast<std::size_t>(drift->GetNumberOfTuples()));
   for (std::size_t n = 0; n < values.size(); ++n)
   {
     values[n] = drift->GetComponent(static_cast<vtkIdType>(n), 0);
   }
-  return TakeDrift(std::move(values), survey);
+  TakeDrift(std::move(values), survey);
 }
 
 //----------------------------------------------------------------------------
-std::string TakeModel(const FieldStatistics& statistics, Survey& survey)
+void TakeModel(const FieldStatistics& statistics, Survey& survey)
 {
   survey.Model.Field = statistics.Field;
   survey.Model.Nugget = statistics.Nugget;
   survey.Model.AnisotropyRatio = statistics.AnisotropyRatio;
   survey.Model.AnisotropyAngle = statistics.AnisotropyAngle;
   survey.Mean = statistics.Mean;
-  ParameterCheck check;
-  check.Require(WhyInvalid(survey.Model));
-  return check.IsGood() ? WhyInvalid(survey.Data, survey.Model) : check.Reason();
+  Require(WhyInvalid(survey.Model));
+  Require(WhyInvalid(survey.Data, survey.Model));
 }
 
 }

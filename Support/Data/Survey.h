@@ -26,19 +26,19 @@ struct Survey : KrigingSurvey
   double SpacingZ = 1.0;
 };
 
-// Each of these returns why it cannot be done, or nothing.
+// Each of these throws InvalidInput if it cannot be done.
 
 /// Takes places, values and errors of data; without values the z of points; of an image the points except holes (NaN).
-std::string TakeData(vtkDataSet* data, vtkDataArray* values, vtkDataArray* errors, Survey& survey);
+void TakeData(vtkDataSet* data, vtkDataArray* values, vtkDataArray* errors, Survey& survey);
 
 /// Takes the grid of an image of one layer.
 void TakeGrid(vtkImageData* grid, Survey& survey);
 
 /// Takes an external drift at the points of the grid, and from there at the data.
-std::string TakeDrift(vtkDataArray* drift, Survey& survey);
+void TakeDrift(vtkDataArray* drift, Survey& survey);
 
 /// Takes the model from given statistics.
-std::string TakeModel(const FieldStatistics& statistics, Survey& survey);
+void TakeModel(const FieldStatistics& statistics, Survey& survey);
 
 }
 

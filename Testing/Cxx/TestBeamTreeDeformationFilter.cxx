@@ -257,8 +257,8 @@ vtkNew<vtkPlantScatterFilter> WoodOf(vtkPoints* feet, vtkAlgorithm* tree)
   return wood;
 }
 
-/// The middle level sways as the trunk in full does, and shows one picture after the other.
-void CheckMedium(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tree, WindSource* wind)
+/// The envelope sways as the trunk in full does, and shows one picture after the other.
+void CheckEnvelope(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tree)
 {
   vtkDataObject* rest = tree->GetOutputDataObject(0);
   sway->SetInputConnection(0, tree->GetOutputPort());
@@ -296,8 +296,11 @@ void CheckMedium(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tree, 
   Expect(Farthest(once, PointsOf(sway->GetOutputDataObject(0), "Medium/Crown")) < 1e-4 &&
       places == TCoordsOf(sway->GetOutputDataObject(0)),
     "the middle level repeats");
+}
 
-  // The pictures differ from each other and hold leaves.
+/// The pictures of the envelope differ from each other and hold leaves.
+void CheckPictures(vtkBeamTreeDeformationFilter* sway)
+{
   sway->SetTextureSize(256, 128);
   sway->Update(1);
   auto* image = vtkImageData::SafeDownCast(sway->GetOutputDataObject(1));
@@ -316,39 +319,13 @@ void CheckMedium(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tree, 
             << 100.0 * changed / (260 * 128) << " % changes\n";
   Expect(opaque > 260 * 128 / 4 && changed > 260 * 128 / 20, "pictures hold leaves that move");
   sway->SetTextureSize(32, 16);
+}
 
-  // A forest in the middle level: with its prototypes it sways, without them it stands.
-  vtkNew<vtkPoints> feet;
-  feet->InsertNextPoint(3.0, 4.0, 50.0);
-  feet->InsertNextPoint(23.0, -5.0, 60.0);
-  const auto wood = WoodOf(feet, tree);
-  wood->SetNearDistance(1.0);
-  wood->SetFarDistance(1e4);
-  wood->Update();
-  const std::vector<float> standing = PointsOf(wood->GetOutputDataObject(0), "Medium/Crown");
-  vtkNew<vtkBeamTreeDeformationFilter> many;
-  many->SetTextureSize(32, 16);
-  many->SetNumberOfTextures(2);
-  many->SetInputConnection(wood->GetOutputPort());
-  many->SetWindConnection(wind->GetOutputPort());
-  many->UpdateTimeStep(2.0);
-  Expect(PointsOf(many->GetOutputDataObject(0), "Medium/Crown") == standing, "without prototypes, crowns stand still");
-  many->AddPrototypeConnection(tree->GetOutputPort());
-  many->UpdateTimeStep(2.0);
-  const std::vector<float> swaying = PointsOf(many->GetOutputDataObject(0), "Medium/Crown");
-  const std::vector<float> trunks = PointsOf(many->GetOutputDataObject(0), "Medium/Trunk");
-  Expect(standing.size() == 2 * crown.size() && Farthest(swaying, standing) > 0.005, "with them, they sway");
-  const std::vector<float> straight = PointsOf(wood->GetOutputDataObject(0), "Medium/Trunk");
-  Expect(Farthest(trunks, straight) > 0.002, "trunks sway");
-  const std::size_t half = swaying.size() / 2;
-  bool apart = false;
-  for (std::size_t i = 0; i < half; ++i)
-  {
-    apart |= std::abs((swaying[i] - standing[i]) - (swaying[half + i] - standing[half + i])) > 1e-4;
-  }
-  Expect(apart, "crowns at two places sway differently");
-
-  // The same trees in full have trunks that go the same way.
+/// Trees of a wood in full have trunks that go the same way as in the middle level, whose trunks at rest and swaying
+/// are given.
+void CheckTrunksInFull(vtkPlantScatterFilter* wood, vtkBeamTreeDeformationFilter* many,
+  const std::vector<float>& straight, const std::vector<float>& trunks)
+{
   wood->UseLevelsOff();
   many->UpdateTimeStep(2.0);
   double full[3];
@@ -370,6 +347,44 @@ void CheckMedium(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tree, 
   std::cout << "the tip of a scattered trunk goes " << std::hypot(full[0], full[1])
             << " m in full, in the middle level it differs by " << miss << " m\n";
   Expect(miss < 0.01 * std::hypot(full[0], full[1]), "a tree sways alike in both levels");
+}
+
+/// A forest in the middle level: with its prototypes it sways, without them it stands.
+void CheckMediumForest(vtkReevesTreeSource* tree, WindSource* wind)
+{
+  vtkNew<vtkPoints> feet;
+  feet->InsertNextPoint(3.0, 4.0, 50.0);
+  feet->InsertNextPoint(23.0, -5.0, 60.0);
+  const auto wood = WoodOf(feet, tree);
+  wood->SetNearDistance(1.0);
+  wood->SetFarDistance(1e4);
+  wood->Update();
+  const std::vector<float> standing = PointsOf(wood->GetOutputDataObject(0), "Medium/Crown");
+  vtkNew<vtkBeamTreeDeformationFilter> many;
+  many->SetTextureSize(32, 16);
+  many->SetNumberOfTextures(2);
+  many->SetInputConnection(wood->GetOutputPort());
+  many->SetWindConnection(wind->GetOutputPort());
+  many->UpdateTimeStep(2.0);
+  Expect(PointsOf(many->GetOutputDataObject(0), "Medium/Crown") == standing, "without prototypes, crowns stand still");
+  many->AddPrototypeConnection(tree->GetOutputPort());
+  many->UpdateTimeStep(2.0);
+  const std::vector<float> swaying = PointsOf(many->GetOutputDataObject(0), "Medium/Crown");
+  const std::vector<float> trunks = PointsOf(many->GetOutputDataObject(0), "Medium/Trunk");
+  Expect(standing.size() == 2 * PointsOf(tree->GetOutputDataObject(0), "Medium/Crown").size() &&
+      Farthest(swaying, standing) > 0.005,
+    "with them, they sway");
+  const std::vector<float> straight = PointsOf(wood->GetOutputDataObject(0), "Medium/Trunk");
+  Expect(Farthest(trunks, straight) > 0.002, "trunks sway");
+  const std::size_t half = swaying.size() / 2;
+  bool apart = false;
+  for (std::size_t i = 0; i < half; ++i)
+  {
+    apart |= std::abs((swaying[i] - standing[i]) - (swaying[half + i] - standing[half + i])) > 1e-4;
+  }
+  Expect(apart, "crowns at two places sway differently");
+
+  CheckTrunksInFull(wood, many, straight, trunks);
 
   wind->SetStrength(0.0);
   wood->UseLevelsOn();
@@ -378,8 +393,6 @@ void CheckMedium(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tree, 
   wind->SetStrength(8.0);
 }
 
-/// Pictures of crowns go with the wind, wherever it blows to: what a plant shows now, one downwind shows when the wind
-/// has come to it, and one beside it shows at the same time.
 /// Cards of leaves go with the trunk as an envelope does, and keep their own picture and its mean.
 void CheckCards(WindSource* wind)
 {
@@ -431,6 +444,8 @@ void CheckCards(WindSource* wind)
   Expect(others == 0, "cards show their own tufts");
 }
 
+/// Pictures of crowns go with the wind, wherever it blows to: what a plant shows now, one downwind shows when the wind
+/// has come to it, and one beside it shows at the same time.
 void CheckArrival(vtkReevesTreeSource* tree)
 {
   vtkNew<vtkWindFieldSource> wind;
@@ -635,40 +650,31 @@ void CheckBadPlants(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tre
   Expect(errors->ExpectOneNaming("MB to sway"), "too many pictures");
 }
 
+/// All points at a time [s].
+std::vector<float> PointsAt(vtkBeamTreeDeformationFilter* sway, double time)
+{
+  sway->UpdateTimeStep(time);
+  return AllPoints(sway->GetOutputDataObject(0));
 }
 
-int TestBeamTreeDeformationFilter(int, char*[])
+/// An oak sways, the same at a time asked again or first, and repeats.
+void CheckMotion(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tree, WindSource* wind)
 {
-  vtkNew<vtkReevesTreeSource> tree;
-  tree->SetMediumCrownToEnvelope();
-  tree->SetTextureSize(32, 16);
-  tree->Update();
   vtkDataObject* rest = tree->GetOutputDataObject(0);
-  vtkNew<WindSource> wind;
-  vtkNew<vtkBeamTreeDeformationFilter> sway;
-  sway->SetTextureSize(32, 16); // small and few pictures cost less
-  sway->SetNumberOfTextures(2);
-  sway->SetInputConnection(tree->GetOutputPort());
-  sway->SetWindConnection(wind->GetOutputPort());
-  const auto at = [&](double time) {
-    sway->UpdateTimeStep(time);
-    return AllPoints(sway->GetOutputDataObject(0));
-  };
-
   for (const int response : { 0, 1 })
   {
     sway->SetResponse(response);
-    const std::vector<float> first = at(1.3);
+    const std::vector<float> first = PointsAt(sway, 1.3);
     const double far = Farthest(first, AllPoints(rest));
     const double stretch = Stretch(rest, sway->GetOutputDataObject(0));
     std::cout << "response " << response << ": a point goes up to " << far << " m, segments change by " << stretch
               << " m\n";
     Expect(far > 0.02 && far < 3.0, "an oak sways, and not too much");
     Expect(stretch < 1e-6, "segments keep their lengths");
-    const std::vector<float> second = at(4.7);
+    const std::vector<float> second = PointsAt(sway, 4.7);
     Expect(Farthest(first, second) > 1e-3, "the plant moves with time");
-    Expect(at(1.3) == first, "a time asked again gives the same bytes");
-    Expect(Farthest(at(1.3 + Period), first) < 1e-4, "the motion repeats after the period");
+    Expect(PointsAt(sway, 1.3) == first, "a time asked again gives the same bytes");
+    Expect(Farthest(PointsAt(sway, 1.3 + Period), first) < 1e-4, "the motion repeats after the period");
     vtkNew<vtkBeamTreeDeformationFilter> other;
     other->SetTextureSize(32, 16);
     other->SetNumberOfTextures(2);
@@ -682,18 +688,27 @@ int TestBeamTreeDeformationFilter(int, char*[])
   Expect(Farthest(PointsOf(rest, "Low").empty() ? std::vector<float>{ 1.0f } : PointsOf(rest, "Low"),
            PointsOf(sway->GetOutputDataObject(0), "Low")) == 0.0,
     "Low stands still");
+}
 
+/// Without wind the plant is at rest, and soft wood keeps its lengths.
+void CheckCalmAndSoftWood(vtkBeamTreeDeformationFilter* sway, vtkDataObject* rest, WindSource* wind)
+{
   sway->SetResponseToInterpolated();
   wind->SetStrength(0.0);
-  Expect(at(2.0) == AllPoints(rest), "no wind, rest pose exactly");
+  Expect(PointsAt(sway, 2.0) == AllPoints(rest), "no wind, rest pose exactly");
   wind->SetStrength(8.0);
   sway->WoodFromPlantsOff();
   sway->SetYoungModulus(1e8);
-  Expect(at(2.0) != AllPoints(rest) && Stretch(rest, sway->GetOutputDataObject(0)) < 5e-6, "soft wood keeps lengths");
+  Expect(PointsAt(sway, 2.0) != AllPoints(rest) && Stretch(rest, sway->GetOutputDataObject(0)) < 5e-6,
+    "soft wood keeps lengths");
   sway->SetYoungModulus(9e9);
   sway->WoodFromPlantsOn();
+}
 
-  // A scattered wood: each plant in the wind where it stands.
+/// A scattered wood: each plant in the wind where it stands.
+void CheckWood(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tree, WindSource* wind)
+{
+  vtkDataObject* rest = tree->GetOutputDataObject(0);
   vtkNew<vtkPoints> places;
   places->InsertNextPoint(0.0, 0.0, 100.0);
   places->InsertNextPoint(37.0, 5.0, 120.0);
@@ -708,7 +723,7 @@ int TestBeamTreeDeformationFilter(int, char*[])
   wood->Update();
   const std::vector<float> standing = PointsOf(wood->GetOutputDataObject(0), "High/Skeleton");
   Expect(standing.size() == 2 * PointsOf(rest, "High/Skeleton").size(), "two plants in full");
-  at(2.0);
+  PointsAt(sway, 2.0);
   const std::vector<float> bent = PointsOf(sway->GetOutputDataObject(0), "High/Skeleton");
   const std::size_t half = bent.size() / 2;
   const auto shift = [&](std::size_t i) { return double(bent[i]) - standing[i]; };
@@ -716,22 +731,14 @@ int TestBeamTreeDeformationFilter(int, char*[])
   Expect(Stretch(wood->GetOutputDataObject(0), sway->GetOutputDataObject(0)) < 5e-5, "a wood keeps its lengths");
   Expect(std::abs(shift(3 * 12) - shift(half + 3 * 12)) > 1e-6, "plants at two places sway differently");
   wind->SetStrength(0.0);
-  Expect(at(2.0) == AllPoints(wood->GetOutputDataObject(0)), "a wood without wind stands still exactly");
+  Expect(PointsAt(sway, 2.0) == AllPoints(wood->GetOutputDataObject(0)), "a wood without wind stands still exactly");
   wind->SetStrength(8.0);
   sway->SetInputConnection(tree->GetOutputPort());
+}
 
-  CheckLift(sway, rest);
-  CheckFrequency(wind);
-  sway->SetNumberOfTextures(8);
-  CheckMedium(sway, tree, wind);
-  sway->SetNumberOfTextures(2);
-  CheckCards(wind);
-  CheckArrival(tree);
-  CheckThreadsAndPieces(tree, wind);
-  CheckProgressAndAbort(sway, wind);
-
-  vtkNew<ErrorCounter> errors;
-  errors->Watch(sway);
+/// One error for each property or wind that cannot be.
+void CheckBadProperties(vtkBeamTreeDeformationFilter* sway, WindSource* wind, ErrorCounter* errors)
+{
   const auto complains = [&](const char* about) { Expect(errors->ExpectOneNaming(about), about); };
   sway->SetNumberOfModes(11);
   complains("NumberOfModes");
@@ -766,6 +773,41 @@ int TestBeamTreeDeformationFilter(int, char*[])
   sway->SetLeafFlutter(-0.1);
   complains("LeafFlutter");
   sway->SetLeafFlutter(1.0);
+}
+
+}
+
+int TestBeamTreeDeformationFilter(int, char*[])
+{
+  vtkNew<vtkReevesTreeSource> tree;
+  tree->SetMediumCrownToEnvelope();
+  tree->SetTextureSize(32, 16);
+  tree->Update();
+  vtkDataObject* rest = tree->GetOutputDataObject(0);
+  vtkNew<WindSource> wind;
+  vtkNew<vtkBeamTreeDeformationFilter> sway;
+  sway->SetTextureSize(32, 16); // small and few pictures cost less
+  sway->SetNumberOfTextures(2);
+  sway->SetInputConnection(tree->GetOutputPort());
+  sway->SetWindConnection(wind->GetOutputPort());
+  CheckMotion(sway, tree, wind);
+  CheckCalmAndSoftWood(sway, rest, wind);
+  CheckWood(sway, tree, wind);
+  CheckLift(sway, rest);
+  CheckFrequency(wind);
+  sway->SetNumberOfTextures(8);
+  CheckEnvelope(sway, tree);
+  CheckPictures(sway);
+  CheckMediumForest(tree, wind);
+  sway->SetNumberOfTextures(2);
+  CheckCards(wind);
+  CheckArrival(tree);
+  CheckThreadsAndPieces(tree, wind);
+  CheckProgressAndAbort(sway, wind);
+
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(sway);
+  CheckBadProperties(sway, wind, errors);
   CheckBadPlants(sway, tree, errors);
   return Failures;
 }

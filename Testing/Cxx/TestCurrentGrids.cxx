@@ -38,28 +38,21 @@ void AddLinearVelocity(vtkDataSet* data, double scale = 1.0)
   data->GetPointData()->AddArray(velocity);
 }
 
-bool CheckGrids()
+/// Turns an image by 30 degrees, with other numbers along its axes.
+void Turn(vtkImageData* image)
 {
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(21, 21, 5);
-  image->SetOrigin(-10.0, -10.0, -12.0);
-  image->SetSpacing(1.0, 1.0, 3.0);
-  AddLinearVelocity(image);
-  vtkNew<vtkImageData> layer;
-  layer->SetDimensions(21, 21, 1);
-  layer->SetOrigin(-10.0, -10.0, 0.0);
-  AddLinearVelocity(layer);
-  vtkNew<vtkImageData> turned; // by 30 degrees, with other numbers along its axes
-  turned->SetDimensions(41, 31, 5);
-  turned->SetOrigin(-10.0 * std::cos(Pi / 6.0) + 10.0 * std::sin(Pi / 6.0),
+  image->SetDimensions(41, 31, 5);
+  image->SetOrigin(-10.0 * std::cos(Pi / 6.0) + 10.0 * std::sin(Pi / 6.0),
     -10.0 * std::sin(Pi / 6.0) - 10.0 * std::cos(Pi / 6.0), -12.0);
-  turned->SetSpacing(0.5, 20.0 / 30.0, 3.0);
-  turned->SetDirectionMatrix(
+  image->SetSpacing(0.5, 20.0 / 30.0, 3.0);
+  image->SetDirectionMatrix(
     std::cos(Pi / 6.0), -std::sin(Pi / 6.0), 0.0, std::sin(Pi / 6.0), std::cos(Pi / 6.0), 0.0, 0.0, 0.0, 1.0);
-  AddLinearVelocity(turned);
-  vtkNew<vtkRectilinearGrid> rectilinear;
+}
+
+/// Places the nodes of two grids, unequally and, along z, falling.
+void PlaceNodes(vtkRectilinearGrid* rectilinear, vtkStructuredGrid* curved)
+{
   rectilinear->SetDimensions(11, 11, 4);
-  vtkNew<vtkStructuredGrid> curved;
   curved->SetDimensions(11, 11, 4);
   vtkNew<vtkDoubleArray> axes[3];
   vtkNew<vtkPoints> points;
@@ -86,6 +79,25 @@ bool CheckGrids()
   rectilinear->SetYCoordinates(axes[1]);
   rectilinear->SetZCoordinates(axes[2]); // falling
   curved->SetPoints(points);
+}
+
+bool CheckGrids()
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(21, 21, 5);
+  image->SetOrigin(-10.0, -10.0, -12.0);
+  image->SetSpacing(1.0, 1.0, 3.0);
+  AddLinearVelocity(image);
+  vtkNew<vtkImageData> layer;
+  layer->SetDimensions(21, 21, 1);
+  layer->SetOrigin(-10.0, -10.0, 0.0);
+  AddLinearVelocity(layer);
+  vtkNew<vtkImageData> turned;
+  Turn(turned);
+  AddLinearVelocity(turned);
+  vtkNew<vtkRectilinearGrid> rectilinear;
+  vtkNew<vtkStructuredGrid> curved;
+  PlaceNodes(rectilinear, curved);
   AddLinearVelocity(rectilinear);
   AddLinearVelocity(curved);
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -280,25 +292,28 @@ bool CheckOcean()
   return good;
 }
 
+/// A grid whose current rises by 0.05 m/s and `turn` times y [m].
+vtkSmartPointer<vtkImageData> TiltedGrid(const int dimensions[3], double low, double step, double turn)
+{
+  const auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(dimensions);
+  image->SetOrigin(-40.0, -40.0, low);
+  image->SetSpacing(4.0, 4.0, step);
+  vtkNew<vtkDoubleArray> velocity;
+  velocity->SetName("Velocity");
+  velocity->SetNumberOfComponents(3);
+  for (vtkIdType id = 0; id < image->GetNumberOfPoints(); ++id)
+  {
+    velocity->InsertNextTuple3(0.2, 0.0, 0.05 + turn * image->GetPoint(id)[1]);
+  }
+  image->GetPointData()->AddArray(velocity);
+  return image;
+}
+
 /// Grids that flow through the bed and the surface: what goes in and out again is taken away.
 bool CheckGridsThroughWalls()
 {
   bool good = true;
-  const auto make = [](const int dimensions[3], double low, double step, double turn) {
-    vtkNew<vtkImageData> image;
-    image->SetDimensions(dimensions);
-    image->SetOrigin(-40.0, -40.0, low);
-    image->SetSpacing(4.0, 4.0, step);
-    vtkNew<vtkDoubleArray> velocity;
-    velocity->SetName("Velocity");
-    velocity->SetNumberOfComponents(3);
-    for (vtkIdType id = 0; id < image->GetNumberOfPoints(); ++id)
-    {
-      velocity->InsertNextTuple3(0.2, 0.0, 0.05 + turn * image->GetPoint(id)[1]);
-    }
-    image->GetPointData()->AddArray(velocity);
-    return image;
-  };
   const struct
   {
     const char* Name;
@@ -317,7 +332,7 @@ bool CheckGridsThroughWalls()
     {
       vtkNew<Drift> drift;
       drift->SetInputData(0, OneParticle(-30.0, 7.0, -4.0));
-      drift->SetInputData(1, make(one.Dimensions, one.Low, one.Step, one.Turn));
+      drift->SetInputData(1, TiltedGrid(one.Dimensions, one.Low, one.Step, one.Turn));
       drift->SetWaterDepth(one.Depth);
       drift->SetVelocityInterpolation(interpolation);
       drift->UpdateTimeStep(200.0);
@@ -327,8 +342,15 @@ bool CheckGridsThroughWalls()
       good &= Check(error < 1e-4, "a grid flows through bed and surface");
     }
   }
-  // Between the end of a grid and a wall that is near, the horizontal flow goes on, and the vertical one falls to 0.
-  vtkNew<vtkImageData> ended = make(cases[0].Dimensions, -9.0, 1.0, 0.0); // up to -1 m
+  return good;
+}
+
+/// Between the end of a grid and a wall that is near, the horizontal flow goes on, and the vertical one falls to 0.
+bool CheckEndOfGrid()
+{
+  bool good = true;
+  const int dimensions[3] = { 21, 21, 9 };
+  const auto ended = TiltedGrid(dimensions, -9.0, 1.0, 0.0); // up to -1 m
   const auto currentAt = [&](double z, double level) {
     vtkNew<Drift> drift;
     drift->SetInputData(0, OneParticle(0.0, 0.0, z));
@@ -343,7 +365,13 @@ bool CheckGridsThroughWalls()
     "the end of a grid is not joined to the surface");
   good &= Check(std::abs(currentAt(-2.0, 0.0)[1] - 0.05) < 1e-6, "a grid below the surface is changed");
   good &= Check(currentAt(-0.25, 0.5)[0] == 0.0, "a grid reaches farther than its last step");
-  // Of uneven layers each end has its own step: 5 m at the bed, 1 m at the surface.
+  return good;
+}
+
+/// Of uneven layers each end has its own step: 5 m at the bed, 1 m at the surface.
+bool CheckUnevenLayers()
+{
+  bool good = true;
   for (const bool isFalling : { false, true })
   {
     const double heights[2][4] = { { -9.0, -4.0, -2.0, -1.0 }, { -1.0, -2.0, -4.0, -9.0 } };
@@ -394,5 +422,7 @@ int TestCurrentGrids(int, char*[])
   good &= CheckOneSample();
   good &= CheckOcean();
   good &= CheckGridsThroughWalls();
+  good &= CheckEndOfGrid();
+  good &= CheckUnevenLayers();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

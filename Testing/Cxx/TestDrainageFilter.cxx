@@ -4,6 +4,7 @@
 // input.
 #include "Check.h"
 #include "ErrorCounter.h"
+#include "GroundImage.h"
 #include "vtkDrainageFilter.h"
 #include "vtkGroundStatisticsFilter.h"
 #include "vtkTurningBandsTerrainSource.h"
@@ -41,27 +42,6 @@ namespace
 const double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int StepX[8] = { 1, 1, 0, -1, -1, -1, 0, 1 };
 constexpr int StepY[8] = { 0, 1, 1, 1, 0, -1, -1, -1 };
-
-vtkNew<vtkImageData> Image(int nx, int ny, int nz, const std::function<double(int, int)>& valueAt)
-{
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(nx, ny, nz);
-  image->SetSpacing(10.0, 20.0, 1.0);
-  image->SetOrigin(500.0, -300.0, 0.0);
-  vtkNew<vtkDoubleArray> values;
-  values->SetName("Elevation");
-  for (int n = 0; n < nx * ny * nz; ++n)
-  {
-    values->InsertNextValue(valueAt(n % nx, n / nx % ny));
-  }
-  image->GetPointData()->SetScalars(values);
-  return image;
-}
-
-double Ramp(int i, int j)
-{
-  return 3.0 * i + 0.5 * j;
-}
 
 vtkNew<vtkTurningBandsTerrainSource> Terrain(int size, int seed = 1)
 {

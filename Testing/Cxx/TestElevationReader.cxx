@@ -3,6 +3,7 @@
 // Rasters of heights read: an ESRI grid of known heights, holes, units, parts, projections, every bad input.
 #include "Check.h"
 #include "ErrorCounter.h"
+#include "TestFolder.h"
 #include "vtkElevationReader.h"
 
 #include "vtkDataSetAttributes.h"
@@ -11,7 +12,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
-#include "vtkTestUtilities.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
@@ -35,26 +35,12 @@ std::string Grid(const char* corner = "xllcorner 500000\nyllcorner 5300000\ncell
     "NODATA_value -9999\n31 -9999 33 34.5\n21 22 23 24\n11 12 13 14\n";
 }
 
-class Folder
+/// Writes a file, and returns its path.
+std::string Write(const fs::path& path, const std::string& text)
 {
-public:
-  explicit Folder(const fs::path& path)
-    : Path(path)
-  {
-    fs::remove_all(path);
-    fs::create_directories(path);
-  }
-
-  std::string Write(const std::string& name, const std::string& text) const
-  {
-    const std::string path = (this->Path / name).string();
-    std::ofstream(path) << text;
-    return path;
-  }
-
-private:
-  fs::path Path;
-};
+  std::ofstream(path) << text;
+  return path.string();
+}
 
 double HeightAt(vtkImageData* image, int i, int j)
 {
@@ -124,7 +110,7 @@ bool ProjectsDegrees(const std::string& path)
       "The middle of zone 31 on the equator is not at 500 km");
 }
 
-bool BadInput(const Folder& folder, const std::string& grid, const std::string& degrees)
+bool BadInput(const fs::path& folder, const std::string& grid, const std::string& degrees)
 {
   vtkNew<vtkElevationReader> reader;
   vtkNew<ErrorCounter> errors;
@@ -132,7 +118,7 @@ bool BadInput(const Folder& folder, const std::string& grid, const std::string& 
   bool good = errors->ExpectOneNaming("FileName is empty");
   reader->SetFileName("/no/such/raster.tif");
   good &= errors->ExpectOneNaming("/no/such/raster.tif");
-  reader->SetFileName(folder.Write("words.tif", "This is no raster.").c_str());
+  reader->SetFileName(Write(folder / "words.tif", "This is no raster.").c_str());
   good &= errors->ExpectOneNaming("words.tif");
   reader->SetFileName(degrees.c_str());
   reader->SetFileCoordinateSystem("EPSG:4326");
@@ -161,11 +147,9 @@ bool BadInput(const Folder& folder, const std::string& grid, const std::string& 
 
 int TestElevationReader(int argc, char* argv[])
 {
-  char* temporary = vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary");
-  const Folder folder(fs::absolute(temporary) / "TestElevationReader");
-  delete[] temporary;
-  const std::string grid = folder.Write("grid.asc", Grid());
-  const std::string degrees = folder.Write("degrees.asc", Grid("xllcorner 3\nyllcorner 0\ncellsize 0.001\n"));
+  const fs::path folder = EmptyFolder(argc, argv, "TestElevationReader");
+  const std::string grid = Write(folder / "grid.asc", Grid());
+  const std::string degrees = Write(folder / "degrees.asc", Grid("xllcorner 3\nyllcorner 0\ncellsize 0.001\n"));
   bool good = ReadsGrid(grid);
   good &= ProjectsDegrees(degrees);
   good &= BadInput(folder, grid, degrees);

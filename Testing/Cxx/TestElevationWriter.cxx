@@ -3,6 +3,7 @@
 // Heights written as GeoTIFF and read back, byte by byte; every bad input, with the old file untouched.
 #include "Check.h"
 #include "ErrorCounter.h"
+#include "TestFolder.h"
 #include "vtkElevationReader.h"
 #include "vtkElevationWriter.h"
 
@@ -13,14 +14,11 @@
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
-#include "vtkTestUtilities.h"
 
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
@@ -50,12 +48,6 @@ vtkSmartPointer<vtkImageData> Image()
   }
   image->GetPointData()->SetScalars(heights);
   return image;
-}
-
-std::string BytesOf(const std::string& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  return { std::istreambuf_iterator<char>(file), {} };
 }
 
 bool RoundTrip(const std::string& path)
@@ -153,11 +145,7 @@ bool BadInput(const std::string& path)
 
 int TestElevationWriter(int argc, char* argv[])
 {
-  char* temporary = vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary");
-  const fs::path folder = fs::absolute(temporary) / "TestElevationWriter";
-  delete[] temporary;
-  fs::remove_all(folder);
-  fs::create_directories(folder);
+  const fs::path folder = EmptyFolder(argc, argv, "TestElevationWriter");
   const std::string path = (folder / "heights.tif").string();
   bool good = RoundTrip(path);
   good &= BadInput(path);

@@ -4,6 +4,7 @@
 // untouched.
 #include "Check.h"
 #include "ErrorCounter.h"
+#include "TestFolder.h"
 #include "vtkGLTFSceneWriter.h"
 
 #include "vtkCellArray.h"
@@ -15,16 +16,13 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
-#include "vtkTestUtilities.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -62,12 +60,6 @@ vtkSmartPointer<vtkImageData> Terrain()
   }
   terrain->GetPointData()->SetScalars(heights);
   return terrain;
-}
-
-std::string BytesOf(const std::string& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  return { std::istreambuf_iterator<char>(file), {} };
 }
 
 /// A number of 32 bits at a place of a file, lowest byte first.
@@ -206,11 +198,7 @@ bool BadInput(const std::string& path)
 
 int TestGLTFSceneWriter(int argc, char* argv[])
 {
-  char* temporary = vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary");
-  const fs::path folder = fs::absolute(temporary) / "TestGLTFSceneWriter";
-  delete[] temporary;
-  fs::remove_all(folder);
-  fs::create_directories(folder);
+  const fs::path folder = EmptyFolder(argc, argv, "TestGLTFSceneWriter");
   const std::string path = (folder / "scene.glb").string();
   bool good = WritesScene(path);
   good &= BadInput(path);

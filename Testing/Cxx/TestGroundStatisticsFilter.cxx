@@ -3,6 +3,7 @@
 // Statistics of ground through the pipeline: tables, sea level, pieces, memory, and every bad input.
 #include "Check.h"
 #include "ErrorCounter.h"
+#include "GroundImage.h"
 #include "vtkGroundStatisticsFilter.h"
 #include "vtkTurningBandsTerrainSource.h"
 
@@ -37,21 +38,6 @@ double Value(vtkTable* table, const char* column, vtkIdType row = 0)
   return table->GetValueByName(row, column).ToDouble();
 }
 
-vtkNew<vtkImageData> Image(int nx, int ny, int nz, const std::function<double(int, int)>& valueAt)
-{
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(nx, ny, nz);
-  image->SetSpacing(10.0, 20.0, 1.0);
-  vtkNew<vtkDoubleArray> values;
-  values->SetName("Elevation");
-  for (int n = 0; n < nx * ny * nz; ++n)
-  {
-    values->InsertNextValue(valueAt(n % nx, n / nx % ny));
-  }
-  image->GetPointData()->SetScalars(values);
-  return image;
-}
-
 bool Fails(const char* word, vtkImageData* image, const std::function<void(vtkGroundStatisticsFilter*)>& spoil = {})
 {
   vtkNew<vtkGroundStatisticsFilter> statistics;
@@ -66,11 +52,6 @@ bool Fails(const char* word, vtkImageData* image, const std::function<void(vtkGr
     good &= Check(Output(statistics, port)->GetNumberOfColumns() == 0, "a refused input leaves a table");
   }
   return good;
-}
-
-double Ramp(int i, int j)
-{
-  return 3.0 * i + 0.5 * j;
 }
 
 /// A pit of 2 x 3 cells, 5 m deep, in a ramp of slope 0.3 along x and 0.025 along y.

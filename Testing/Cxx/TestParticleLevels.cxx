@@ -595,19 +595,27 @@ bool CheckDriftedGroups()
   return good;
 }
 
-bool CheckFog()
+/// 20000 particles of two radii, with the sum of their cross sections [m2].
+vtkSmartPointer<vtkPolyData> ParticlesOfTwoSizes(double& section)
 {
-  vtkNew<Sea> sea;
-  vtkNew<vtkPolyData> particles = Particles(20000);
+  vtkSmartPointer<vtkPolyData> particles = Particles(20000).Get();
   vtkNew<vtkFloatArray> radius;
   radius->SetName("Radius");
-  double section = 0.0;
+  section = 0.0;
   for (int n = 0; n < 20000; ++n)
   {
     radius->InsertNextValue(n % 2 ? 0.01f : 0.02f);
     section += vtkMath::Pi() * radius->GetValue(n) * radius->GetValue(n);
   }
   particles->GetPointData()->AddArray(radius);
+  return particles;
+}
+
+/// The image of particles that are all fog has their cross sections.
+bool CheckFog()
+{
+  double section = 0.0;
+  const auto particles = ParticlesOfTwoSizes(section);
   vtkNew<Fog> fog;
   fog->SetInputData(particles);
   fog->SetDimensions(20, 24, 11);
@@ -621,46 +629,16 @@ bool CheckFog()
   const double volume = 16.0 * 22.0 * 9.0;
   const double center = extinction->GetTuple1(image->vtkDataSet::FindPoint(0.0, 9.0, -4.5));
   good &= Check(center > 0.2 * section / volume && center < 3.0 * section / volume, "another extinction");
+  return good;
+}
 
-  // Near, slaves and fog hide as much in all as all particles do as fog.
-  vtkNew<Levels> levels;
-  levels->SetInputData(0, particles);
-  levels->SetSeaStateConnection(sea->GetOutputPort());
-  LookAlongY(levels);
-  levels->UseCullingOff();
-  vtkNew<Fog> far;
-  far->SetInputConnection(levels->GetOutputPort());
-  far->UseBoundsOn();
-  far->SetBounds(-8.0, 8.0, -2.0, 20.0, -9.0, 0.0);
-  far->SetGridBy(Fog::BySpacing);
-  far->SetSpacing(0.5);
-  far->Update();
-  int dimensions[3];
-  far->GetOutput()->GetDimensions(dimensions);
-  good &= Check(dimensions[0] == 33 && dimensions[1] == 45 && dimensions[2] == 19, "another grid");
-  double alone = 0.0;
-  double faded = 0.0;
-  for (int index = 0; index < 3; ++index)
-  {
-    vtkPointData* arrays = BlockOf(levels, index)->GetPointData();
-    for (vtkIdType n = 0; n < arrays->GetNumberOfTuples(); ++n)
-    {
-      const double r = arrays->GetArray("Radius")->GetTuple1(n);
-      (index < 2 ? alone : faded) += arrays->GetArray("Alpha")->GetTuple1(n) * vtkMath::Pi() * r * r;
-    }
-  }
-  good &= Check(std::abs((alone + Counter(far, "CrossSection")) / section - 1.0) < 1e-5 && faded > 0.1 * section,
-    "particles and fog do not make one whole");
-  vtkDataArray* field = far->GetOutput()->GetPointData()->GetScalars();
-  good &=
-    Check(field->GetTuple1(far->GetOutput()->vtkDataSet::FindPoint(0.0, 5.0, -4.0)) == 0.0, "fog about near particles");
-
-  const double clearest = field->GetRange()[0];
-
-  // Water of its own, sub-extents, threads.
+/// Water has an extinction of its own, and a part of the image is the same on any threads.
+bool CheckFogInWater(Fog* far)
+{
+  const double clearest = far->GetOutput()->GetPointData()->GetScalars()->GetRange()[0];
   far->SetWaterExtinction(0.065);
   far->Update();
-  good &=
+  bool good =
     Check(clearest == 0.0 && std::abs(far->GetOutput()->GetPointData()->GetScalars()->GetRange()[0] - 0.065) < 1e-6,
       "no water");
   vtkNew<vtkImageData> whole;
@@ -682,8 +660,52 @@ bool CheckFog()
   }
   vtkSMPTools::Initialize(0);
   good &= Check(good, "a part of the image is another");
+  return good;
+}
 
-  // No particles are no error: water alone.
+/// Near, slaves and fog hide as much in all as all particles do as fog.
+bool CheckFogOfLevels()
+{
+  double section = 0.0;
+  const auto particles = ParticlesOfTwoSizes(section);
+  vtkNew<Sea> sea;
+  vtkNew<Levels> levels;
+  levels->SetInputData(0, particles);
+  levels->SetSeaStateConnection(sea->GetOutputPort());
+  LookAlongY(levels);
+  levels->UseCullingOff();
+  vtkNew<Fog> far;
+  far->SetInputConnection(levels->GetOutputPort());
+  far->UseBoundsOn();
+  far->SetBounds(-8.0, 8.0, -2.0, 20.0, -9.0, 0.0);
+  far->SetGridBy(Fog::BySpacing);
+  far->SetSpacing(0.5);
+  far->Update();
+  int dimensions[3];
+  far->GetOutput()->GetDimensions(dimensions);
+  bool good = Check(dimensions[0] == 33 && dimensions[1] == 45 && dimensions[2] == 19, "another grid");
+  double alone = 0.0;
+  double faded = 0.0;
+  for (int index = 0; index < 3; ++index)
+  {
+    vtkPointData* arrays = BlockOf(levels, index)->GetPointData();
+    for (vtkIdType n = 0; n < arrays->GetNumberOfTuples(); ++n)
+    {
+      const double r = arrays->GetArray("Radius")->GetTuple1(n);
+      (index < 2 ? alone : faded) += arrays->GetArray("Alpha")->GetTuple1(n) * vtkMath::Pi() * r * r;
+    }
+  }
+  good &= Check(std::abs((alone + Counter(far, "CrossSection")) / section - 1.0) < 1e-5 && faded > 0.1 * section,
+    "particles and fog do not make one whole");
+  vtkDataArray* field = far->GetOutput()->GetPointData()->GetScalars();
+  good &=
+    Check(field->GetTuple1(far->GetOutput()->vtkDataSet::FindPoint(0.0, 5.0, -4.0)) == 0.0, "fog about near particles");
+  return good & CheckFogInWater(far);
+}
+
+/// No particles are no error: water alone.
+bool CheckFogOfNothing()
+{
   vtkNew<vtkPolyData> nothing;
   vtkNew<Fog> clear;
   clear->SetInputData(nothing);
@@ -692,9 +714,8 @@ bool CheckFog()
   errors->Watch(clear);
   clear->Update();
   const double* range = clear->GetOutput()->GetPointData()->GetScalars()->GetRange();
-  return good &
-    Check(errors->Count == 0 && std::abs(range[0] - 0.1) < 1e-6 && std::abs(range[1] - 0.1) < 1e-6,
-      "clear water is an error");
+  return Check(errors->Count == 0 && std::abs(range[0] - 0.1) < 1e-6 && std::abs(range[1] - 0.1) < 1e-6,
+    "clear water is an error");
 }
 
 bool LevelsFail(const char* word, const std::function<void(Levels*, vtkPolyData*)>& spoil, bool withSea = true)
@@ -857,6 +878,8 @@ int TestParticleLevels(int argc, char* argv[])
   good &= CheckCarriedArrays();
   good &= CheckDriftedGroups();
   good &= CheckFog();
+  good &= CheckFogOfLevels();
+  good &= CheckFogOfNothing();
   good &= CheckBadInput();
   return good && Picture(argc, argv) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -372,11 +372,101 @@ bool CheckMeasuredSpectrum()
       "half of the energy is left out in silence");
 }
 
-/// A regular wave is the textbook's: H/2 cos(k d . x - w t) high at its surface, w2 = g k tanh kh, orbits with the axes
-/// H/2 cosh k(z+h) / sinh kh and H/2 sinh k(z+h) / sinh kh; whatever is said of the cut of spectra.
+constexpr double Pi = 3.14159265358979323846;
+
+struct RegularWave
+{
+  double Height;
+  double Period;
+  double Depth; ///< 0: deep
+
+  double Frequency() const { return 2.0 * Pi / this->Period; } ///< [rad/s]
+};
+
+/// Wave number k by bisection of w2 = g k tanh kh.
+double WaveNumberOf(const RegularWave& wave)
+{
+  const double w = wave.Frequency();
+  double low = 0.0;
+  double high = w * w / 9.80665 + w / std::sqrt(9.80665 * (wave.Depth > 0.0 ? wave.Depth : 1e9));
+  for (int halving = 0; halving < 200; ++halving)
+  {
+    const double k = 0.5 * (low + high);
+    (9.80665 * k * (wave.Depth > 0.0 ? std::tanh(k * wave.Depth) : 1.0) < w * w ? low : high) = k;
+  }
+  return 0.5 * (low + high);
+}
+
+/// The state of a regular wave has one train, whatever is said of the cut of spectra.
+bool CheckRegularState(Sea* sea, double height, double period)
+{
+  bool good = true;
+  vtkNew<vtkTable> plain;
+  plain->DeepCopy(sea->GetOutput());
+  good &= Check(plain->GetNumberOfRows() == 1, "not one train");
+  good &= Check(std::abs(Field(sea, "SignificantWaveHeight") / (std::sqrt(2.0) * height) - 1.0) < 1e-12 &&
+      std::abs(Field(sea, "PeakPeriod") / period - 1.0) < 1e-12 &&
+      std::abs(Field(sea, "Period") / period - 1.0) < 1e-12 && Field(sea, "EnergyLeftOut") == 0.0,
+    "field data of another wave");
+  sea->SetNumberOfTrains(70);
+  sea->SetFrequencyRange(0.95, 1.05);
+  sea->SetSpreading(3.0);
+  sea->SetSeed(9);
+  sea->EqualSpacingOn();
+  sea->SetPeakEnhancement(0.5);
+  sea->Update();
+  for (vtkIdType column = 0; column < plain->GetNumberOfColumns(); ++column)
+  {
+    good &= Check(sea->GetOutput()->GetValue(0, column) == plain->GetValue(0, column), "the cut has an effect");
+  }
+  return good;
+}
+
+/// Orbits have the axes H/2 cosh k(z+h) / sinh kh and H/2 sinh k(z+h) / sinh kh.
+bool CheckRegularOrbits(Sea* sea, const RegularWave& wave)
+{
+  bool good = true;
+  const double w = wave.Frequency();
+  const double k = WaveNumberOf(wave);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(0.0, 0.0, 5.0);
+  points->InsertNextPoint(7.0, -11.0, 5.0);
+  points->InsertNextPoint(-3.0, 2.0, 4.2);
+  points->InsertNextPoint(900.0, 40.0, 2.5);
+  vtkNew<vtkPolyData> centers;
+  centers->SetPoints(points);
+  vtkNew<Orbits> orbits;
+  orbits->SetInputData(0, centers);
+  orbits->SetSeaStateConnection(sea->GetOutputPort());
+  for (const double time : { 0.0, 0.3 * wave.Period, 40.1 })
+  {
+    orbits->UpdateTimeStep(time);
+    auto* moved = vtkPolyData::SafeDownCast(orbits->GetOutputDataObject(0));
+    for (vtkIdType id = 0; id < 4; ++id)
+    {
+      const double* x = points->GetPoint(id);
+      const double z = x[2] - 5.0;
+      const double phase = k * (std::cos(Pi / 6.0) * x[0] + 0.5 * x[1]) - w * time;
+      const double y = k * wave.Depth;
+      const bool isDeep = wave.Depth == 0.0;
+      const double across = 0.5 * wave.Height * (isDeep ? std::exp(k * z) : std::cosh(k * z + y) / std::sinh(y));
+      const double up = 0.5 * wave.Height * (isDeep ? std::exp(k * z) : std::sinh(k * z + y) / std::sinh(y));
+      const double wanted[3] = { x[0] - across * std::sin(phase) * std::cos(Pi / 6.0),
+        x[1] - across * std::sin(phase) * 0.5, x[2] + up * std::cos(phase) };
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double error = std::abs(moved->GetPoint(id)[axis] - wanted[axis]);
+        good &= Check(error < 1e-9 * wave.Height, "a particle is not on the orbit of the regular wave");
+      }
+    }
+  }
+  return good;
+}
+
+/// A regular wave is the textbook's, H/2 cos(k d . x - w t) high at its surface.
 bool CheckRegularWave()
 {
-  constexpr double pi = 3.14159265358979323846;
   bool good = true;
   for (const double height : { 0.3, 2.0, 9.0 })
   {
@@ -396,80 +486,25 @@ bool CheckRegularWave()
         messages->Watch(sea);
         messages->WatchWarnings();
         sea->Update();
-        vtkNew<vtkTable> plain;
-        plain->DeepCopy(sea->GetOutput());
-        good &= Check(plain->GetNumberOfRows() == 1, "not one train");
-        good &= Check(std::abs(Field(sea, "SignificantWaveHeight") / (std::sqrt(2.0) * height) - 1.0) < 1e-12 &&
-            std::abs(Field(sea, "PeakPeriod") / period - 1.0) < 1e-12 &&
-            std::abs(Field(sea, "Period") / period - 1.0) < 1e-12 && Field(sea, "EnergyLeftOut") == 0.0,
-          "field data of another wave");
-        sea->SetNumberOfTrains(70);
-        sea->SetFrequencyRange(0.95, 1.05);
-        sea->SetSpreading(3.0);
-        sea->SetSeed(9);
-        sea->EqualSpacingOn();
-        sea->SetPeakEnhancement(0.5);
-        sea->Update();
-        for (vtkIdType column = 0; column < plain->GetNumberOfColumns(); ++column)
-        {
-          good &= Check(sea->GetOutput()->GetValue(0, column) == plain->GetValue(0, column), "the cut has an effect");
-        }
+        good &= CheckRegularState(sea, height, period);
         good &= Check(messages->Warnings == 0 && messages->Count == 0, "a regular wave is warned of");
-
-        const double w = 2.0 * pi / period;
-        double low = 0.0;
-        double high = w * w / 9.80665 + w / std::sqrt(9.80665 * (depth > 0.0 ? depth : 1e9));
-        for (int halving = 0; halving < 200; ++halving)
-        {
-          const double k = 0.5 * (low + high);
-          (9.80665 * k * (depth > 0.0 ? std::tanh(k * depth) : 1.0) < w * w ? low : high) = k;
-        }
-        const double k = 0.5 * (low + high);
-        vtkNew<vtkPoints> points;
-        points->SetDataTypeToDouble();
-        points->InsertNextPoint(0.0, 0.0, 5.0);
-        points->InsertNextPoint(7.0, -11.0, 5.0);
-        points->InsertNextPoint(-3.0, 2.0, 4.2);
-        points->InsertNextPoint(900.0, 40.0, 2.5);
-        vtkNew<vtkPolyData> centers;
-        centers->SetPoints(points);
-        vtkNew<Orbits> orbits;
-        orbits->SetInputData(0, centers);
-        orbits->SetSeaStateConnection(sea->GetOutputPort());
-        for (const double time : { 0.0, 0.3 * period, 40.1 })
-        {
-          orbits->UpdateTimeStep(time);
-          auto* moved = vtkPolyData::SafeDownCast(orbits->GetOutputDataObject(0));
-          for (vtkIdType id = 0; id < 4; ++id)
-          {
-            const double* x = points->GetPoint(id);
-            const double z = x[2] - 5.0;
-            const double phase = k * (std::cos(pi / 6.0) * x[0] + 0.5 * x[1]) - w * time;
-            const double y = k * depth;
-            const bool isDeep = depth == 0.0;
-            const double across = 0.5 * height * (isDeep ? std::exp(k * z) : std::cosh(k * z + y) / std::sinh(y));
-            const double up = 0.5 * height * (isDeep ? std::exp(k * z) : std::sinh(k * z + y) / std::sinh(y));
-            const double wanted[3] = { x[0] - across * std::sin(phase) * std::cos(pi / 6.0),
-              x[1] - across * std::sin(phase) * 0.5, x[2] + up * std::cos(phase) };
-            for (int axis = 0; axis < 3; ++axis)
-            {
-              const double error = std::abs(moved->GetPoint(id)[axis] - wanted[axis]);
-              good &= Check(error < 1e-9 * height, "a particle is not on the orbit of the regular wave");
-            }
-          }
-        }
+        good &= CheckRegularOrbits(sea, { height, period, depth });
       }
     }
   }
-  // By a wind: height and period of its fully developed sea.
+  return good;
+}
+
+/// A regular wave by a wind has the height and the period of its fully developed sea.
+bool CheckRegularWaveByWind()
+{
   vtkNew<Sea> sea;
   sea->SetSpectrum(Sea::Regular);
   sea->Update();
   const double height = 400.0 / 9.80665 * std::sqrt(8.1e-3 / (4.0 * 0.74));
-  good &= Check(std::abs(sea->GetOutput()->GetValueByName(0, "Amplitude").ToDouble() - 0.5 * height) < 1e-9 &&
+  return Check(std::abs(sea->GetOutput()->GetValueByName(0, "Amplitude").ToDouble() - 0.5 * height) < 1e-9 &&
       std::abs(Field(sea, "PeakPeriod") - 7.30) < 5e-3,
     "another regular wave by the wind");
-  return good;
 }
 
 /// The closed form of Pierson and Moskowitz says what is left out; more than 2 % is said once.
@@ -613,6 +648,7 @@ int TestParticleOrbits(int, char*[])
   good &= CheckMeasuredSpectrum();
   good &= CheckEnergyLeftOut();
   good &= CheckRegularWave();
+  good &= CheckRegularWaveByWind();
   good &= CheckReturn();
   good &= CheckBadInput();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -630,12 +630,10 @@ bool TestWarning()
   return Check(messages->Count == 0, "a warning is an error") && good;
 }
 
-bool TestBadInput()
+/// One message about each skeleton that cannot be, and no output.
+bool RefusesPlants(Scene& scene, ErrorCounter* errors)
 {
   bool good = true;
-  Scene scene;
-  vtkNew<ErrorCounter> errors;
-  errors->Watch(scene.Move);
   const auto broken = [&](const char* word, const std::function<void(vtkPolyData*)>& breaks) {
     vtkNew<vtkMultiBlockDataSet> plants = Stems({ { 0.0, 0.0, 0.0 }, { 2.0, 0.0, 0.0 } }, 4);
     breaks(Part(plants, "Skeleton"));
@@ -663,10 +661,13 @@ bool TestBadInput()
   vtkNew<vtkMultiBlockDataSet> none;
   scene.Move->SetInputData(none);
   good = Check(errors->ExpectOneNaming("High/Skeleton"), "no message about a missing skeleton") && good;
-  scene.Move->SetInputConnection(scene.Plant->GetOutputPort());
-  scene.Move->RemoveAllCurrents();
-  scene.Move->RemoveSeaState();
-  good = Check(errors->ExpectOneNaming("no sea state"), "no message about a missing sea") && good;
+  return good;
+}
+
+/// One message about each number that a sea state lacks, or that is none.
+bool RefusesSeas(Scene& scene, ErrorCounter* errors)
+{
+  bool good = true;
   scene.Sea->Update();
   for (const char* column : { "Amplitude", "AngularFrequency", "WaveNumber", "Direction", "Phase" })
   {
@@ -690,7 +691,13 @@ bool TestBadInput()
   vtkNew<vtkTable> calm;
   scene.Move->SetInputData(1, calm);
   good = Check(errors->ExpectOneNaming("no wave trains"), "no message about an empty sea state") && good;
-  scene.Move->SetSeaStateConnection(scene.Sea->GetOutputPort());
+  return good;
+}
+
+/// One message about each number of a current that is none.
+bool RefusesCurrents(Scene& scene, ErrorCounter* errors)
+{
+  bool good = true;
   scene.Current->SetFlowType(vtkFlowPrimitiveSource::Vortex);
   scene.Current->Update();
   for (const char* name : { "Strength", "Axis", "CoreRadius", "InfluenceRadius" })
@@ -703,18 +710,18 @@ bool TestBadInput()
     good = Check(errors->ExpectOneNaming(name), std::string("no message about NaN in ") + name) && good;
   }
   scene.Move->RemoveAllCurrents();
-  for (double time : { std::nan(""), std::numeric_limits<double>::infinity() })
-  {
-    scene.Move->GetOutputInformation(0)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), time);
-    good = Check(errors->ExpectOneNaming("time"), "no message about a time that is no number") && good;
-  }
-  scene.Move->GetOutputInformation(0)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), 0.0);
+  return good;
+}
+
+/// One message about each property that cannot be.
+bool RefusesProperties(Filter* move, ErrorCounter* errors)
+{
+  bool good = true;
   const auto property = [&](const char* word, const std::function<void()>& breaks, const std::function<void()>& mends) {
     breaks();
     good = Check(errors->ExpectOneNaming(word), std::string("no message about ") + word) && good;
     mends();
   };
-  Filter* move = scene.Move;
   property(
     "TimeStep", [move]() { move->SetTimeStep(0.0); }, [move]() { move->SetTimeStep(0.02); });
   property(
@@ -731,6 +738,30 @@ bool TestBadInput()
     "TimeRange", [move]() { move->SetTimeRange(1.0, 1.0); }, [move]() { move->SetTimeRange(0.0, 60.0); });
   property(
     "StartTime", [move]() { move->SetStartTime(std::nan("")); }, [move]() { move->SetStartTime(-2.0); });
+  return good;
+}
+
+bool TestBadInput()
+{
+  bool good = true;
+  Scene scene;
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(scene.Move);
+  good &= RefusesPlants(scene, errors);
+  scene.Move->SetInputConnection(scene.Plant->GetOutputPort());
+  scene.Move->RemoveAllCurrents();
+  scene.Move->RemoveSeaState();
+  good = Check(errors->ExpectOneNaming("no sea state"), "no message about a missing sea") && good;
+  good &= RefusesSeas(scene, errors);
+  scene.Move->SetSeaStateConnection(scene.Sea->GetOutputPort());
+  good &= RefusesCurrents(scene, errors);
+  for (double time : { std::nan(""), std::numeric_limits<double>::infinity() })
+  {
+    scene.Move->GetOutputInformation(0)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), time);
+    good = Check(errors->ExpectOneNaming("time"), "no message about a time that is no number") && good;
+  }
+  scene.Move->GetOutputInformation(0)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), 0.0);
+  good &= RefusesProperties(scene.Move, errors);
   scene.Move->UpdateTimeStep(0.0);
   good = Check(Part(scene.Move->GetOutputDataObject(0), "Skeleton") != nullptr, "no plants after mending") && good;
   return good;

@@ -266,7 +266,15 @@ bool Preferences()
     next += slope.Filter->GetOutput()->GetNumberOfPoints();
   }
   good &= Check(next == count, "sites in parts");
-  // Sites with a species keep it.
+  return good;
+}
+
+/// Sites with a species keep it; without thinning all stay, and without a table there are four species.
+bool SpeciesOfSites()
+{
+  Slope slope;
+  slope.AddDrainage(300.0);
+  slope.Filter->ThinningOn();
   vtkNew<vtkIntArray> species;
   species->SetName("Species");
   species->SetNumberOfTuples(10000);
@@ -275,7 +283,7 @@ bool Preferences()
   slope.Filter->Update();
   double range[2];
   Of(slope.Filter->GetOutput(), "Species")->GetRange(range);
-  good &= Check(range[0] == 1.0 && slope.Filter->GetOutput()->GetNumberOfPoints() > 1000, "a species of its own");
+  bool good = Check(range[0] == 1.0 && slope.Filter->GetOutput()->GetNumberOfPoints() > 1000, "a species of its own");
   slope.Filter->ThinningOff();
   slope.Filter->Update();
   good &= Check(slope.Filter->GetOutput()->GetNumberOfPoints() == 10000, "all sites");
@@ -285,7 +293,14 @@ bool Preferences()
   slope.Filter->Update();
   Of(slope.Filter->GetOutput(), "Species")->GetRange(range);
   good &= Check(range[0] == 0.0 && range[1] == 3.0, "the usual species");
-  // On gentle ground as wet as birches like it there are more of them than on dry ground.
+  return good;
+}
+
+/// On gentle ground as wet as birches like it there are more of them than on dry ground.
+bool BirchesOnWetGround()
+{
+  Slope slope;
+  slope.Filter->RemovePreferences();
   vtkDataArray* heights = slope.Terrain->GetPointData()->GetScalars();
   for (vtkIdType point = 0; point < heights->GetNumberOfTuples(); ++point)
   {
@@ -308,7 +323,7 @@ bool Preferences()
   };
   const long long dry = birches(10.0 * 0.09 * std::exp(5.0));
   const long long wet = birches(10.0 * 0.09 * std::exp(9.0));
-  return good & Check(wet > 2 * dry && dry > 0, std::to_string(dry) + " and " + std::to_string(wet) + " birches");
+  return Check(wet > 2 * dry && dry > 0, std::to_string(dry) + " and " + std::to_string(wet) + " birches");
 }
 
 bool BadPreferences()
@@ -355,6 +370,8 @@ int TestStandFilters(int, char*[])
   good &= Pieces();
   good &= BadInventories();
   good &= Preferences();
+  good &= SpeciesOfSites();
+  good &= BirchesOnWetGround();
   good &= BadPreferences();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

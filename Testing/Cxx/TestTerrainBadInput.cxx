@@ -22,6 +22,8 @@ namespace
 
 using Source = vtkTurningBandsTerrainSource;
 
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
 bool Fails(const char* word, const std::function<void(Source*)>& spoil)
 {
   vtkNew<Source> source;
@@ -74,14 +76,51 @@ bool RefusedThenGrownAsFresh()
   return true;
 }
 
+/// Tables without fits, or without a model.
+bool RefusesTables()
+{
+  vtkNew<vtkTable> empty;
+  bool good = Fails("empty", [&](Source* s) { s->SetInputData(empty); });
+  vtkNew<vtkTable> other;
+  vtkNew<vtkDoubleArray> column;
+  column->SetName("Distance");
+  column->InsertNextValue(1.0);
+  other->AddColumn(column);
+  good &= Fails("ModelId", [&](Source* s) { s->SetInputData(other); });
+  column->SetName("ModelId");
+  column->SetValue(0, NaN);
+  good &= Fails("ModelId", [&](Source* s) { s->SetInputData(other); });
+  return good;
+}
+
+/// A part of an extent that as a whole would not fit is no trouble, also once the whole was refused.
+bool GrowsAPartOfTheHuge()
+{
+  bool good = true;
+  vtkNew<Source> huge;
+  huge->SetWholeExtent(0, 3200000, 0, 3200000, 0, 0);
+  {
+    vtkNew<ErrorCounter> errors;
+    errors->Watch(huge);
+    good &= errors->ExpectOneNaming("GiB");
+  }
+  const int part[6] = { 50000, 50031, 70000, 70031, 0, 0 };
+  huge->UpdateExtent(part);
+  if (huge->GetOutput()->GetNumberOfPoints() != 32 * 32)
+  {
+    std::cerr << "a small part of a huge terrain was not grown" << std::endl;
+    good = false;
+  }
+  return good;
+}
+
 }
 
 int TestTerrainBadInput(int, char*[])
 {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   const double inf = std::numeric_limits<double>::infinity();
   bool good = true;
-  for (double bad : { 0.0, -3.0, nan, inf })
+  for (double bad : { 0.0, -3.0, NaN, inf })
   {
     good &= Fails("Range", [=](Source* s) { s->SetRange(bad); });
     good &= Fails("Spacing", [=](Source* s) { s->SetSpacing(bad, 1.0, 1.0); });
@@ -94,7 +133,7 @@ int TestTerrainBadInput(int, char*[])
       s->SetReflectanceRange(bad);
     });
   }
-  for (double bad : { 2.0, 3.0, 1.0, 4.0, nan })
+  for (double bad : { 2.0, 3.0, 1.0, 4.0, NaN })
   {
     good &= Fails("FractalDimension", [=](Source* s) { s->SetFractalDimension(bad); });
   }
@@ -110,7 +149,7 @@ int TestTerrainBadInput(int, char*[])
   good &= RefusedThenGrownAsFresh();
   good &= Fails("Model", [](Source* s) { s->SetModel(7); });
   good &= Fails("Model", [](Source* s) { s->SetModel(-1); });
-  for (const double deviation : { nan, -5.0, 1e300, 1e-20 })
+  for (const double deviation : { NaN, -5.0, 1e300, 1e-20 })
   {
     good &= Fails("Elevation: StandardDeviation is ", [=](Source* s) { s->SetStandardDeviation(deviation); });
     good &= Fails("Reflectance: ReflectanceStandardDeviation is ",
@@ -118,45 +157,20 @@ int TestTerrainBadInput(int, char*[])
   }
   good &= Fails("ReflectanceModel is 7", [](Source* s) { s->ReflectanceOn(), s->SetReflectanceModel(7); });
   good &= Fails("ReflectanceRange is -1 m", [](Source* s) { s->ReflectanceOn(), s->SetReflectanceRange(-1.0); });
-  good &= Fails("ReflectanceMean is nan", [=](Source* s) { s->ReflectanceOn(), s->SetReflectanceMean(nan); });
-  good &= Fails("Mean", [=](Source* s) { s->SetMean(nan); });
-  good &= Fails("Slope", [=](Source* s) { s->SetSlope(nan, 0.0); });
-  good &= Fails("Origin", [=](Source* s) { s->SetOrigin(nan, 0.0, 0.0); });
+  good &= Fails("ReflectanceMean is nan", [=](Source* s) { s->ReflectanceOn(), s->SetReflectanceMean(NaN); });
+  good &= Fails("Mean", [=](Source* s) { s->SetMean(NaN); });
+  good &= Fails("Slope", [=](Source* s) { s->SetSlope(NaN, 0.0); });
+  good &= Fails("Origin", [=](Source* s) { s->SetOrigin(NaN, 0.0, 0.0); });
   good &= Fails("AnisotropyRatio", [](Source* s) { s->SetAnisotropyRatio(0.5); });
-  good &= Fails("AnisotropyRatio", [=](Source* s) { s->SetAnisotropyRatio(nan); });
-  good &= Fails("AnisotropyAngle", [=](Source* s) { s->SetAnisotropyAngle(nan); });
+  good &= Fails("AnisotropyRatio", [=](Source* s) { s->SetAnisotropyRatio(NaN); });
+  good &= Fails("AnisotropyAngle", [=](Source* s) { s->SetAnisotropyAngle(NaN); });
   good &= Fails("MinimumWavelength", [](Source* s) { s->SetMinimumWavelength(-1.0); });
   good &= Fails("empty", [](Source* s) { s->SetWholeExtent(0, -1, 0, 5, 0, 0); });
   good &= Fails("layers", [](Source* s) { s->SetWholeExtent(0, 5, 0, 5, 0, 3); });
   // 40 TiB, beyond any machine of today: refused before memory is asked for.
   good &= Fails("GiB", [](Source* s) { s->SetWholeExtent(0, 3200000, 0, 3200000, 0, 0); });
 
-  vtkNew<vtkTable> empty;
-  good &= Fails("empty", [&](Source* s) { s->SetInputData(empty); });
-  vtkNew<vtkTable> other;
-  vtkNew<vtkDoubleArray> column;
-  column->SetName("Distance");
-  column->InsertNextValue(1.0);
-  other->AddColumn(column);
-  good &= Fails("ModelId", [&](Source* s) { s->SetInputData(other); });
-  column->SetName("ModelId");
-  column->SetValue(0, nan);
-  good &= Fails("ModelId", [&](Source* s) { s->SetInputData(other); });
-
-  // A part of an extent that as a whole would not fit is no trouble, also once the whole was refused.
-  vtkNew<Source> huge;
-  huge->SetWholeExtent(0, 3200000, 0, 3200000, 0, 0);
-  {
-    vtkNew<ErrorCounter> errors;
-    errors->Watch(huge);
-    good &= errors->ExpectOneNaming("GiB");
-  }
-  const int part[6] = { 50000, 50031, 70000, 70031, 0, 0 };
-  huge->UpdateExtent(part);
-  if (huge->GetOutput()->GetNumberOfPoints() != 32 * 32)
-  {
-    std::cerr << "a small part of a huge terrain was not grown" << std::endl;
-    good = false;
-  }
+  good &= RefusesTables();
+  good &= GrowsAPartOfTheHuge();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -4,6 +4,7 @@
 // threads, series, and every bad input with the old file untouched.
 #include "Check.h"
 #include "ErrorCounter.h"
+#include "TestFolder.h"
 #include "vtkVDBVolumeWriter.h"
 #include "vtkWindFieldSource.h"
 
@@ -27,7 +28,6 @@
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
-#include "vtkTestUtilities.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <openvdb/io/File.h>
@@ -767,11 +767,7 @@ bool CheckAbort()
 
 int TestVDBVolumeWriter(int argc, char* argv[])
 {
-  char* temporary = vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary");
-  folder = fs::absolute(fs::path(temporary) / "TestVDBVolumeWriter");
-  delete[] temporary;
-  fs::remove_all(folder);
-  fs::create_directories(folder);
+  folder = EmptyFolder(argc, argv, "TestVDBVolumeWriter");
   openvdb::initialize();
   const struct
   {

@@ -75,7 +75,7 @@ private:
 
   CameraPlace Place;
   vtkWeakPointer<vtkSMRenderViewProxy> View;
-  vtkWeakPointer<vtkObject> Shown; ///< what the view shows on
+  vtkWeakPointer<vtkObject> Shown; ///< window of the view
   unsigned long ResetObserver = 0;
   unsigned long PictureObserver = 0;
   unsigned long StartObserver = 0;

@@ -105,12 +105,13 @@ private:
   vtkSmartPointer<vtkPVXMLElement> Scene;
   vtkWeakPointer<vtkSMSessionProxyManager> Manager;
   unsigned long RegisterObserver = 0;
-  vtkWeakPointer<vtkSMProxy> Empty; ///< what was shown without data
+  vtkWeakPointer<vtkSMProxy> Empty; ///< representation of a source that was shown without data
   int EmptyPort = 0;
   unsigned long DataObserver = 0;
-  std::vector<vtkWeakPointer<vtkSMProxy>> Colored; ///< whose legends would mean nothing, until the next pictures
-  std::vector<Observation> Pictures;               ///< of all views, as long as some are colored
-  std::vector<Observation> Visibilities;           ///< of all representations
+  /// Representations whose legends would mean nothing, until the next pictures.
+  std::vector<vtkWeakPointer<vtkSMProxy>> Colored;
+  std::vector<Observation> Pictures;     ///< of all views, as long as some are colored
+  std::vector<Observation> Visibilities; ///< of all representations
   FirstCamera Camera;
 };
 

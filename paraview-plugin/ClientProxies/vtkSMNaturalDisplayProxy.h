@@ -49,7 +49,7 @@ private:
   void operator=(const vtkSMNaturalDisplayProxy&) = delete;
 
   std::unique_ptr<littoral::NaturalDisplay> Display;
-  vtkSmartPointer<vtkPVXMLElement> Scene; ///< that begins with this, if any
+  vtkSmartPointer<vtkPVXMLElement> Scene; ///< scene that begins with this source, if any
 };
 
 #endif

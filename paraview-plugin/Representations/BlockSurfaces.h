@@ -45,7 +45,7 @@ private:
   {
     vtkSmartPointer<vtkUnsignedIntArray> OfPoints, OfCells;
   };
-  std::map<unsigned int, Numbers> Kept; ///< by index of the block in its tree
+  std::map<unsigned int, Numbers> Kept; ///< numbers by the index of the block in its tree
 };
 
 }

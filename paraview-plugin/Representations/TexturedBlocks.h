@@ -41,7 +41,7 @@ private:
   vtkPVDataRepresentation* Representation = nullptr;
   std::vector<std::unique_ptr<BlockActor>> Actors; ///< as many as were ever needed
   std::vector<PartOfTree> Parts;                   ///< none without textures
-  vtkSmartPointer<vtkDataObject> Data;             ///< that were split
+  vtkSmartPointer<vtkDataObject> Data;             ///< data that were split
   vtkMTimeType DataTime = 0;
 };
 

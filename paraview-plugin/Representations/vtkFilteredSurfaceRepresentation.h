@@ -34,7 +34,6 @@ protected:
 
   /// Sets the filter; for the constructor of a subclass.
   void SetFilter(vtkAlgorithm* filter);
-  vtkAlgorithm* GetFilter() { return this->Filter; }
 
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -46,7 +45,7 @@ private:
   void UpdateFilter(vtkInformation* input);
 
   vtkSmartPointer<vtkAlgorithm> Filter;
-  vtkSmartPointer<vtkTrivialProducer> Shown; ///< what the filter makes, on the first rank
+  vtkSmartPointer<vtkTrivialProducer> Shown; ///< output of the filter, on the first rank
 };
 
 #endif

@@ -318,7 +318,6 @@ TEST(ViewFrustum, DistancesInParallelProjection)
   EXPECT_DOUBLE_EQ(LevelDistance(view, place), 25.0); // 50 m fill a perspective of 90 degrees at 25 m
   EXPECT_DOUBLE_EQ(SightDistance(view, place), 3.0);
   EXPECT_DOUBLE_EQ(SightDistance(view, Box{ { -9.0, -8.5, 0.0 }, place }), 1.5);
-  EXPECT_DOUBLE_EQ(ViewFrustum(view).PixelsOf(50.0, 7.0), view.Height);
   // What fills the parallel picture fills the perspective one of the same angle at that distance.
   for (const double angle : { 0.3, 1.0, 2.0 })
   {
@@ -326,7 +325,9 @@ TEST(ViewFrustum, DistancesInParallelProjection)
     view.Angle = angle;
     const double distance = LevelDistance(view, place);
     view.IsParallel = false;
-    EXPECT_NEAR(ViewFrustum(view).PixelsOf(50.0, distance), view.Height, 1e-9 * view.Height);
+    const Vector3 middle = view.Point + distance * view.Direction;
+    EXPECT_NEAR(PictureOf(view).PixelsBetween(middle - 25.0 * view.Up, middle + 25.0 * view.Up), view.Height,
+      1e-9 * view.Height);
   }
 }
 
@@ -339,7 +340,8 @@ TEST(ViewFrustum, DetailFactorLengthensDistancesOfLevels)
   const Vector3 place{ 3.0, -7.0, 6.0 };
   EXPECT_DOUBLE_EQ(LevelDistance(coarse, place), 20.0);
   EXPECT_DOUBLE_EQ(SightDistance(coarse, place), 5.0);
-  EXPECT_DOUBLE_EQ(ViewFrustum(coarse).PixelsOf(2.0, 7.0), ViewFrustum(view).PixelsOf(2.0, 7.0));
+  const Box box{ place, place + Vector3(0.0, 0.0, 2.0) };
+  EXPECT_DOUBLE_EQ(ViewFrustum(coarse).PixelsOfRise(2.0, box), ViewFrustum(view).PixelsOfRise(2.0, box));
   EXPECT_FALSE(AreTheSame(coarse, view));
   for (const double bad : { 0.0, -0.5, 1.5, std::numeric_limits<double>::quiet_NaN() })
   {
@@ -377,19 +379,6 @@ TEST(ViewFrustum, ABoxThatHoldsTheViewPointIsShown)
       { view.Point[0] + 0.1, view.Point[1] + 0.1, view.Point[2] + 0.1 } };
     EXPECT_TRUE(ViewFrustum(view).MayShow(around));
   }
-}
-
-TEST(ViewFrustum, PixelsOfALength)
-{
-  View view;
-  view.Angle = Pi / 2.0;
-  view.Height = 800.0;
-  view.AspectRatio = 1.75;
-  const ViewFrustum frustum(view);
-  EXPECT_NEAR(frustum.PixelsOf(20.0, 10.0), 800.0, 1e-9); // as tall as the picture
-  EXPECT_NEAR(frustum.PixelsOf(1.0, 100.0), 4.0, 1e-12);
-  EXPECT_EQ(frustum.PixelsOf(0.0, 0.0), 0.0);
-  EXPECT_TRUE(std::isinf(frustum.PixelsOf(1.0, 0.0)));
 }
 
 TEST(ViewFrustum, DistanceOfABox)

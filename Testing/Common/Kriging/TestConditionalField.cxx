@@ -177,7 +177,7 @@ TEST(ConditionalField, ScoresGoBack)
   survey.Data.Values = survey.Measured = { 1.0, 10.0, 1000.0 };
   survey.Mean = 0.0;
   survey.Model.Field.Variance = 1.0;
-  EXPECT_EQ(TakeScores(survey), "");
+  TakeScores(survey);
   ConditionalOptions options;
   options.NumberOfLines = 16;
   const Filled filled = Fill(survey, options, survey.Window);
@@ -221,17 +221,17 @@ TEST(CrossValidation, OfTwoData)
 TEST(KrigingSurvey, GridCoversTheDataAndAMargin)
 {
   KrigingSurvey survey = Survey();
-  EXPECT_EQ(SpanGrid({ 11, 21 }, 7.0, survey), "");
+  SpanGrid({ 11, 21 }, 7.0, survey);
   EXPECT_NEAR(survey.Grid.Origin[0], 110.0 - 0.05 * 42.0, 1e-12); // the longer side is 42 m
   EXPECT_NEAR(survey.Grid.Origin[1], -38.0 - 0.05 * 42.0, 1e-12);
   EXPECT_NEAR(survey.Grid.Spacing[0], (30.0 + 0.1 * 42.0) / 10.0, 1e-12);
   EXPECT_NEAR(survey.Grid.Spacing[1], (42.0 + 0.1 * 42.0) / 20.0, 1e-12);
   survey.Data.Places.resize(1);
-  EXPECT_EQ(SpanGrid({ 11, 21 }, 7.0, survey), "");
+  SpanGrid({ 11, 21 }, 7.0, survey);
   EXPECT_NEAR(survey.Grid.Origin[0], 103.0, 1e-12);
   EXPECT_NEAR(survey.Grid.Spacing[0], 1.4, 1e-12);
   survey.Data.Places.clear();
-  EXPECT_NE(SpanGrid({ 11, 21 }, 7.0, survey), "");
+  EXPECT_THROW(SpanGrid({ 11, 21 }, 7.0, survey), InvalidInput);
 }
 
 // A drift that is linear in x and y and their product is what bilinear functions are.
@@ -247,17 +247,18 @@ TEST(KrigingSurvey, DriftAtTheData)
       drift.push_back(3.0 + 2.0 * i - j + 0.5 * i * j);
     }
   }
-  ASSERT_EQ(TakeDrift(drift, survey), "");
+  TakeDrift(drift, survey);
   for (const KrigingPlace& place : survey.Data.Places)
   {
     const double i = (place.X - 100.0) / 2.0;
     const double j = (place.Y + 50.0) / 3.0;
     EXPECT_NEAR(place.External, 3.0 + 2.0 * i - j + 0.5 * i * j, 1e-9);
   }
+  const auto why = [&] { return WhyRefused([&] { TakeDrift(drift, survey); }); };
   survey.Data.Places[1].X = 161.0;
-  EXPECT_EQ(TakeDrift(drift, survey), "Datum 1 is outside the Grid, where there is no external drift.");
+  EXPECT_EQ(why(), "Datum 1 is outside the Grid, where there is no external drift.");
   drift[40] = NaN;
-  EXPECT_EQ(TakeDrift(drift, survey), "The drift at point 40 of the Grid is nan; it must be finite.");
+  EXPECT_EQ(why(), "The drift at point 40 of the Grid is nan; it must be finite.");
 }
 
 TEST(KrigingSurvey, NeighborsAndScores)
@@ -273,5 +274,5 @@ TEST(KrigingSurvey, NeighborsAndScores)
   TakeNeighbors(0, survey);
   EXPECT_EQ(survey.Neighbors, 50u);
   survey.Data.Values = { 4.0, 4.0 };
-  EXPECT_NE(TakeScores(survey), "");
+  EXPECT_THROW(TakeScores(survey), InvalidInput);
 }

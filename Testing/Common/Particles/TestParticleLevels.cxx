@@ -542,21 +542,21 @@ TEST(ParticleLevels, ASlaveAboveItsMasterMovesMoreThanIt)
 
 TEST(ParticleLevels, StepsAreSmoothAndEven)
 {
-  EXPECT_EQ(SmoothStep(-2.0, 2.0), 0.0);
-  EXPECT_EQ(SmoothStep(-9.0, 2.0), 0.0);
-  EXPECT_EQ(SmoothStep(2.0, 2.0), 1.0);
-  EXPECT_EQ(SmoothStep(9.0, 2.0), 1.0);
+  EXPECT_EQ(BlendAt(-2.0, 2.0), 0.0);
+  EXPECT_EQ(BlendAt(-9.0, 2.0), 0.0);
+  EXPECT_EQ(BlendAt(2.0, 2.0), 1.0);
+  EXPECT_EQ(BlendAt(9.0, 2.0), 1.0);
   double before = 0.0;
   for (double x = -2.0; x <= 2.0; x += 0.01)
   {
-    const double now = SmoothStep(x, 2.0);
-    EXPECT_NEAR(now + SmoothStep(-x, 2.0), 1.0, 1e-12);
+    const double now = BlendAt(x, 2.0);
+    EXPECT_NEAR(now + BlendAt(-x, 2.0), 1.0, 1e-12);
     EXPECT_GE(now, before);
     EXPECT_LT(now - before, 0.0038); // the slope of a cubic step is nowhere above 3/2 of the straight line's
     before = now;
   }
-  EXPECT_EQ(SmoothStep(-1e-9, 0.0), 0.0);
-  EXPECT_EQ(SmoothStep(1e-9, 0.0), 1.0);
+  EXPECT_EQ(BlendAt(-1e-9, 0.0), 0.0);
+  EXPECT_EQ(BlendAt(1e-9, 0.0), 1.0);
 }
 
 TEST(ParticleLevels, NothingVisibleIsLost)
@@ -771,6 +771,47 @@ TEST(ParticleFog, SpreadsParticlesOverTheVolumeOfTheirSample)
   }
 }
 
+namespace
+{
+
+constexpr int Rays = 160; // a side
+
+/// Place of a ray along x or z [m].
+double RayAt(int index)
+{
+  const double from = 0.2;
+  const double step = 3.6 / Rays;
+  return from + (index + 0.5) * step;
+}
+
+/// Particles of a radius that each ray along y meets.
+std::vector<std::vector<int>> ParticlesOfRays(const std::vector<Vector3>& places, double radius)
+{
+  std::vector<std::vector<int>> columns(Rays * Rays);
+  for (std::size_t n = 0; n < places.size(); ++n)
+  {
+    for (int i = 0; i < Rays; ++i)
+    {
+      const double x = RayAt(i);
+      if (std::abs(places[n].x - x) > radius)
+      {
+        continue;
+      }
+      for (int j = 0; j < Rays; ++j)
+      {
+        const double z = RayAt(j);
+        if (std::hypot(places[n].x - x, places[n].z - z) <= radius)
+        {
+          columns[i * Rays + j].push_back(static_cast<int>(n));
+        }
+      }
+    }
+  }
+  return columns;
+}
+
+}
+
 TEST(ParticleFog, HidesAsMuchAsItsParticlesDo)
 {
   // Light along y through a box of particles: the part of rays that meet none, against the fog. Some particles are
@@ -796,40 +837,16 @@ TEST(ParticleFog, HidesAsMuchAsItsParticlesDo)
   const std::vector<float> blended = ParticleFog(grid, particles).GetExtinction();
   const std::vector<float> whole = ParticleFog(grid, all).GetExtinction();
 
-  constexpr int Rays = 160; // a side
   double drawn = 0.0;
   double fog = 0.0;
   double both = 0.0;
-  // Particles by columns of the grid of rays.
-  const double from = 0.2;
-  const double step = 3.6 / Rays;
-  std::vector<std::vector<int>> columns(Rays * Rays);
-  for (std::size_t n = 0; n < places.size(); ++n)
-  {
-    const double r = 0.5 * diameter;
-    for (int i = 0; i < Rays; ++i)
-    {
-      const double x = from + (i + 0.5) * step;
-      if (std::abs(places[n].x - x) > r)
-      {
-        continue;
-      }
-      for (int j = 0; j < Rays; ++j)
-      {
-        const double z = from + (j + 0.5) * step;
-        if (std::hypot(places[n].x - x, places[n].z - z) <= r)
-        {
-          columns[i * Rays + j].push_back(static_cast<int>(n));
-        }
-      }
-    }
-  }
+  const std::vector<std::vector<int>> columns = ParticlesOfRays(places, 0.5 * diameter);
   for (int i = 0; i < Rays; ++i)
   {
     for (int j = 0; j < Rays; ++j)
     {
-      const double x = from + (i + 0.5) * step;
-      const double z = from + (j + 0.5) * step;
+      const double x = RayAt(i);
+      const double z = RayAt(j);
       double depth = 0.0;
       double depthBlended = 0.0;
       for (double y = 0.05; y < 10.0; y += 0.1)

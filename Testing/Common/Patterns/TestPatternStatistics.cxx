@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../OnThreads.h"
 #include "Numerics/Constants.h"
+#include "Numerics/InvalidInput.h"
 #include "Patterns/PatternStatistics.h"
+#include "QuadratPosition.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +13,7 @@
 
 using namespace littoral;
 using littoral::testing::OnThreads;
+using littoral::testing::QuadratPosition;
 
 namespace
 {
@@ -62,7 +65,7 @@ TEST(PatternStatistics, FunctionsAreThoseOfTheirRooms)
 {
   const MappedPattern pattern = Lattice();
   StatisticsOptions options = Options(Function::K);
-  options.Largest = 2.5;
+  options.MaximumDistance = 2.5;
   const PatternStatistics statistics(pattern, options);
   const FunctionCurves curves = statistics.Measure();
   PairOptions pairs;
@@ -191,16 +194,17 @@ TEST(PatternStatistics, ChoosesThePair)
 {
   MappedPattern pattern;
   pattern.Species = { "oak", "elm", "oak", "ash", "elm", "fir" };
-  EXPECT_EQ(ChoosePair(pattern), "");
+  ChoosePair(pattern);
   EXPECT_EQ(pattern.Pair[0], "elm"); // as frequent as oak, before it by the alphabet
   EXPECT_EQ(pattern.Pair[1], "oak");
   pattern.Pair = { "", "elm" };
-  EXPECT_EQ(ChoosePair(pattern), "");
+  ChoosePair(pattern);
   EXPECT_EQ(pattern.Pair[0], "oak");
+  const auto why = [&] { return WhyRefused([&] { ChoosePair(pattern); }); };
   pattern.Pair = { "yew", "" };
-  EXPECT_EQ(ChoosePair(pattern), "no point is of the species 'yew'.");
+  EXPECT_EQ(why(), "no point is of the species 'yew'.");
   pattern.Pair = { "oak", "oak" };
-  EXPECT_EQ(ChoosePair(pattern), "cross functions need two different species.");
+  EXPECT_EQ(why(), "cross functions need two different species.");
 }
 
 TEST(PatternStatistics, OneMessageEach)

@@ -5,6 +5,7 @@
 #include "Patterns/QuadratFit.h"
 #include "Patterns/QuadratLaws.h"
 #include "Patterns/QuadratPattern.h"
+#include "QuadratPosition.h"
 
 #include <gtest/gtest.h>
 
@@ -23,6 +24,7 @@
 #include <string>
 
 using namespace littoral;
+using littoral::testing::QuadratPosition;
 
 namespace
 {
@@ -77,7 +79,7 @@ bool HasGeneratingFunction(int law)
   return law < static_cast<int>(std::size(GeneratingFunctions));
 }
 
-class AllLaws : public testing::TestWithParam<int>
+class AllLaws : public ::testing::TestWithParam<int>
 {
 };
 
@@ -249,7 +251,7 @@ TEST_P(AllLaws, BadParametersAreNamed)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(QuadratLaws, AllLaws, testing::Range(0, NumberOfQuadratLaws),
+INSTANTIATE_TEST_SUITE_P(QuadratLaws, AllLaws, ::testing::Range(0, NumberOfQuadratLaws),
   [](const auto& one) { return QuadratLawName(static_cast<QuadratLaw>(one.param)); });
 
 TEST(QuadratLaws, ParametersOfEachLawAreChecked)
@@ -496,7 +498,7 @@ QuadratLawParameters LargeLaw(int id)
   return law;
 }
 
-class LargeLaws : public testing::TestWithParam<int>
+class LargeLaws : public ::testing::TestWithParam<int>
 {
 };
 
@@ -606,7 +608,7 @@ TEST_P(LargeLaws, FitsFindTheLaw)
   EXPECT_GT(fit.PValue, 1e-3);
 }
 
-INSTANTIATE_TEST_SUITE_P(QuadratLaws, LargeLaws, testing::Range(0, NumberOfQuadratLaws),
+INSTANTIATE_TEST_SUITE_P(QuadratLaws, LargeLaws, ::testing::Range(0, NumberOfQuadratLaws),
   [](const auto& one) { return QuadratLawName(static_cast<QuadratLaw>(one.param)); });
 
 TEST(QuadratLaws, AreThoseOfBoostUpToThousandsOfPoints)

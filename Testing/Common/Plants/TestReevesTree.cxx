@@ -98,6 +98,52 @@ TEST_P(ReevesTreePresets, SkinsWithoutDegenerateTriangles)
   }
 }
 
+namespace
+{
+
+/// Places along a branch [m] and sections of the branches on it, the lowest first; `bearer` is the branch's radius
+/// below the first of them.
+std::vector<std::array<double, 2>> ChildrenOf(const Skeleton& wood, int branch, double& bearer)
+{
+  const SkeletonBranch& run = wood.Branches[branch];
+  std::vector<std::array<double, 2>> children; // place along the branch [m], section
+  for (int child = branch + 1; child < static_cast<int>(wood.Branches.size()); ++child)
+  {
+    const SkeletonNode& foot = wood.Nodes[wood.Branches[child].First];
+    if (wood.Nodes[foot.Parent].Branch == branch)
+    {
+      double place = glm::distance(foot.Position, wood.Nodes[foot.Parent].Position);
+      for (int node = run.First; node < foot.Parent; ++node)
+      {
+        place += glm::distance(wood.Nodes[node + 1].Position, wood.Nodes[node].Position);
+      }
+      bearer = std::max(bearer, wood.Nodes[foot.Parent].Radius); // below the first of them
+      children.push_back({ place, foot.Radius * foot.Radius });
+    }
+  }
+  std::sort(children.begin(), children.end());
+  return children;
+}
+
+/// Section of a branch at a place along it [m].
+double SectionAt(const Skeleton& wood, const SkeletonBranch& run, double place)
+{
+  int node = run.First;
+  double below = 0.0;
+  double length = glm::distance(wood.Nodes[node + 1].Position, wood.Nodes[node].Position);
+  while (below + length < place && node + 2 < run.First + run.Count)
+  {
+    below += length;
+    ++node;
+    length = glm::distance(wood.Nodes[node + 1].Position, wood.Nodes[node].Position);
+  }
+  const double radius = wood.Nodes[node].Radius +
+    std::min(1.0, (place - below) / length) * (wood.Nodes[node + 1].Radius - wood.Nodes[node].Radius);
+  return radius * radius;
+}
+
+}
+
 TEST_P(ReevesTreePresets, BranchesObeyDaVinci)
 {
   // All branches at a stage of a tree's height, put together, are as thick as what bears them: the trunk at a place and
@@ -115,47 +161,18 @@ TEST_P(ReevesTreePresets, BranchesObeyDaVinci)
     {
       const SkeletonBranch& run = wood.Branches[branch];
       double bearer = 0.0;
-      std::vector<std::array<double, 2>> children; // place along the branch [m], section
-      for (int child = branch + 1; child < static_cast<int>(wood.Branches.size()); ++child)
-      {
-        const SkeletonNode& foot = wood.Nodes[wood.Branches[child].First];
-        if (wood.Nodes[foot.Parent].Branch == branch)
-        {
-          double place = glm::distance(foot.Position, wood.Nodes[foot.Parent].Position);
-          for (int node = run.First; node < foot.Parent; ++node)
-          {
-            place += glm::distance(wood.Nodes[node + 1].Position, wood.Nodes[node].Position);
-          }
-          bearer = std::max(bearer, wood.Nodes[foot.Parent].Radius); // below the first of them
-          children.push_back({ place, foot.Radius * foot.Radius });
-        }
-      }
+      const std::vector<std::array<double, 2>> children = ChildrenOf(wood, branch, bearer);
       if (children.size() < 4 || run.Order > 1)
       {
         continue; // fewer leave in steps of the tolerance
       }
-      std::sort(children.begin(), children.end());
-      const auto section = [&](double place) {
-        int node = run.First;
-        double below = 0.0;
-        double length = glm::distance(wood.Nodes[node + 1].Position, wood.Nodes[node].Position);
-        while (below + length < place && node + 2 < run.First + run.Count)
-        {
-          below += length;
-          ++node;
-          length = glm::distance(wood.Nodes[node + 1].Position, wood.Nodes[node].Position);
-        }
-        const double radius = wood.Nodes[node].Radius +
-          std::min(1.0, (place - below) / length) * (wood.Nodes[node + 1].Radius - wood.Nodes[node].Radius);
-        return radius * radius;
-      };
       const double whole = bearer * bearer;
       const double length = wood.BranchLength(branch);
       double mean = 0.0;
       int places = 0;
       for (const double part : { 0.35, 0.5, 0.65, 0.8, 0.95 })
       {
-        double sum = section(part * length);
+        double sum = SectionAt(wood, run, part * length);
         for (const auto& child : children)
         {
           sum += child[0] <= part * length ? child[1] : 0.0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Numerics/Constants.h"
 #include "Numerics/InvalidInput.h"
+#include "Plants/SiteGround.h"
 #include "Plants/SitePreference.h"
 
 #include <boost/math/distributions/chi_squared.hpp>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <random>
 
 using namespace littoral;
@@ -166,7 +168,47 @@ TEST(SitePreference, OneMessageEach)
   says(WhyNot("species,slope,slope_tolerance\noak,10,0\n"), "slope_tolerance of oak is 0");
   says(WhyNot("species,slope\noak,10\n"), "slope_tolerance of oak is nan");
   says(WhyNot("species,slope,slope_tolerance\noak,steep,3\n"), "slope of row 1 is 'steep'");
-  EXPECT_TRUE(AnyAnswers(DefaultPreferences(), GroundFactor::Slope));
-  EXPECT_FALSE(AnyAnswers(DefaultPreferences(), GroundFactor::Wetness));
-  EXPECT_TRUE(AnyAnswers(DefaultPreferences(true), GroundFactor::Wetness));
+  EXPECT_TRUE(AnyResponds(DefaultPreferences(), GroundFactor::Slope));
+  EXPECT_FALSE(AnyResponds(DefaultPreferences(), GroundFactor::Wetness));
+  EXPECT_TRUE(AnyResponds(DefaultPreferences(true), GroundFactor::Wetness));
+}
+
+// A plane that rises by 1 m in 4 m to the north-east, with a hole.
+TEST(SiteGround, FactorsOfAPlane)
+{
+  HeightGrid grid;
+  grid.Spacing[0] = grid.Spacing[1] = 2.0;
+  grid.Count[0] = 6;
+  grid.Count[1] = 5;
+  grid.HeightOf = [](long long point) {
+    return point == 29 ? NaN : 100.0 + 0.5 * static_cast<double>(point % 6) + 0.5 * static_cast<double>(point / 6);
+  };
+  const SiteGround ground(grid);
+  EXPECT_FALSE(ground.HasWetness());
+  const std::optional<GroundFactors> factors = ground.At(3.0, 4.6);
+  ASSERT_TRUE(factors);
+  EXPECT_NEAR((*factors)[0], 101.9, 1e-12);
+  EXPECT_NEAR((*factors)[1], 1.9 / 4.0, 1e-12); // the highest point is at 104 m
+  EXPECT_NEAR((*factors)[2], 180.0 / Pi * std::atan(std::sqrt(0.125)), 1e-12);
+  EXPECT_NEAR((*factors)[3], 225.0, 1e-9);
+  EXPECT_TRUE(std::isnan((*factors)[4]));
+  EXPECT_FALSE(ground.At(9.5, 7.5)); // beside the hole
+  EXPECT_FALSE(ground.At(-0.1, 3.0));
+}
+
+TEST(SiteGround, WetnessIsThatOfTheNearestPoint)
+{
+  HeightGrid grid;
+  grid.Count[0] = grid.Count[1] = 3;
+  grid.HeightOf = [](long long) { return 7.0; };
+  const SiteGround ground(grid, [](long long point, double slope) {
+    EXPECT_EQ(slope, 0.0);
+    return point == 0 ? -std::numeric_limits<double>::infinity() : static_cast<double>(point);
+  });
+  EXPECT_TRUE(ground.HasWetness());
+  const std::optional<GroundFactors> factors = ground.At(1.6, 1.4);
+  ASSERT_TRUE(factors);
+  EXPECT_EQ((*factors)[4], 5.0);
+  EXPECT_EQ((*factors)[1], 0.5); // level ground
+  EXPECT_FALSE(ground.At(0.2, 0.2));
 }

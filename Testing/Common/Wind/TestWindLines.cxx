@@ -29,6 +29,80 @@ double VarianceOfWaves(const WindGrid& grid, int component, double height)
   return sum;
 }
 
+/// Variances at 16 places between lines over the spectrum's, and that of waves of 1 to 5 Hz half-way.
+struct BetweenLines
+{
+  std::array<double, 3> Low{ 2.0, 2.0, 2.0 };
+  std::array<double, 3> High{};
+  std::array<double, 3> Fast{};
+};
+
+BetweenLines SamplesBetween(const WindLines& lines, const WindGrid& grid)
+{
+  BetweenLines between;
+  std::vector<Vector3> series(600);
+  for (int part = 0; part < 16; ++part)
+  {
+    const double up = 1.0 + 0.0625 * (7 * part % 16);
+    std::array<double, 3> has{};
+    for (int column = 0; column < 64; ++column)
+    {
+      lines.Sample({ 0.37 * column, column + part / 16.0, up }, 0.5, 600, series.data());
+      std::vector<float> values(1800);
+      for (int n = 0; n < 1800; ++n)
+      {
+        values[n] = static_cast<float>(series[n / 3][n % 3]);
+      }
+      for (int component = 0; component < 3; ++component)
+      {
+        has[component] += Variance(values.data(), 600, component) / 64.0;
+      }
+      if (part == 8)
+      {
+        for (int component = 0; component < 3; ++component)
+        {
+          const auto waves = Spectra(values, GridOf(600, 1, 1), component).front();
+          for (int k = 60; k < 300; ++k)
+          {
+            between.Fast[component] += 2.0 * std::norm(waves[k] / 600.0) / 64.0;
+          }
+        }
+      }
+    }
+    for (int component = 0; component < 3; ++component)
+    {
+      const double wants = VarianceOfWaves(grid, component, grid.BottomHeight + up * grid.VerticalSpacing);
+      between.Low[component] = std::min(between.Low[component], has[component] / wants);
+      between.High[component] = std::max(between.High[component], has[component] / wants);
+    }
+  }
+  return between;
+}
+
+/// Variance of waves of 1 to 5 Hz of the lines of both layers, brought from their heights to half-way.
+std::array<double, 3> FastWavesOfLines(const std::vector<float>& field, const WindGrid& grid)
+{
+  std::array<double, 3> fast{};
+  for (int component = 0; component < 3; ++component)
+  {
+    const auto spectra = Spectra(field, grid, component);
+    const auto density = [&](int k, double layer) {
+      return SpectralDensity({}, component, k / 60.0, grid.BottomHeight + layer * grid.VerticalSpacing);
+    };
+    double sum = 0.0;
+    for (int k = 60; k < 300; ++k)
+    {
+      for (int line = 0; line < 130; ++line)
+      {
+        const int layer = 1 + line / 65;
+        sum += 2.0 * std::norm(spectra[65 + line][k] / 600.0) / 130.0 * density(k, 1.5) / density(k, layer);
+      }
+    }
+    fast[component] = sum;
+  }
+  return fast;
+}
+
 }
 
 TEST(WindLines, AlongTheWindTheSumOfWaves)
@@ -79,72 +153,18 @@ TEST(WindLines, VarianceAndSpectrumBetweenLines)
     synthesis.NormalizeVariance = true;
     const std::vector<float> field = Wind(grid, synthesis);
     const WindLines lines(field.data(), grid.Count);
-    std::vector<Vector3> series(600);
-    std::array<double, 3> low{ 2.0, 2.0, 2.0 };
-    std::array<double, 3> high{};
-    std::array<double, 3> fast{}; // of waves of 1 to 5 Hz, half-way
-    for (int part = 0; part < 16; ++part)
-    {
-      const double up = 1.0 + 0.0625 * (7 * part % 16);
-      std::array<double, 3> has{};
-      for (int column = 0; column < 64; ++column)
-      {
-        lines.Sample({ 0.37 * column, column + part / 16.0, up }, 0.5, 600, series.data());
-        std::vector<float> values(1800);
-        for (int n = 0; n < 1800; ++n)
-        {
-          values[n] = static_cast<float>(series[n / 3][n % 3]);
-        }
-        for (int component = 0; component < 3; ++component)
-        {
-          has[component] += Variance(values.data(), 600, component) / 64.0;
-        }
-        if (part == 8)
-        {
-          for (int component = 0; component < 3; ++component)
-          {
-            const auto waves = Spectra(values, GridOf(600, 1, 1), component).front();
-            for (int k = 60; k < 300; ++k)
-            {
-              fast[component] += 2.0 * std::norm(waves[k] / 600.0) / 64.0;
-            }
-          }
-        }
-      }
-      for (int component = 0; component < 3; ++component)
-      {
-        const double wants = VarianceOfWaves(grid, component, grid.BottomHeight + up * grid.VerticalSpacing);
-        low[component] = std::min(low[component], has[component] / wants);
-        high[component] = std::max(high[component], has[component] / wants);
-      }
-    }
-    // The same of the lines of both layers, brought from their heights to the place's.
-    for (int component = 0; component < 3; ++component)
-    {
-      const auto spectra = Spectra(field, grid, component);
-      const auto density = [&](int k, double layer) {
-        return SpectralDensity({}, component, k / 60.0, grid.BottomHeight + layer * grid.VerticalSpacing);
-      };
-      double sum = 0.0;
-      for (int k = 60; k < 300; ++k)
-      {
-        for (int line = 0; line < 130; ++line)
-        {
-          const int layer = 1 + line / 65;
-          sum += 2.0 * std::norm(spectra[65 + line][k] / 600.0) / 130.0 * density(k, 1.5) / density(k, layer);
-        }
-      }
-      fast[component] /= sum;
-    }
+    const BetweenLines between = SamplesBetween(lines, grid);
+    const std::array<double, 3> ofLines = FastWavesOfLines(field, grid);
     for (int component = 0; component < 3; ++component)
     {
       std::cout << "lines " << spacing << " m apart, component " << component << ": at 16 places between them "
-                << low[component] << " to " << high[component] << " of the spectrum's variance, half-way "
-                << fast[component] << " of the lines' from 1 to 5 Hz\n";
-      EXPECT_GT(low[component], 0.99);
-      EXPECT_LT(high[component], 1.01);
+                << between.Low[component] << " to " << between.High[component]
+                << " of the spectrum's variance, half-way " << between.Fast[component] / ofLines[component]
+                << " of the lines' from 1 to 5 Hz\n";
+      EXPECT_GT(between.Low[component], 0.99);
+      EXPECT_LT(between.High[component], 1.01);
       // The mean of the densities of layers 8 m apart is 2 % above that half-way, as it falls with the height.
-      EXPECT_NEAR(fast[component], 1.0, 0.03);
+      EXPECT_NEAR(between.Fast[component] / ofLines[component], 1.0, 0.03);
     }
   }
 }
