@@ -15,6 +15,7 @@
 #include <system_error>
 #include <vector>
 
+#include <cpl_conv.h>
 #include <cpl_string.h>
 #include <gdal.h>
 #include <gdal_utils.h>
@@ -579,6 +580,8 @@ bool Raster::Read(const std::array<int, 4>& window, float* heights, const Raster
 {
   Internals& own = *this->Own;
   own.Messages.Forget();
+  // By blocks alone: GDAL 3.10 projects a whole grid of few rows at once, with kernels of other widths than its parts.
+  const CPLConfigOptionSetter byBlocks("GDAL_VRT_WARP_USE_DATASET_RASTERIO", "NO", false);
   const GDALRasterBandH band = GDALGetRasterBand(own.Last(), 1);
   const GDALRasterBandH mask = GDALGetMaskBand(band);
   const bool hasHoles = (GDALGetMaskFlags(band) & GMF_ALL_VALID) == 0;

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The fuzzer finds faults that are made on purpose, makes them short, and repeats a case by its number alone."""
+"""The fuzzer finds faults that are made on purpose, and repeats a case by its number alone."""
 
 import os
 import subprocess
@@ -16,7 +16,6 @@ import cases  # noqa: E402
 import fuzz  # noqa: E402
 import introspection  # noqa: E402
 import littoral  # noqa: E402
-import minimise  # noqa: E402
 import oracle  # noqa: E402
 import recipes  # noqa: E402
 import runner  # noqa: E402
@@ -84,14 +83,6 @@ class Fuzzer(unittest.TestCase):
         self.assertEqual(heard(f"Algorithm {NAME} (0x1) returned failure for request: it", "vtkDemandDrivenPipeline"),
                          "silence")
         self.assertEqual(heard("This data object does not contain the requested extent.", "vtkTrivialProducer"), "")
-
-    def test_short_cases(self):
-        lines = cases.opening(NAME) + ["made.SetRange(3.0)", "update()", "made.SetSeed(3)", "__import__('os').abort()",
-                                       "made.SetSeed(4)", "update(time=1.0)", "finish()"]
-        self.assertEqual(minimise.minimised(NAME, lines, runner.run(NAME, lines)),
-                         [lines[0], "__import__('os').abort()", "finish()"])
-        self.assertEqual(list(minimise.simpler("made.f(0, drop(move(data('a'), 1.0), 'b'))")),
-                         ["made.f(0, move(data('a'), 1.0))", "made.f(0, drop(data('a'), 'b'))"])
 
     def test_cases_in_one_process(self):
         good = cases.opening(NAME) + ["update()", "finish()"]

@@ -11,7 +11,7 @@ import os
 import subprocess
 import sys
 
-os.environ["VTK_SMP_BACKEND_IN_USE"] = "Sequential"  # processes with threads cannot be forked safely
+os.environ["VTK_SMP_BACKEND_IN_USE"] = "Sequential"  # there are as many processes as cores
 sys.dont_write_bytecode = True
 
 import cases  # noqa: E402

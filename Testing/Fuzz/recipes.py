@@ -45,7 +45,7 @@ def results(name):
 
 
 def warm(name, lines):
-    """Updates the objects that a case needs, for all processes that are forked later."""
+    """Updates the objects that a case needs."""
     for other in {name, *inputs(name), *re.findall(r"(?:data|source)\('(\w+)'\)", " ".join(lines))}:
         if source(other).GetNumberOfOutputPorts():
             source(other).Update()

@@ -9,13 +9,13 @@ from paraview import simple
 from states import visible
 from TestScenes import check
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkVersion
-from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+from vtkmodules.vtkRenderingCore import vtkPointGaussianMapper, vtkWindowToImageFilter
 from window import apart, picture
 
 EXTINCTION = 0.085  # of Underwater [1/m]
-#: VTK 9.6 hands on no depth to the shaders of points.
-POINTS_FADE = vtkVersion().GetVTKMajorVersion() * 100 + vtkVersion().GetVTKMinorVersion() < 906
+#: A VTK that can draw points as ellipses hands on no depth to their fragments, which then fade as at 1 m: from ParaView
+#: 5.13 and VTK 9.4 on.
+POINTS_FADE = not hasattr(vtkPointGaussianMapper, "SetAnisotropic")
 
 
 def depths(view):

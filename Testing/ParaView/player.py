@@ -62,7 +62,9 @@ class Session:
         self.menu("menuSources", "pqProxyGroupMenuManager0", name)
 
     def filter(self, name):
-        self.menu("menuFilters", "pqProxyGroupMenuManager0", name)
+        """In the open menu: ParaView 5.13 fills it and enables its entries only then."""
+        self.event(f"{WINDOW}/menubar", "activate", "menuFilters")
+        self.event(f"{WINDOW}/menubar/menuFilters/LittoralFilters", "activate", name)
 
     def apply(self):
         self.event(f"{PROPERTIES}/Accept")

@@ -28,22 +28,14 @@ from littoral.tables import table_of, write_csv
 
 RANDOM = np.random.default_rng(7)
 
-#: For each line it gets, a process that tells its number, and writes two files in turn under one name and tells so, until
-#: it is killed.
-WRITERS = """
-import os
+#: A process that writes two files in turn under one name and tells so, until it is killed.
+WRITER = """
 import sys
 from TestFiles import KILLED
-for _ in sys.stdin:
-    child = os.fork()
-    if child == 0:
-        print(os.getpid(), flush=True)
-        while True:
-            for content in (1, 2):
-                KILLED[sys.argv[1]](content, sys.argv[2])
-                print("written", flush=True)
-    os.waitpid(child, 0)
-    print("ended", flush=True)
+while True:
+    for content in (1, 2):
+        KILLED[sys.argv[1]](content, sys.argv[2])
+        print("written", flush=True)
 """
 
 
@@ -146,6 +138,7 @@ class Replaced(InFolder):
                 self.assertEqual(os.listdir(folder), [os.path.basename(name)])
 
     def test_a_kill_leaves_a_whole_file_and_no_other(self):
+        """A process that is stopped has left what it leaves when it is killed there."""
         pause = random.Random(5)
         for extension, write in KILLED.items():
             name = self.path("killed" + extension)
@@ -154,22 +147,22 @@ class Replaced(InFolder):
                 write(content, name)
                 whole.append(bytes_of(name))
             seen, left = set(), 0
-            with subprocess.Popen([sys.executable, "-c", WRITERS, extension, name], stdin=subprocess.PIPE,
-                                  stdout=subprocess.PIPE, text=True, bufsize=1,
-                                  cwd=os.path.dirname(os.path.abspath(__file__))) as process:
-                for _ in range(20):
-                    process.stdin.write("next\n")
-                    writer = int(process.stdout.readline())
-                    for _ in range(pause.randrange(4)):
-                        self.assertEqual(process.stdout.readline(), "written\n")
-                    time.sleep(pause.uniform(0.0, 0.05))
-                    os.kill(writer, signal.SIGKILL)
-                    while process.stdout.readline() == "written\n":
-                        pass
-                    seen.add(whole.index(bytes_of(name)))
-                    left += len(os.listdir(self.folder)) - 1
+            for _ in range(3):
+                with subprocess.Popen([sys.executable, "-c", WRITER, extension, name], stdout=subprocess.PIPE, text=True,
+                                      cwd=os.path.dirname(os.path.abspath(__file__))) as process:
+                    for number in range(8):
+                        for _ in range(pause.randrange(1, 4)):
+                            self.assertEqual(process.stdout.readline(), "written\n")
+                        time.sleep(pause.uniform(0.0, 0.05))
+                        process.send_signal(signal.SIGSTOP)
+                        os.waitid(os.P_PID, process.pid, os.WSTOPPED)
+                        seen.add(whole.index(bytes_of(name)))
+                        left += len(os.listdir(self.folder)) - 1
+                        process.send_signal(signal.SIGCONT if number < 7 else signal.SIGKILL)
+                self.assertEqual(process.returncode, -signal.SIGKILL)
+                seen.add(whole.index(bytes_of(name)))
             self.assertEqual(seen, {0, 1})
-            self.assertLess(left, 4)  # only when killed between two system calls
+            self.assertLess(left, 4)  # only when stopped between two system calls
             write(1, name)  # and what was left goes with the next file
             self.assertEqual(os.listdir(self.folder), [os.path.basename(name)])
             os.unlink(name)
@@ -258,6 +251,7 @@ class Damaged(InFolder):
         """Whole files of each kind."""
         from osgeo import gdal
 
+        gdal.UseExceptions()
         place = read_elevation()
         vti, tif = os.path.join(self.folder, "a.vti"), os.path.join(self.folder, "a.tif")
         write_vti(place, vti)
@@ -304,6 +298,7 @@ class Damaged(InFolder):
     def test_degrees_are_not_taken_for_metres(self):
         from osgeo import gdal, osr
 
+        gdal.UseExceptions()
         name = os.path.join(self.folder, "degrees.tif")
         raster = gdal.GetDriverByName("GTiff").Create(name, 4, 3, 1, gdal.GDT_Float32)
         world = osr.SpatialReference()

@@ -10,20 +10,20 @@ Filters and inputs are the small working objects of the fuzzer, one for each cla
 classes as arguments restrict the test to them, and LITTORAL_TEST_CASES to cases whose names match an expression;
 --every=N takes each N-th case. To run it under valgrind:
 
-    PYTHONMALLOC=malloc LITTORAL_TEST_CASES="short|empty" valgrind -q --error-exitcode=9 python3 TestInputs.py
+    PYTHONMALLOC=malloc LITTORAL_TEST_CASES="short|empty" valgrind -q --trace-children=yes --error-exitcode=9 \
+        python3 TestInputs.py
 """
 
-import functools
+import concurrent.futures
 import json
-import multiprocessing
 import os
 import re
+import subprocess
 import sys
 import tempfile
-import traceback
 from pathlib import Path
 
-os.environ["VTK_SMP_BACKEND_IN_USE"] = "Sequential"  # processes with threads cannot be forked safely
+os.environ["VTK_SMP_BACKEND_IN_USE"] = "Sequential"  # there are as many processes as cores
 for folder in "Hashes", "Fuzz":
     sys.path.insert(0, str(Path(__file__).resolve().parents[1] / folder))
 # pylint: disable=wrong-import-position
@@ -432,68 +432,77 @@ def run(name, log, first, every):
 
 
 def entries_of(log):
+    """What a log has, one of its entries at least."""
+    if not os.path.exists(log):
+        return [{}]
     with open(log, encoding="utf-8") as file:
-        return [json.loads(line) for line in file]
+        return [json.loads(line) for line in file] or [{}]
 
 
-def end_of(errors, call, *arguments):
-    """How a child ends that makes a call, and the end of what it wrote into a file of errors: 0, 1 after an exception, or
-    less the number of the signal."""
-    sys.stdout.flush()
-    child = os.fork()
-    if child == 0:
-        try:
-            os.dup2(os.open(errors, os.O_WRONLY | os.O_CREAT | os.O_TRUNC), 2)
-            call(*arguments)
-            os._exit(0)
-        except BaseException:  # pylint: disable=broad-except
-            traceback.print_exc()
-        finally:
-            os._exit(1)
-    end = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
-    with open(errors, encoding="utf-8", errors="replace") as file:
+def end_of(errors, *arguments):
+    """How a new process ends that makes the cases, and the end of what it wrote into a file of errors: 0, 1 after an
+    exception, or less the number of the signal. It is no fork, since libraries have threads."""
+    with open(errors, "w+", encoding="utf-8", errors="replace") as file:
+        end = subprocess.run([sys.executable, __file__, "--run", *map(str, arguments)], stderr=file, check=False).returncode
+        file.seek(0)
         return end, file.read()[-500:]
 
 
-def test(name, every):
-    """Runs a class in children, a new one after each crash. Findings and number of cases."""
-    findings = []
-    first = 0
-    said = 0
-    with tempfile.TemporaryDirectory() as folder:
-        log = os.path.join(folder, "log")
-        while True:
-            end, wrote = end_of(os.path.join(folder, "errors"), run, name, log, first, every)
-            entries = entries_of(log)
-            if "done" in entries[-1]:
-                if end:
-                    findings.append(f"{name}: the child ended with {end}: {wrote}")
-                break
-            last = entries[-1]
-            if "begin" not in last:
-                findings.append(f"{name}: the child ended with {end}: {wrote}")
-                break
-            findings.append(f"{name}: {last['label']}: crashed with {end} {wrote}")
+def crashes(names, every, folder):
+    """Runs classes in one process, and in a new one after each crash, with a log for each class. Findings by class."""
+    found = {name: [] for name in names}
+    left, first = list(names), 0
+    while left:
+        end, wrote = end_of(os.path.join(folder, "errors"), folder, first, every, *left)
+        while left and "done" in entries_of(os.path.join(folder, left[0]))[-1]:
+            name = left.pop(0)
+        last = {}
+        if left:
+            name = left[0]
+            last = entries_of(os.path.join(folder, name))[-1]
+        if "begin" in last:
+            found[name].append(f"{name}: {last['label']}: crashed with {end} {wrote}")
             first = last["begin"] + 1
-        labels = {entry["begin"]: entry["label"] for entry in entries if "begin" in entry}
-        for entry in entries:
-            if "end" in entry:
-                findings += [f"{name}: {labels[entry['end']]}: {one}" for one in entry["findings"]]
-                said += bool(entry["said"])
-                if os.environ.get("LITTORAL_TEST_TALKS"):
-                    findings_text = entry["said"][0].split("\n")[-1] if entry["said"] else "works"
-                    print("   ", name, labels[entry["end"]], "->", findings_text)
-    return name, len(labels), said, findings
+        elif left or end:
+            found[name].append(f"{name}: the process ended with {end}: {wrote}")
+            left, first = left[1:], 0
+    return found
+
+
+def test(names, every):
+    """Runs classes. Of each the name, numbers of cases and of refused ones, and findings."""
+    results = []
+    with tempfile.TemporaryDirectory() as folder:
+        for name, findings in crashes(names, every, folder).items():
+            entries = entries_of(os.path.join(folder, name))
+            labels = {entry["begin"]: entry["label"] for entry in entries if "begin" in entry}
+            said = 0
+            for entry in entries:
+                if "end" in entry:
+                    findings += [f"{name}: {labels[entry['end']]}: {one}" for one in entry["findings"]]
+                    said += bool(entry["said"])
+                    if os.environ.get("LITTORAL_TEST_TALKS"):
+                        findings_text = entry["said"][0].split("\n")[-1] if entry["said"] else "works"
+                        print("   ", name, labels[entry["end"]], "->", findings_text)
+            results.append((name, len(labels), said, findings))
+    return results
 
 
 def main(arguments):
+    if arguments[:1] == ["--run"]:
+        folder, first, every, *names = arguments[1:]
+        for name in names:
+            run(name, os.path.join(folder, name), int(first) if name == names[0] else 0, int(every))
+        return 0
     every = next((int(one[8:]) for one in arguments if one.startswith("--every=")), 1)
     wanted = [one for one in arguments if not one.startswith("--")]
     names = wanted or [name for name in recipes.NAMES if recipes.inputs(name) and hasattr(littoral, name)
                        and getattr(littoral, name)().GetNumberOfOutputPorts()]
     assert wanted or len(names) > 12, names
-    with multiprocessing.get_context("fork").Pool(os.cpu_count()) as pool:
-        results = pool.map(functools.partial(test, every=every), names, 1)
+    cores = os.cpu_count()
+    with concurrent.futures.ThreadPoolExecutor(cores) as pool:
+        shares = pool.map(lambda core: test(names[core::cores], every), range(cores))
+        results = [one for share in shares for one in share]
     for name, cases, said, findings in results:
         print(f"{name}: {cases} cases, {said} refused, {len(findings)} findings")
     findings = [one for result in results for one in result[3]]

@@ -20,8 +20,8 @@ if not hasattr(vtkAlgorithm, "__rshift__"):
 
 from vtkmodules.util.execution_model import select_ports  # noqa: E402, not there before
 
-#: Methods with another argument: the position in a list.
-NO_PROPERTIES = {"Weight"}
+#: Methods with another argument: the position in a list, or of a connection.
+NO_PROPERTIES = {"Weight", "SourceKind", "SourceName"}
 #: Properties that are objects, or None.
 OBJECTS = {"Controller"}
 ABSTRACT = {"vtkPlantSource", "vtkRandomFieldAlgorithm", "vtkLeafyTreeSource", "vtkViewDependentAlgorithm"}
@@ -40,8 +40,8 @@ def names_of_properties(cls):
 
 def check_properties(cls):
     """Each property gives what its method gives, and takes it back, also as a keyword."""
-    checked = 0
-    for name in names_of_properties(cls):
+    checked, names = 0, names_of_properties(cls)
+    for name in names:
         new = cls()
         if not hasattr(new, snake(name)):
             assert name in NO_PROPERTIES, (cls, name)
@@ -59,6 +59,7 @@ def check_properties(cls):
             setattr(made, snake(name), value)
             assert getattr(made, "Get" + name)() == value, (cls, name)
             checked += 1
+    assert checked or not names, cls
     return checked
 
 
@@ -128,4 +129,4 @@ for one in classes:
     check_chain(one)
 check_calls()
 print(len(classes), "classes,", sum(counts), "properties")
-assert len(classes) > 15 and sum(counts) > 150 and min(counts) > 0
+assert len(classes) > 15 and sum(counts) > 150

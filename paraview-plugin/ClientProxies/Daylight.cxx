@@ -170,7 +170,8 @@ void FadeSpritesAway(vtkSMProxy* representation, const char* name, double extinc
     return;
   }
   // The sphere of ParaView, with the share f = exp(-k d) of its color, d = 1 / w, and 1 - f of the background's: what
-  // is ambient is added after light. In VTK 9.6 w is 1 for points: all sprites then fade as at a distance of 1 m.
+  // is ambient is added after light. From ParaView 5.13 on w is 1 for points: all sprites then fade as at a distance of
+  // 1 m.
   std::ostringstream code;
   code << "//VTK::Color::Impl\n"
        << "float dist = dot(offsetVCVSOutput.xy, offsetVCVSOutput.xy);\n"
