@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The fuzzer finds faults that are made on purpose, and repeats a case by its number alone."""
+"""The fuzzer finds faults that are made on purpose, makes them short, and repeats a case by its number alone."""
 
 import os
 import subprocess
 import sys
 import unittest
+import unittest.mock
 
 os.environ["VTK_SMP_BACKEND_IN_USE"] = "Sequential"
 sys.dont_write_bytecode = True
@@ -16,6 +17,7 @@ import cases  # noqa: E402
 import fuzz  # noqa: E402
 import introspection  # noqa: E402
 import littoral  # noqa: E402
+import minimise  # noqa: E402
 import oracle  # noqa: E402
 import recipes  # noqa: E402
 import runner  # noqa: E402
@@ -26,7 +28,7 @@ ARRAY = "made.GetOutput().GetPointData().GetArray('Elevation')"
 
 def fault(*lines, name=NAME):
     """The kind of fault of a case with these lines between opening and end."""
-    return runner.run(name, cases.opening(name) + [*lines, "finish()"])[0]
+    return runner.run_batch(name, [cases.opening(name) + [*lines, "finish()"]])[-1][0]
 
 
 def heard(text, kind=NAME):
@@ -83,6 +85,19 @@ class Fuzzer(unittest.TestCase):
         self.assertEqual(heard(f"Algorithm {NAME} (0x1) returned failure for request: it", "vtkDemandDrivenPipeline"),
                          "silence")
         self.assertEqual(heard("This data object does not contain the requested extent.", "vtkTrivialProducer"), "")
+
+    def test_short_cases(self):
+        """Played by a stand-in, which fails where a line aborts."""
+        lines = cases.opening(NAME) + ["made.SetRange(3.0)", "update()", "made.SetSeed(3)", "os.abort()",
+                                       "made.SetSeed(4)", "update(time=1.0)", "finish()"]
+
+        def run(_, played):
+            return ("crash", "SIGABRT in os.abort()") if "os.abort()" in played else ("", "good")
+
+        with unittest.mock.patch.object(runner, "run", run):
+            self.assertEqual(minimise.minimised(NAME, lines, run(NAME, lines)), [lines[0], "os.abort()", "finish()"])
+        self.assertEqual(list(minimise.simpler("made.f(0, drop(move(data('a'), 1.0), 'b'))")),
+                         ["made.f(0, move(data('a'), 1.0))", "made.f(0, drop(data('a'), 'b'))"])
 
     def test_cases_in_one_process(self):
         good = cases.opening(NAME) + ["update()", "finish()"]

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs cases in a process of their own, with limits of memory and time."""
 
+import atexit
 import gc
 import json
 import os
@@ -19,6 +20,7 @@ import recipes
 MEMORY = 3 << 30  # of addresses [bytes]
 PROCESSOR = 20.0  # time of the processor, which does not depend on other programs [s]
 PATIENCE = 300.0  # time on the wall [s]
+DONE = "done"  # a batch
 
 
 def limit():
@@ -58,61 +60,91 @@ def prepare(name, batch):
     gc.freeze()
 
 
-def child(name, most):
+def child():
     """What the process does: plays the cases that it reads, up to the first fault, and answers in place of all output."""
-    batch = json.load(sys.stdin)
     answer = os.dup(1)
     os.dup2(2, 1)
-    prepare(name, batch)
-    limit()
     tell = lambda what: os.write(answer, (json.dumps(what) + "\n").encode())  # noqa: E731
-    for lines in batch:
-        if not play(name, lines, tell, most):
-            break
-        gc.collect()  # the object of the case
-    os._exit(0)
+    for line in sys.stdin:
+        name, batch, most = json.loads(line)
+        prepare(name, batch)
+        limit()
+        for lines in batch:
+            if not play(name, lines, tell, most):
+                os._exit(0)
+            gc.collect()  # the object of the case
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
+        tell(DONE)
 
 
-def listen(process):
-    """All that the process answers; it is killed when it is silent for too long."""
-    text = b""
-    while select.select([process.stdout], [], [], PATIENCE)[0]:
-        part = os.read(process.stdout.fileno(), 65536)
-        if not part:
-            return text.decode().splitlines()
-        text += part
-    process.kill()
-    return text.decode().splitlines()
+class Process:
+    """A new process and no fork, since libraries have threads."""
+
+    def __init__(self):
+        self.errors = tempfile.TemporaryFile()
+        self.process = subprocess.Popen([sys.executable, "-B", __file__], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                        stderr=self.errors)
+
+    def ask(self, *what):
+        """All that it answers, and whether that was all; it is killed when it is silent for too long."""
+        self.process.stdin.write((json.dumps(what) + "\n").encode())
+        self.process.stdin.flush()
+        text = b""
+        while select.select([self.process.stdout], [], [], PATIENCE)[0]:
+            part = os.read(self.process.stdout.fileno(), 65536)
+            text += part
+            answers = text.decode().splitlines()
+            if not part or answers[-1:] == [json.dumps(DONE)] and text.endswith(b"\n"):
+                break
+        else:
+            self.process.kill()
+        answers = [json.loads(line) for line in text.decode().splitlines()]
+        return [one for one in answers if one != DONE], DONE in answers
+
+    def end(self):
+        """Its status and the last line of its output."""
+        self.process.communicate()
+        self.errors.seek(0)
+        said = self.errors.read().decode(errors="replace").strip().splitlines()
+        self.errors.close()
+        if self.process.returncode > 0:
+            raise RuntimeError("\n".join(said))
+        return self.process.returncode, said[-1] if said else ""
 
 
-def run_batch(name, batch):
+idle = []  # a process without a fault so far goes on with the next batch
+
+
+@atexit.register
+def end_idle():
+    while idle:
+        idle.pop().end()
+
+
+def run_batch(name, batch, alone=False):
     """Plays cases one after the other in one process, up to the first fault: for each that was played the kind of fault,
-    "" if there is none, and what it was. The process is a new one and no fork, since libraries have threads."""
-    with tempfile.TemporaryFile("w+") as played, tempfile.TemporaryFile() as errors:
-        json.dump(batch, played)
-        played.seek(0)
-        with subprocess.Popen([sys.executable, "-B", __file__, name, str(PROCESSOR)], stdin=played, stdout=subprocess.PIPE,
-                              stderr=errors) as process:
-            answers = [json.loads(line) for line in listen(process)]
-        errors.seek(0)
-        said = errors.read().decode(errors="replace").strip().splitlines()
+    "" if there is none, and what it was."""
+    process = idle.pop() if idle and not alone else Process()
+    answers, is_done = process.ask(name, batch, PROCESSOR)
     ends = [tuple(answer) for answer in answers if isinstance(answer, list)]
-    if process.returncode > 0:
-        raise RuntimeError("\n".join(said))
-    if process.returncode < 0:
+    if is_done and not alone:
+        idle.append(process)
+        return ends
+    status, said = process.end()
+    if status < 0:
         lines = batch[min(len(ends), len(batch) - 1)]
         number = answers[-1] if answers and isinstance(answers[-1], int) else len(lines)
         where = lines[number] if number < len(lines) else "the fresh object"
-        which = signal.Signals(-process.returncode).name
+        which = signal.Signals(-status).name
         kind = "hang" if which in ("SIGPROF", "SIGKILL") else "crash"
-        ends.append((kind, f"{which} in {where}" + (f": {said[-1]}" if said else "")))
+        ends.append((kind, f"{which} in {where}" + (f": {said}" if said else "")))
     return ends
 
 
 def run(name, lines):
     """Plays a case in a process of its own: the kind of fault, "" if there is none, and what it was."""
-    return run_batch(name, [lines])[-1]
+    return run_batch(name, [lines], alone=True)[-1]
 
 
 if __name__ == "__main__":
-    child(sys.argv[1], float(sys.argv[2]))
+    child()
