@@ -22,7 +22,6 @@ BUDGETS = {"quick": 1.0, "standard": 10.0, "all": float("inf")}  # of a test [s 
 LOOP = 0.0067  # processor time of loop() where budgets hold as they are [s]; they grow on slower machines
 TIME = re.compile(r"CPU time: ([\d.]+) user, ([\d.]+) system")
 PART = re.compile(r"CPU time of (\S+): ([\d.]+) user, ([\d.]+) system")  # of a script that shares a process
-NOISE = 1.5  # two runs of one test on one machine differ by up to this factor
 SHOWN = 10  # of the dearest tests
 
 
@@ -84,9 +83,9 @@ def faults_of(costs, slow):
         elif cost.seconds is None:
             yield cost.entry, (f"{cost.name} has no processor time in the record; its command must begin with "
                               "Testing/Tiers/measured.")
-        elif cost.seconds > NOISE * slow * BUDGETS[cost.tiers[0]]:
+        elif cost.seconds > slow * BUDGETS[cost.tiers[0]]:
             yield cost.entry, (f"{cost.name} takes {cost.seconds:.1f} s of processor time; the tier {cost.tiers[0]} allows "
-                              f"{NOISE * slow * BUDGETS[cost.tiers[0]]:.1f} s on this machine, noise included.")
+                               f"{slow * BUDGETS[cost.tiers[0]]:.1f} s on this machine.")
 
 
 def summary(costs):
@@ -98,8 +97,7 @@ def summary(costs):
         yield f"{field:10} {len(seconds):5} tests {sum(seconds):7.1f} s"
     yield f"{'all':10} {len(costs):5} tests {sum(cost.seconds or 0.0 for cost in costs):7.1f} s"
     for cost in costs[:SHOWN]:
-        over = (cost.seconds or 0.0) > min((BUDGETS[tier] for tier in cost.tiers), default=0.0)
-        yield f"{cost.seconds or 0.0:6.1f} s {cost.name}" + (" (above the budget, within its noise)" if over else "")
+        yield f"{cost.seconds or 0.0:6.1f} s {cost.name}"
 
 
 def main(record, tests, names=None):
