@@ -82,6 +82,7 @@ def check(name, before):
 def steps(session):
     """In an empty window."""
     TestMistakeInWindow.steps(session)
+    session.lap(TestMistakeInWindow.__name__)
     session.select(0, 0)
     at = session.record("sea")
     session.filter("SeaweedDeformation")

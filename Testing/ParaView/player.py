@@ -133,9 +133,9 @@ class Session:
         self.events += other.events
         self.module = other.module
 
-    def lap(self):
+    def lap(self, name=""):
         """The processor time since the last lap, for Testing/Tiers/check.py."""
-        self.call(lap, self.module)
+        self.call(lap, name or self.module)
 
     def play(self, *mistakes):
         """Play all steps in a client of its own; each mistake is one message with these words."""
