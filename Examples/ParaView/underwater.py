@@ -18,7 +18,6 @@ import sys
 from paraview import simple
 
 import littoral
-from littoral.film import save_film
 from littoral.gallery import bay, underwater, views
 from littoral.gallery.arguments import folder_size_frames
 
@@ -114,15 +113,12 @@ def build(folder, view, quick=False):
 
 def film(shaded, view, folder, frames, told):
     """Write the frames and the film; `told` is called before each frame."""
-    pictures = []
-    for frame in range(frames):
-        told(frame, frames)
+    def turn_to(frame):
         view.ViewTime = TIME + frame / FRAMES_A_SECOND
         for shown in shaded:
             underwater.set_time(shown, view.ViewTime)
-        pictures.append(os.path.join(folder, f"underwater.{frame:04d}.png"))
-        views.save_view(pictures[-1], view)
-    save_film(os.path.join(folder, "underwater.ogv"), pictures, FRAMES_A_SECOND)
+
+    views.film_view(os.path.join(folder, "underwater.ogv"), view, frames, FRAMES_A_SECOND, turn_to, told)
 
 
 def main(folder, size, frames=0, quick=False, told=lambda frame, frames: None):
