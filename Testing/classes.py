@@ -62,6 +62,7 @@ class Entry(NamedTuple):
     proxy: str
     label: str
     menu: str  # Sources or Filters; Open or Save for readers and writers
+    kind: str  # tag of its definition, as PresetProxy
     ports: dict  # names of the input properties in Python, by port
 
 
@@ -113,7 +114,7 @@ def all_entries():
 
     def entry_of(proxy, menu, label=None):
         label = label or proxy.get("label") or words_of(proxy.get("name"))
-        return Entry(proxy.get("name"), label, menu, ports_of(proxy))
+        return Entry(proxy.get("name"), label, menu, proxy.tag, ports_of(proxy))
 
     found = []
     for menu in ("Sources", "Filters"):
