@@ -43,7 +43,7 @@ BASES = {
     "vtkViewDependentAlgorithm": "Views",
 }
 
-# What comes out after a mistake: nothing, or the first input as it is.
+# Output after a mistake: nothing, or the first input as it is.
 EMPTY, UNMOVED = "empty", "unmoved"
 
 
@@ -80,12 +80,12 @@ class Row(NamedTuple):
 
     @property
     def entries(self):
-        """Its entries in ParaView, the first one first."""
+        """Entries in ParaView, the first one first."""
         return [entry for name, entry in all_entries() if name == self.name]
 
     @property
     def entry(self):
-        """Where users find it in ParaView."""
+        """Way to it in ParaView's menus."""
         menus = {"Open": "File > Open", "Save": "File > Save Data"}
         return ", ".join(f"{menus.get(one.menu, one.menu + ' > Littoral')} > {one.label}" for one in self.entries)
 

@@ -50,7 +50,7 @@ def levels(name, particles, sea, culling=1):
 
 
 def on_waves(name, particles, sea):
-    """Those of the levels that are seen individually, in waves, which do not move the others."""
+    """Particles of the levels that are seen individually, in waves, which do not move the others."""
     seen = simple.ExtractBlock(Input=particles, Selectors=SEEN)
     riding = simple.ParticleOrbits(registrationName=name, Input=seen, SeaState=sea)
     # Shown as this script says, and not as Littoral shows what is in waves.

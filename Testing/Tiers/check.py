@@ -26,7 +26,7 @@ SHOWN = 10  # of the dearest tests
 
 
 class Cost(NamedTuple):
-    """What a test took."""
+    """Cost of a test."""
 
     name: str
     tiers: list
