@@ -36,7 +36,7 @@ TYPES = r"\bvtk(?:ImageData|Table|PolyData|PointSet|MultiBlockDataSet|Partitione
 
 
 def entry_of(row):
-    """Where a class is in ParaView: labels of menus, or a format of files."""
+    """Place of a class in ParaView: labels of menus, or a format of files."""
     menus = {"Open": "*File > Open*: ", "Save": "*File > Save Data*: "}
     return ", ".join(f"{menus.get(entry.menu, '')}*{entry.label}*" for entry in row.entries)
 
@@ -94,7 +94,7 @@ def port_of(sentence, optional):
 
 
 def types_in(sentence, kind):
-    """What goes through a port: types of VTK; else the classes that make it; else the first words."""
+    """Data of a port: types of VTK; else the classes that make it; else the first words."""
     sentence = re.sub(r",? \(?(optional|repeatable)( and repeatable)?\b\)?", "", sentence)
     types = list(dict.fromkeys(f"`{one}`" for one in re.findall(TYPES, sentence)))
     makers = re.search(r"(?:from|as in) ((?:(?:a |the | or )?vtk\w+)+)", sentence)
@@ -110,7 +110,7 @@ def types_in(sentence, kind):
 
 
 def ports_of(paragraphs):
-    """What a class reads and writes: by the sentences that begin with a port or with field data."""
+    """Ports of a class and their words, by the sentences that begin with a port or with field data."""
     ports, optional = [], False
     for paragraph in paragraphs:
         port, in_fields = None, False

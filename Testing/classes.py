@@ -43,7 +43,7 @@ BASES = {
     "vtkViewDependentAlgorithm": "Views",
 }
 
-# What comes out after a mistake: nothing, or the first input as it is.
+# Output after a mistake: nothing, or the first input as it is.
 EMPTY, UNMOVED = "empty", "unmoved"
 
 
@@ -62,6 +62,7 @@ class Entry(NamedTuple):
     proxy: str
     label: str
     menu: str  # Sources or Filters; Open or Save for readers and writers
+    kind: str  # tag of its definition, as PresetProxy
     ports: dict  # names of the input properties in Python, by port
 
 
@@ -79,12 +80,12 @@ class Row(NamedTuple):
 
     @property
     def entries(self):
-        """Its entries in ParaView, the first one first."""
+        """Entries in ParaView, the first one first."""
         return [entry for name, entry in all_entries() if name == self.name]
 
     @property
     def entry(self):
-        """Where users find it in ParaView."""
+        """Way to it in ParaView's menus."""
         menus = {"Open": "File > Open", "Save": "File > Save Data"}
         return ", ".join(f"{menus.get(one.menu, one.menu + ' > Littoral')} > {one.label}" for one in self.entries)
 
@@ -113,7 +114,7 @@ def all_entries():
 
     def entry_of(proxy, menu, label=None):
         label = label or proxy.get("label") or words_of(proxy.get("name"))
-        return Entry(proxy.get("name"), label, menu, ports_of(proxy))
+        return Entry(proxy.get("name"), label, menu, proxy.tag, ports_of(proxy))
 
     found = []
     for menu in ("Sources", "Filters"):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What rows of classes make inputs of, in ParaView or in VTK alone."""
+"""Sources and filters of which rows of classes make inputs, in ParaView or in VTK alone."""
 
 import math
 import tempfile
@@ -62,7 +62,7 @@ class Examples:
         return self.table(lines)
 
     def shown_inputs(self, entry):
-        """What an entry is usually applied to: the inputs by the names of their properties. A source has none."""
+        """Usual inputs of an entry, by the names of their properties. A source has none."""
         for row in classes.ROWS:
             for own in row.entries:
                 if own.proxy == entry:

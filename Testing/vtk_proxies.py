@@ -44,7 +44,7 @@ OTHERS = {"Wavelet": vtkRTAnalyticSource, "Sphere": vtkSphereSource, "PointSourc
 
 @functools.lru_cache(maxsize=None)
 def proxies():
-    """Those of the plugin by name."""
+    """Definitions of the plugin's proxies by name."""
     return {one.get("name"): one for path in classes.PLUGIN.glob("*.xml")
             for group in ElementTree.parse(path).getroot().iter("ProxyGroup") for one in group}
 

@@ -17,7 +17,7 @@ PACKAGE = "littoral"
 
 
 def documentation(item):
-    """What the docstring of a method or property says below its signatures."""
+    """Words of the docstring of a method or property below its signatures."""
     text = item.__doc__ or ""
     return (text.split("\n\n", 1) + [""])[1].strip() if re.match(r"\w+\(", text) else text.strip()
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What make_entries.py does inside ParaView's window: the inputs of the entry LITTORAL_ENTRY, or a mistake with it."""
+"""Steps of make_entries.py inside ParaView's window: the inputs of the entry LITTORAL_ENTRY, or a mistake with it."""
 
 import os
 import sys

@@ -11,12 +11,12 @@ import sys
 import vtkmodules.vtkRenderingFreeType  # noqa: F401, draws text
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws everything
 from vtkmodules.vtkFiltersSources import vtkDiskSource
-from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
 from littoral import vtkAonoKuniiTreeSource
+from littoral.gallery.pictures import look, pale_renderer
 from littoral.picture import INK, label, write_jpg
 from littoral.plants import add_daylight, level_actors, plant_actor
-from littoral.gallery.relief import BACKGROUND
 
 SIZE = (900, 500)
 TREES = (("MonopodialC", "Monopodial", -12.5), ("SympodialC", "Sympodial", -0.2), ("TernaryB", "Ternary", 12.5))
@@ -56,11 +56,7 @@ def shadow(x, radius):
 
 def main(folder):
     """Draw it into a folder."""
-    renderer = vtkRenderer()
-    renderer.GradientBackgroundOn()
-    renderer.SetBackground(*BACKGROUND[0])
-    renderer.SetBackground2(*BACKGROUND[1])
-    renderer.UseFXAAOn()
+    renderer = pale_renderer()
     add_daylight(renderer)
     renderer.AddActor(ground())
     for preset, name, x in TREES:
@@ -73,12 +69,7 @@ def main(folder):
             actor.SetPosition(x, 0.0, 0.0)
             renderer.AddActor(actor)
         renderer.AddActor(label(name, (0.5 + x / 39.5, 0.06), 24, INK))
-    camera = renderer.GetActiveCamera()
-    camera.SetPosition(0.0, -80.0, 5.0)
-    camera.SetFocalPoint(0.0, 0.0, 4.9)
-    camera.SetViewUp(0.0, 0.0, 1.0)
-    camera.SetViewAngle(15.6)
-    renderer.ResetCameraClippingRange()
+    look(renderer, (0.0, -80.0, 5.0), (0.0, 0.0, 4.9), 15.6)
     window = vtkRenderWindow()
     window.AddRenderer(renderer)
     write_jpg(window, os.path.join(folder, "aono-kunii.jpg"), SIZE)

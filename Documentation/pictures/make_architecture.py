@@ -141,7 +141,7 @@ class Drawing:
 
     @staticmethod
     def storeys():
-        """What lies behind all: the three storeys of the house."""
+        """Background: the three storeys of the house."""
         for y, height, fill in ((118, 78, "#f1f4f9"), (222, 78, "#eef5f0"), (340, 456, "#f7f3e8")):
             yield f'<rect x="16" y="{y}" width="{WIDTH - 32}" height="{height}" rx="10" fill="{fill}"/>'
 
@@ -182,7 +182,7 @@ def draw_common(drawing, arrows):
 
 
 def draw_bus(drawing, arrows, name, trunk, start, bus, offset):
-    """From a box above down to a level line, and from there into each room that it includes."""
+    """Arrows from a box above down to a level line, and from there into each room that it includes."""
     color = COLORS[name]
     if not any((name, room) in arrows for room in ROOMS):
         return

@@ -67,7 +67,7 @@ def read_entries():
 
 
 def read_messages():
-    """What was said after a mistake with each entry."""
+    """Messages after a mistake with each entry."""
     if not os.path.exists(MESSAGES):
         return {}
     with open(MESSAGES, encoding="utf-8") as file:
@@ -86,7 +86,7 @@ def click(x, y):
 
 
 def grab(window="root"):
-    """What a window shows, as bytes."""
+    """Picture of a window, as bytes."""
     return subprocess.run(["import", "-window", window, "-depth", "8", "ppm:-"], check=True, stdout=subprocess.PIPE).stdout
 
 
@@ -98,7 +98,7 @@ def seconds_of(client):
 
 
 def grab_at_rest(client, window="root", most=180.0):
-    """What a window shows when it has not changed for a while, in which its client computed nothing."""
+    """Picture of a window when it has not changed for a while, in which its client computed nothing."""
     before, same, end = None, 0, time.time() + most
     while same < 3 and time.time() < end:
         done = seconds_of(client)

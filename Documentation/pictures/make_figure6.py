@@ -188,7 +188,7 @@ def written(text, x, y, size, color, left=True):
 
 
 def legend(forest):
-    """What the colors are, with numbers."""
+    """Legend of the colors, with numbers."""
     random = np.random.default_rng(2)
     shown = [int(field(forest, f"Plants{name}")[0]) for name in ("High", "Medium", "Low")]
     trees = int(field(forest, "PlantsInAll")[0])

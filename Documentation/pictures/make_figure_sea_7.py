@@ -17,10 +17,10 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTubeFilter
 from vtkmodules.vtkFiltersSources import vtkConeSource
 from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkBillboardTextActor3D, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow)
+    vtkActor, vtkBillboardTextActor3D, vtkPolyDataMapper, vtkRenderWindow)
 
+from littoral.gallery.pictures import look, pale_renderer
 from littoral.picture import INK, write_jpg
-from littoral.gallery.relief import BACKGROUND
 
 SIZE = (520, 440)
 THETA, PHI = np.radians(52.0), np.radians(40.0)
@@ -107,11 +107,7 @@ def arc(renderer, middle, start, end, radius, color, text):
 
 def main(folder):
     """Draw it into a folder."""
-    renderer = vtkRenderer()
-    renderer.GradientBackgroundOn()
-    renderer.SetBackground(*BACKGROUND[0])
-    renderer.SetBackground2(*BACKGROUND[1])
-    renderer.UseFXAAOn()
+    renderer = pale_renderer()
     parent = tuple(np.array(axis, dtype=float) for axis in ((1, 0, 0), (0, 0, 1), (0, -1, 0)))
     foot = np.zeros(3)
     start = foot + H * parent[1]
@@ -135,12 +131,7 @@ def main(folder):
     name(renderer, aside + 0.5 * H * parent[1] - 0.13 * parent[0], "h", INK)
     beside = start + 0.95 * own[1] + 0.22 * own[2]
     name(renderer, beside, "L", INK)
-    camera = renderer.GetActiveCamera()
-    camera.SetPosition(3.2, -8.6, 6.2)
-    camera.SetFocalPoint(0.2, 0.0, 1.3)
-    camera.SetViewUp(0.0, 0.0, 1.0)
-    camera.SetViewAngle(18.0)
-    renderer.ResetCameraClippingRange()
+    look(renderer, (3.2, -8.6, 6.2), (0.2, 0.0, 1.3), 18.0)
     window = vtkRenderWindow()
     window.AddRenderer(renderer)
     write_jpg(window, os.path.join(folder, "figure-sea-7.jpg"), SIZE)

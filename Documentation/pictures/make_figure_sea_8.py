@@ -24,7 +24,7 @@ PLANTS = 150  # in an area of 40 m along the view and 20 m across
 
 
 def sites(height, seed=11):
-    """Where sugar kelp stands: in patches, with a lane before the eye."""
+    """Sites of sugar kelp: in patches, with a lane before the eye."""
     random = np.random.default_rng(seed)
     patches = np.column_stack((random.uniform(-10.0, 10.0, 16), random.uniform(5.0, 36.0, 16)))
     patches[:3] = ((2.6, 5.6), (-2.9, 6.6), (4.6, 8.0))

@@ -110,7 +110,7 @@ def cell(k):
 
 
 def key():
-    """What the eighth cell holds: the scale of heights, and what the maps share."""
+    """Labels of the eighth cell: the scale of heights, and what the maps share."""
     left, top = cell(len(MODELS))
     middle = left + 0.5 * MAP
     ramp = encoded(np.broadcast_to(1.1 * tint(np.linspace(-2.5, 2.5, 200)), (2, 200, 3)))

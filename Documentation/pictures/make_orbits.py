@@ -57,7 +57,7 @@ def at_rest(places):
 
 
 def moved(places, table, time):
-    """Where particles with these centers are at a time [s], as x, z."""
+    """Places of particles with these centers at a time [s], as x, z."""
     orbits = vtkParticleOrbitFilter()
     orbits.SetInputData(0, at_rest(places))
     orbits.SetInputData(1, table)

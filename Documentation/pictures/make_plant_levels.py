@@ -14,12 +14,12 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws everything
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkDiskSource
-from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
 from littoral import vtkPlantScatterFilter, vtkReevesTreeSource
+from littoral.gallery.pictures import look, pale_renderer
 from littoral.picture import FAINT, INK, label, write_jpg
 from littoral.plants import add_daylight, block, level_actors, plant_actor
-from littoral.gallery.relief import BACKGROUND
 
 SIZE = (1100, 990)
 SPECIES = ("Pine", "Oak", "Birch", "Shrub")
@@ -70,13 +70,9 @@ def shadow(x, radius):
 
 def panel(level, row):
     """A renderer with all species at a level, in a row of the picture."""
-    renderer = vtkRenderer()
+    renderer = pale_renderer()
     low = 1.0 - (row + 1) / len(LEVELS)
     renderer.SetViewport(0.0, low, 1.0, low + 1.0 / len(LEVELS))
-    renderer.GradientBackgroundOn()
-    renderer.SetBackground(*BACKGROUND[0])
-    renderer.SetBackground2(*BACKGROUND[1])
-    renderer.UseFXAAOn()
     add_daylight(renderer)
     seen = 2.0 * DISTANCE * math.tan(math.radians(0.5 * VIEW_ANGLE)) * len(LEVELS) * SIZE[0] / SIZE[1]
     x = -0.5 * sum(WIDTH.values())
@@ -97,12 +93,7 @@ def panel(level, row):
         renderer.AddActor(label(f"{name}: {text}", (place, 0.085), 22, FAINT))
         x += 0.5 * WIDTH[name]
     renderer.AddActor(label(level, (0.07, 0.95), 36, INK))
-    camera = renderer.GetActiveCamera()
-    camera.SetPosition(*EYE)
-    camera.SetFocalPoint(0.0, 0.0, 6.4)
-    camera.SetViewUp(0.0, 0.0, 1.0)
-    camera.SetViewAngle(VIEW_ANGLE)
-    renderer.ResetCameraClippingRange()
+    look(renderer, EYE, (0.0, 0.0, 6.4), VIEW_ANGLE)
     return renderer
 
 

@@ -96,7 +96,7 @@ CARDS = (
 
 
 def site_path(target):
-    """Where a file of the tree is on the site, relative to its source; None if it is not there."""
+    """Address of a file of the tree on the site, relative to its source; None if it is not there."""
     name = target.as_posix()
     fixed = {"README.md": "index.md", "CHANGELOG.md": "changes.md", "CONTRIBUTING.md": "contributing.md",
              "Examples": "gallery/index.md", "Examples/Python": "gallery/index.md",
@@ -430,7 +430,7 @@ def escape(text):
 
 
 def installed_headers():
-    """Those of Common, by their paths: all but those that Common/CMakeLists.txt calls private."""
+    """Headers of Common, by their paths: all but those that Common/CMakeLists.txt calls private."""
     common = TOP / "Common"
     private = re.search(r"^set\(private_headers ([^)]*)\)$", (common / "CMakeLists.txt").read_text(encoding="utf-8"), re.M)
     there = {path.relative_to(common).as_posix() for path in common.glob("*/*.h")}

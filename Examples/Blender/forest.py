@@ -89,20 +89,20 @@ def grove(country, seed=6):
 
 
 def path(far):
-    """How far right of the line of sight the path is at distances [m]."""
+    """Distance of the path to the right of the line of sight, at distances ahead [m]."""
     return 1.1 + 2.6 * np.sin(far / 13.0 - 0.35) * np.clip(far / 30.0, 0.15, 1.0) + 14.0 * np.sin(far / 55.0) * np.clip(
         (far - 60.0) / 150.0, 0.0, 1.0)
 
 
 def off_path(places):
-    """How far beside the path places are, from its middle [m]."""
+    """Distance of places from the middle of the path [m]."""
     along, right = ahead()
     away = places[:, :2] - FIRST
     return np.abs(away @ right - path(away @ along))
 
 
 def in_view(places, reach, half_angle):
-    """Which places are before the camera, or close to it, so that their shadows fall into the picture."""
+    """Mask of the places before the camera, or close to it, so that their shadows fall into the picture."""
     along, right = ahead()
     away = places[:, :2] - FIRST
     far, aside = away @ along, away @ right

@@ -172,11 +172,11 @@ def draw_grounds(filename, grounds, note, size):
         filename, [water[0] for water in waters], [water[1] for water in waters], names,
         (f"measured \u00b7 {note}", "of the fitted model: water stands", "carved: water runs"),
         (("Semivariance over the place's", "1", *(f"{ratio.min():.2f} to {ratio.max():.2f}" for ratio in ratios[1:])),
-         row("Ground in hollows", "DepressionFraction", "{:.1f} %", 100.0, 5.0),
+         row("Depression fraction", "DepressionFraction", "{:.1f} %", 100.0, 5.0),
          row("Hypsometric integral", "HypsometricIntegral", "{:.2f}", 1.0, 0.03),
-         row("Skew of heights", "ElevationSkewness", "{:.2f}", 1.0, 0.15),
-         row("Concavity of streams", "Concavity", "{:.2f}", 1.0, 0.1),
-         row("Skew of curvature", "CurvatureSkewness", "{:.2f}", 1.0, 1.0)),
+         row("Skewness of elevation", "ElevationSkewness", "{:.2f}", 1.0, 0.15),
+         row("Concavity", "Concavity", "{:.2f}", 1.0, 0.1),
+         row("Skewness of curvature", "CurvatureSkewness", "{:.2f}", 1.0, 1.0)),
         slope_area_chart(profiles, names), EXAGGERATION, size)
 
 

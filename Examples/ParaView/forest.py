@@ -23,7 +23,6 @@ from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import littoral
-from littoral.film import save_film
 from littoral.gallery import country as countries
 from littoral.gallery import landscape, sky, views
 from littoral.gallery.arguments import folder_size_frames
@@ -169,14 +168,11 @@ def plan_walk(country, view, frames):
 
 def film_walk(country, view, folder, frames, told):
     """Write the frames of the walk and the film; `told` is called before each frame."""
-    pictures = []
-    for frame in range(frames):
-        told(frame, frames)
+    def turn_to(frame):
         look(country, view, frame / max(1, frames - 1))
         view.ViewTime = frame / RATE
-        pictures.append(os.path.join(folder, f"walk.{frame:04d}.png"))
-        views.save_view(pictures[-1], view)
-    save_film(os.path.join(folder, "walk.ogv"), pictures, RATE)
+
+    views.film_view(os.path.join(folder, "walk.ogv"), view, frames, RATE, turn_to, told)
 
 
 def main(folder, size, frames=0, quick=False, told=lambda frame, frames: None):

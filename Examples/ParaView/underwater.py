@@ -18,7 +18,6 @@ import sys
 from paraview import simple
 
 import littoral
-from littoral.film import save_film
 from littoral.gallery import bay, underwater, views
 from littoral.gallery.arguments import folder_size_frames
 
@@ -51,7 +50,7 @@ def levels(name, particles, sea, culling=1):
 
 
 def on_waves(name, particles, sea):
-    """Those of the levels that are seen individually, in waves, which do not move the others."""
+    """Particles of the levels that are seen individually, in waves, which do not move the others."""
     seen = simple.ExtractBlock(Input=particles, Selectors=SEEN)
     riding = simple.ParticleOrbits(registrationName=name, Input=seen, SeaState=sea)
     # Shown as this script says, and not as Littoral shows what is in waves.
@@ -114,15 +113,12 @@ def build(folder, view, quick=False):
 
 def film(shaded, view, folder, frames, told):
     """Write the frames and the film; `told` is called before each frame."""
-    pictures = []
-    for frame in range(frames):
-        told(frame, frames)
+    def turn_to(frame):
         view.ViewTime = TIME + frame / FRAMES_A_SECOND
         for shown in shaded:
             underwater.set_time(shown, view.ViewTime)
-        pictures.append(os.path.join(folder, f"underwater.{frame:04d}.png"))
-        views.save_view(pictures[-1], view)
-    save_film(os.path.join(folder, "underwater.ogv"), pictures, FRAMES_A_SECOND)
+
+    views.film_view(os.path.join(folder, "underwater.ogv"), view, frames, FRAMES_A_SECOND, turn_to, told)
 
 
 def main(folder, size, frames=0, quick=False, told=lambda frame, frames: None):

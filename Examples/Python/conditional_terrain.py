@@ -46,7 +46,7 @@ points.SetData(numpy_to_vtk(np.column_stack(
 survey = vtkPolyData()
 survey.SetPoints(points)  # without an array: z is the height
 
-# How rough the place is, which so few heights do not tell well.
+# Roughness of the place, which so few heights do not tell well.
 fit = vtkCovarianceFitFilter()
 fit.SetInputData(place)
 

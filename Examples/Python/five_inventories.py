@@ -51,7 +51,7 @@ INVENTORIES = (
     ("japanesepines", "Japanese black pines", 5.7, 0, (57.0, "Pine", 9.0, 0.2)),
     ("cells", "Cells", 1.0, 0, (24.0, "Shrub", 2.4, 0.1)),
 )
-#: What --quick draws.
+#: Inventory that --quick draws.
 QUICK = "japanesepines"
 #: Diameter at breast height [cm] over height [m] of pines that stand alone.
 OPEN_GROWN = 1.5

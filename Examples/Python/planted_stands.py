@@ -34,10 +34,10 @@ PICTURE = (1500, 700)  # pixels
 MAP = 0.42  # part of the width
 SKY = (0.45, 0.64, 0.86)
 SUN = (215.0, 38.0)  # azimuth and elevation [degrees]
-#: Of species on the map, in the order of their numbers.
+#: Colors of species on the map, in the order of their numbers.
 COLORS = ((0.30, 0.52, 0.30), (0.80, 0.56, 0.22), (0.42, 0.50, 0.62), (0.66, 0.34, 0.28), (0.56, 0.62, 0.24), (0.55, 0.45, 0.60))
 
-#: What R writes, and how it is read, for each inventory.
+#: Script of R that writes each inventory, and how it is read.
 LONGLEAF = ("write.csv(data.frame(x=longleaf$x, y=longleaf$y, dbh=longleaf$marks, species='longleaf pine'), "
             "file='{}', row.names=FALSE)")
 LANSING = "write.csv(data.frame(x=lansing$x, y=lansing$y, species=lansing$marks), file='{}', row.names=FALSE)"

@@ -69,7 +69,7 @@ class Result:
         return self.items_per_second or self.bytes_per_second
 
     def cells(self):
-        """Its row of the table, with four figures that mean something."""
+        """Row of the table, with four figures that mean something."""
         figures = (f"{value:.4g}" for value in (self.real, self.processor))
         items = f"{self.items_per_second:.4g}" if self.items_per_second else ""
         return [self.program, self.name, *figures, items, self.note]
@@ -81,7 +81,7 @@ def judged(name, real, processor):
 
 
 def results_of(program, written):
-    """What Google Benchmark writes as JSON. Raises ValueError where a benchmark has failed."""
+    """Results of Google Benchmark from its JSON. Raises ValueError where a benchmark has failed."""
     results = []
     for result in written["benchmarks"]:
         if result.get("run_type", "iteration") != "iteration":

@@ -24,7 +24,7 @@ import tempfile
 
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
-#: What is measured by which tests (labels of ctest), in this order, without clearing between.
+#: Folders, and the tests (labels of ctest) that they are measured by, in this order, without clearing between.
 TABLES = [(["Common"], "common"), (["Support", "Sources", "Filters", "IO"], "cxx|python")]
 
 #: Tests of programs that must be silent: the counters complain where another user or a full disk cannot write them.
@@ -42,7 +42,7 @@ def clear(build):
 
 
 def read_counts(build):
-    """How often each line of each file ran: {file: {line: count}}, by paths from the top folder."""
+    """Counts of the runs of each line of each file: {file: {line: count}}, by paths from the top folder."""
     counts = collections.defaultdict(collections.Counter)
     notes = [path for folder in OBJECTS
              for path in glob.glob(os.path.join(build, folder, "**", "*.gcno"), recursive=True)]

@@ -98,7 +98,7 @@ CASES = [row for row in classes.ROWS if not row.is_of_files]
 
 
 def inputs_of(row):
-    """What feeds the ports of a class."""
+    """Inputs of a class, by port."""
     if row.inputs:
         return row.inputs(sys.modules[__name__])
     return [recipes.source(name) for name in row.fed_by]

@@ -105,6 +105,8 @@ case "${1:-}" in
           opened = line == "/**"
         }' |
       fail_if_found "Comments that do not begin with the thing that they describe:"
+    grep -rnE "(\"\"\"|^ *#: )($weak_beginnings) " --include='*.py' Wrapping Examples Documentation paraview-plugin |
+      fail_if_found "Docstrings that do not begin with the thing that they describe:"
     ;;
   stray-files)
     git ls-files 2>/dev/null | grep -E '\.(orig|rej|bak|swp|log|tmp|pvsm|vdb)$|~$|(^|/)\.DS_Store$|(^|/)core$' |

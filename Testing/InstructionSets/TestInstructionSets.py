@@ -4,8 +4,9 @@
 
     TestInstructionSets.py FOLDER [CLASS...]
 
-FOLDER: of the libraries of numerics for lower sets (CMakeLists.txt); CLASS: without one, all classes. Compared are the hashes of Testing/Hashes. Each run
-also tells which versions of functions the loader has chosen, as read from where it has written their addresses.
+FOLDER: of the libraries of numerics for lower sets (CMakeLists.txt); CLASS: without one, all classes. Compared are the
+hashes of Testing/Hashes. Each run also tells which versions of functions the loader has chosen, as read from where it has
+written their addresses.
 """
 
 import collections

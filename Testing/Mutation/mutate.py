@@ -41,7 +41,7 @@ COPY = os.environ.get("LITTORAL_MUTATION", os.path.join(SOURCE, "build", "mutati
 #: Time after which a program counts as failed [s].
 LONGEST = 600
 
-#: Where it is built, and with which options: the rooms alone, or also the classes.
+#: Build folders and their options: the rooms alone, or also the classes.
 USUAL = ["-DLITTORAL_BUILD_BENCHMARKS=OFF", "-DLITTORAL_BUILD_HELP=OFF"]
 ROOMS = ("build-rooms", ["-DLITTORAL_WITH_VTK=OFF", *USUAL])
 ALL = ("build", ["-DLITTORAL_WITH_PYTHON=OFF", *USUAL])
@@ -78,7 +78,7 @@ def read_all():
 
 
 def place(text, old):
-    """Where a piece stands: as a whole line if there is one, else anywhere; -1 unless it stands there once."""
+    """Place of a piece: as a whole line if there is one, else anywhere; -1 unless it stands there once."""
     for piece, before in ((f"\n{old}\n", 1), (old, 0)):
         if text.count(piece) == 1:
             return text.index(piece) + before
@@ -86,7 +86,7 @@ def place(text, old):
 
 
 def why_unfit(mutation, source=SOURCE):
-    """What is wrong with a mutation; empty if it can be made."""
+    """Fault of a mutation; empty if it can be made."""
     try:
         with open(os.path.join(source, mutation.file), encoding="utf-8") as file:
             text = file.read()
@@ -134,7 +134,7 @@ def plugin_tests(mutation):
 
 
 def kind_of(mutation, rooms):
-    """Which build shows a mutation."""
+    """Build that shows a mutation."""
     of_plugin = mutation.file.startswith("paraview-plugin/") and not any(test.startswith("Cxx/") for test in mutation.tests)
     return ROOMS if rooms else PLUGIN if of_plugin else ALL
 
@@ -180,7 +180,7 @@ def prepare(mutations, rooms):
 
 
 def targets_of(mutation, kind):
-    """What the tests of a mutation need."""
+    """Targets that the tests of a mutation need."""
     if kind is PLUGIN:
         return ["all"]
     return [*room_tests(mutation), *([CLASSES] if kind is ALL and class_tests(mutation) else [])]
@@ -197,7 +197,7 @@ def ctest(folder):
 
 
 def failing_test(mutation, rooms, log):
-    """What fails, the tests of the room first: the build, a program or a test of a class; empty if nothing does."""
+    """First failure, those of the room before others: the build, a program or a test of a class; empty if there is none."""
     kind = kind_of(mutation, rooms)
     folder = kind[0]
     environment = os.path.join(COPY, folder, "bin", "littoral-env")
@@ -220,7 +220,7 @@ def failing_test(mutation, rooms, log):
 
 
 def killer_of(mutation, rooms):
-    """What fails once a mutation is made; empty if nothing does."""
+    """First failure once a mutation is made; empty if nothing does."""
     name, log = os.path.join(COPY, mutation.file), os.path.join(COPY, "build-mutation.log")
     with open(name, encoding="utf-8") as file:
         whole = file.read()

@@ -5,6 +5,7 @@
 
 import quick
 from first_looks import SIZE, check
+from mistakes import classes
 from paraview import simple
 from window import small_view
 
@@ -17,7 +18,7 @@ def in_full(shown):
 def check_plants():
     """The lowest level is two crossed squares."""
     check("Seaweed", simple.Seaweed(), "Surface", "RGB", "water", 0.02)
-    for name in ("AonoKuniiTree", "ReevesTree", "GardnerPlant"):
+    for name in [row.entries[0].proxy for row in classes.ROWS if row.field == "Plants" and row.name.endswith("Source")]:
         plant = getattr(simple, name)()
         check(name, plant, "Full Surface", "RGB", "land", 0.03, display=in_full)
         low = simple.ExtractBlock(Input=plant, Selectors=["/Root/Low"])

@@ -5,7 +5,8 @@
 
 Two squares and a line that move: bounds are those of the visible blocks at each time, and the cells that are picked are
 those of the representation Surface; no numbers of cells and points are made for polygonal data, but for strips, ghost
-cells and volumes. Numbers of blocks, which ParaView makes anew at each time, are the same arrays at all times, and others when there are more points.
+cells and volumes. Numbers of blocks, which ParaView makes anew at each time, are the same arrays at all times, and others
+when there are more points.
 """
 
 import numpy as np

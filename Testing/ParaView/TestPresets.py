@@ -11,9 +11,10 @@ import os
 import sys
 
 import quick
+from mistakes import classes
 from paraview import servermanager, simple
 
-KINDS = ("AonoKuniiTree", "ReevesTree", "GardnerPlant", "Seaweed")
+KINDS = [entry.proxy for _, entry in classes.all_entries() if entry.kind == "PresetProxy"]
 
 
 def plant_of(source):

@@ -34,6 +34,28 @@ def whole_image(proxy, name="Elevation", grid=None):
     return image
 
 
+def digest(values):
+    """Hash of an array of NumPy or VTK."""
+    return hashlib.sha256((values if isinstance(values, np.ndarray) else vtk_to_numpy(values)).tobytes()).hexdigest()
+
+
+def digest_by(identity, data, *names):
+    """Hashes of the points of a data set, then of its point arrays of these names, all in the order of another array."""
+    arrays = [data.GetPoints().GetData(), *(data.GetPointData().GetArray(name) for name in names)]
+    order = np.argsort(vtk_to_numpy(data.GetPointData().GetArray(identity)), kind="stable")
+    return [digest(vtk_to_numpy(array)[order]) for array in arrays]
+
+
+def part_of(plants, part, time):
+    """A part of all plants at a time, of several blocks as one."""
+    merged = simple.ExtractSurface(Input=simple.MergeBlocks(
+        Input=simple.ExtractBlock(Input=plants, Selectors=[f"/Root/{part}"]), MergePoints=0))
+    merged.UpdatePipeline(time)
+    data = servermanager.Fetch(merged)
+    assert data.GetNumberOfPoints() > 100, f"{data.GetNumberOfPoints()} points of {part} on {ranks} ranks"
+    return data
+
+
 def leaves(data):
     """The point sets of a data object that are not empty."""
     if not data.IsA("vtkDataObjectTree"):
@@ -55,7 +77,7 @@ twin.UpdatePipeline()
 fits = servermanager.Fetch(simple.OutputPort(fit, 0))
 assert fits.GetNumberOfRows() == 7, f"{fits.GetNumberOfRows()} rows on {ranks} ranks"
 
-result = [hashlib.sha256(whole_image(proxy).tobytes()).hexdigest() for proxy in (terrain, twin)]
+result = [digest(whole_image(proxy)) for proxy in (terrain, twin)]
 for name in ("ModelId", "Variance", "Range", "AICc"):
     result.append(vtk_to_numpy(fits.GetColumnByName(name)).tobytes().hex())
 # Valleys and rivers, statistics of ground, normal scores, and a field through points that lie on different ranks.
@@ -71,40 +93,40 @@ for proxy in (valleys, numbers, scores, through):
 for proxy, name, grid in ((valleys, "Elevation", twin), (valleys, "DrainageArea", twin),
                           (valleys, "StreamOrder", twin), (scores, "NormalScores", terrain),
                           (through, "Elevation", twin), (through, "KrigingVariance", twin)):
-    result.append(hashlib.sha256(whole_image(proxy, name, grid).tobytes()).hexdigest())
+    result.append(digest(whole_image(proxy, name, grid)))
 # Rivers and tables are on the first rank, and on no other.
 rivers = valleys.GetClientSideObject().GetOutputDataObject(1)
 assert rivers.GetNumberOfLines() > 20, f"{rivers.GetNumberOfLines()} rivers on {ranks} ranks"
 assert valleys.GetDataInformation(1).GetNumberOfCells() == rivers.GetNumberOfLines()
-result.append(hashlib.sha256(vtk_to_numpy(rivers.GetPoints().GetData()).tobytes()).hexdigest())
+result.append(digest(rivers.GetPoints().GetData()))
 for proxy, port, rows in ((numbers, 0, {1}), (through, 1, range(20, 200))):
     table = proxy.GetClientSideObject().GetOutputDataObject(port)
     assert table.GetNumberOfRows() in rows, f"{table.GetNumberOfRows()} rows on {ranks} ranks"
     assert proxy.GetDataInformation(port).GetNumberOfRows() == table.GetNumberOfRows()
     for k in range(table.GetNumberOfColumns()):
-        result.append(hashlib.sha256(vtk_to_numpy(table.GetColumn(k)).tobytes()).hexdigest())
+        result.append(digest(table.GetColumn(k)))
 scored = simple.NormalScores(Input=survey)
 scored.UpdatePipeline()
 cloud = servermanager.Fetch(scored)
-order = np.argsort(vtk_to_numpy(cloud.GetPointData().GetArray("SiteId")))
-assert len(order) == servermanager.Fetch(survey).GetNumberOfPoints(), f"{len(order)} scores on {ranks} ranks"
-result.append(hashlib.sha256(vtk_to_numpy(cloud.GetPointData().GetArray("NormalScores"))[order].tobytes()).hexdigest())
+count = cloud.GetNumberOfPoints()
+assert count == servermanager.Fetch(survey).GetNumberOfPoints(), f"{count} scores on {ranks} ranks"
+result += digest_by("SiteId", cloud, "NormalScores")
 
 points = simple.QuadratPoints(Quadrats=[30, 20], Law="Negative Binomial", MeanPerQuadrat=2.0)
 cloud = servermanager.Fetch(points)
 sites = vtk_to_numpy(cloud.GetPointData().GetArray("SiteId"))
 xyz = vtk_to_numpy(cloud.GetPoints().GetData())[np.argsort(sites)]
 assert len(sites) == 1200, f"{len(sites)} points on {ranks} ranks"
-result.append(hashlib.sha256(xyz.tobytes()).hexdigest())
+result.append(digest(xyz))
 
 # Point processes, their statistics and verdict, and an inventory as a stand.
 for process in ("Thomas", "Matern II", "Log Gaussian Cox", "Strauss"):
     cloud = simple.PointProcess(Process=process, Size=[40.0, 30.0], Intensity=0.2, ClusterScale=1.5, Range=4.0,
                                 Variance=0.5, Distance=0.8, Activity=0.4)
     found = servermanager.Fetch(cloud)
-    order = np.argsort(vtk_to_numpy(found.GetPointData().GetArray("SiteId")))
-    assert 100 < len(order) < 500, f"{len(order)} points of {process} on {ranks} ranks"
-    result.append(hashlib.sha256(vtk_to_numpy(found.GetPoints().GetData())[order].tobytes()).hexdigest())
+    count = found.GetNumberOfPoints()
+    assert 100 < count < 500, f"{count} points of {process} on {ranks} ranks"
+    result += digest_by("SiteId", found)
 statistics = simple.PointPatternStatistics(Input=cloud, Size=[40.0, 30.0], NumberOfSimulations=19)
 verdict = simple.PatternVerdict(Input=cloud, Size=[40.0, 30.0], NumberOfSimulations=19)
 for table, columns in ((statistics, ("L", "GlobalHigh")), (verdict, ("PValue", "ClusterScale"))):
@@ -112,9 +134,7 @@ for table, columns in ((statistics, ("L", "GlobalHigh")), (verdict, ("PValue", "
     result += [vtk_to_numpy(found.GetColumnByName(name)).tobytes().hex() for name in columns]
 stand = servermanager.Fetch(simple.StandInventory(Inventory=inventory()))
 assert stand.GetNumberOfPoints() == 20, f"{stand.GetNumberOfPoints()} trees on {ranks} ranks"
-order = np.argsort(vtk_to_numpy(stand.GetPointData().GetArray("SiteId")))
-for name in ("DBH", "Height", "Species"):
-    result.append(vtk_to_numpy(stand.GetPointData().GetArray(name))[order].tobytes().hex())
+result += digest_by("SiteId", stand, "DBH", "Height", "Species")
 
 orbits = simple.ParticleOrbits(Input=points, SeaState=simple.SeaState(WaterDepth=12.0))
 orbits.UpdatePipeline(7.3)
@@ -122,7 +142,7 @@ moved = servermanager.Fetch(orbits)
 order = np.argsort(vtk_to_numpy(moved.GetPointData().GetArray("SiteId")))
 places = vtk_to_numpy(moved.GetPoints().GetData())[order]
 assert 0.1 < np.abs(places - xyz).max() < 10.0, "particles do not ride on the waves"
-result.append(hashlib.sha256(places.tobytes()).hexdigest())
+result.append(digest(places))
 
 # A wood in the wind: places of all joints and crowns, by plant.
 tree = simple.ReevesTree(Preset="Shrub")
@@ -132,14 +152,7 @@ wood = simple.PlantScatter(Sites=simple.QuadratPoints(Quadrats=[4, 3], Size=[24.
 wind = simple.WindField(Dimensions=[240, 24, 6], ReferenceSpeed=14.0)
 sway = simple.BeamTreeDeformation(Input=wood, Wind=wind, Prototypes=[tree])
 for part in ("High/Skeleton", "High/Leaves", "Medium/Crown"):
-    merged = simple.ExtractSurface(Input=simple.MergeBlocks(
-        Input=simple.ExtractBlock(Input=sway, Selectors=[f"/Root/{part}"]), MergePoints=0))
-    merged.UpdatePipeline(2.3)
-    data = servermanager.Fetch(merged)
-    plants = vtk_to_numpy(data.GetPointData().GetArray("PlantId"))
-    places = vtk_to_numpy(data.GetPoints().GetData())[np.argsort(plants, kind="stable")]
-    assert len(places) > 100, f"{len(places)} points of {part} on {ranks} ranks"
-    result.append(hashlib.sha256(places.tobytes()).hexdigest())
+    result += digest_by("PlantId", part_of(sway, part, 2.3))
 
 particles = simple.SuspendedParticles(Density=0.3)
 tide = simple.WindField(Dimensions=[60, 16, 8], TimeStep=0.5)
@@ -148,11 +161,8 @@ drift = simple.CurrentDrift(Input=particles, KeepInWater=0, Currents=[
     simple.FlowPrimitive(FlowType="Sink", Strength=9.0, Center=[2.0, -3.0, -4.0])])
 drift.UpdatePipeline(4.25)
 cloud = servermanager.Fetch(drift)
-order = np.argsort(vtk_to_numpy(cloud.GetPointData().GetArray("ParticleId")))
-assert len(order) > 6000, f"{len(order)} particles on {ranks} ranks"
-for array in (cloud.GetPoints().GetData(), *(cloud.GetPointData().GetArray(name)
-                                             for name in ("ParticleId", "Radius", "RGB", "Captured"))):
-    result.append(hashlib.sha256(vtk_to_numpy(array)[order].tobytes()).hexdigest())
+assert cloud.GetNumberOfPoints() > 6000, f"{cloud.GetNumberOfPoints()} particles on {ranks} ranks"
+result += digest_by("ParticleId", cloud, "ParticleId", "Radius", "RGB", "Captured")
 assert 10 < vtk_to_numpy(cloud.GetPointData().GetArray("Captured")).sum() < 1000
 
 levels = simple.ParticleLevelOfDetail(
@@ -160,7 +170,7 @@ levels = simple.ParticleLevelOfDetail(
     FarDistance=700.0, BlendDistance=20.0, VisibleDistance=0.0, OffsetRange=[0.0, 100.0])
 drifting = simple.ParticleOrbits(Input=levels, SeaState=orbits.SeaState)
 drifting.UpdatePipeline(7.3)
-for block, name in enumerate(("Near", "MasterSlave", "Far")):
+for name in ("Near", "MasterSlave", "Far"):
     one = servermanager.Fetch(simple.ExtractBlock(Input=drifting, Selectors=[f"/Root/{name}"]))
     pieces = leaves(one)
     arrays = [np.concatenate([vtk_to_numpy(piece.GetPointData().GetArray(name)) for piece in pieces])
@@ -176,7 +186,7 @@ xyz = vtk_to_numpy(cloud.GetPoints().GetData())
 values = vtk_to_numpy(cloud.GetPointData().GetArray("Extinction"))
 cells, first = np.unique(np.rint(xyz * 1e3).astype(int), axis=0, return_index=True)
 assert len(cells) == 9 * 8 * 2, f"{len(cells)} samples of fog on {ranks} ranks"
-result.append(hashlib.sha256(values[first].tobytes()).hexdigest())
+result.append(digest(values[first]))
 
 # Seaweeds in a swell with a current: all segments, blades and stipes, by plant; in full, and in levels of detail.
 weeds = [simple.Seaweed(Preset="Eelgrass"), simple.Seaweed(Preset="Sugar Kelp")]
@@ -189,14 +199,7 @@ kelp = simple.SeaweedDeformation(Input=meadow, SeaState=simple.SeaState(SeaLevel
 counts = set()
 for kelp.Method, kelp.UseLevels in (("Physical", 1), ("Procedural", 0)):
     for part, names in (("High/Skeleton", ("Velocity", "Acceleration")), ("High/Leaves", ()), ("High/Skin", ())):
-        merged = simple.ExtractSurface(Input=simple.MergeBlocks(
-            Input=simple.ExtractBlock(Input=kelp, Selectors=[f"/Root/{part}"]), MergePoints=0))
-        merged.UpdatePipeline(1.31)
-        data = servermanager.Fetch(merged)
-        order = np.argsort(vtk_to_numpy(data.GetPointData().GetArray("PlantId")), kind="stable")
-        assert len(order) > 100, f"{len(order)} points of {part} on {ranks} ranks"
-        arrays = [data.GetPoints().GetData(), *(data.GetPointData().GetArray(name) for name in names)]
-        hashes = [hashlib.sha256(vtk_to_numpy(array)[order].tobytes()).hexdigest() for array in arrays]
+        hashes = digest_by("PlantId", part_of(kelp, part, 1.31), *names)
         result += hashes
         counts.add((part, hashes[0]))
 assert len(counts) == 6, "methods or levels of detail are of no effect"

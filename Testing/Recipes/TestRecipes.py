@@ -25,7 +25,7 @@ NEW = ("vtkSlopeAspectFilter", "vtkDaVinciTreeSource")
 
 
 def run(*command, **options):
-    """What a program prints; the test ends where it fails."""
+    """Output of a program; the test ends where it fails."""
     done = subprocess.run([str(word) for word in command], cwd=TREE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           text=True, errors="replace", **options)
     if done.returncode:
@@ -47,7 +47,7 @@ def make_tree():
 
 
 def options_of_build():
-    """Those of the build that this test belongs to, without what is not needed here."""
+    """Options of the build that this test belongs to, without what is not needed here."""
     cache = (Path(os.environ["LITTORAL_BUILD_DIR"]) / "CMakeCache.txt").read_text(encoding="utf-8", errors="replace")
     kept = re.findall(r"^((?:LITTORAL_WITH_PARAVIEW|CMAKE_BUILD_TYPE|CMAKE_CXX_COMPILER|CMAKE_CXX_FLAGS|CMAKE_PREFIX_PATH"
                       r"|ParaView_DIR|VTK_DIR|Python3_EXECUTABLE):\w+=.*)$", cache, re.M)
@@ -63,7 +63,7 @@ def build():
 
 
 def in_build(*command):
-    """What a program prints that finds the libraries and the package of the copy."""
+    """Output of a program that finds the libraries and the package of the copy."""
     return run(BUILD / "bin" / "littoral-env", "--display", *command)
 
 

@@ -31,7 +31,7 @@ def patch_of(name):
 
 
 def git(*words, folder):
-    """What git prints in a folder that it takes for no part of a repository; None if it fails."""
+    """Output of git in a folder that it takes for no part of a repository; None if it fails."""
     environment = dict(os.environ, GIT_CEILING_DIRECTORIES=str(Path(folder).resolve().parent))
     done = subprocess.run(["git", *map(str, words)], cwd=folder, env=environment, stdout=subprocess.PIPE, text=True)
     return done.stdout if done.returncode == 0 else None

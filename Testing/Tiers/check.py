@@ -26,7 +26,7 @@ SHOWN = 10  # of the dearest tests
 
 
 class Cost(NamedTuple):
-    """What a test took, or a script of several in one test."""
+    """Cost of a test, or of a script of several in one test."""
 
     name: str
     entry: str  # ctest's name

@@ -25,7 +25,7 @@ from . import files
 #: Frames a second of a film.
 RATE = 12
 SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "in_blender", "render.py")
-#: What Blender's own Python and libraries must not take from Littoral's.
+#: Variables that Blender's own Python and libraries must not take from Littoral's.
 OTHERS = ("PYTHONPATH", "PYTHONHOME", "LD_LIBRARY_PATH", "LD_PRELOAD")
 PNG_END = b"IEND\xaeB`\x82"
 

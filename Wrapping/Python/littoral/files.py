@@ -76,7 +76,7 @@ def _remove_left(folder):
 
 
 def _target_of(filename):
-    """Where symbolic links lead. Raises OSError if that is neither a regular file nor free."""
+    """The file to which symbolic links lead. Raises OSError if that is neither a regular file nor free."""
     with contextlib.suppress(FileNotFoundError):
         mode = os.stat(filename).st_mode
         if stat.S_ISDIR(mode):

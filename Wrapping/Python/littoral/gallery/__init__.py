@@ -1,3 +1,3 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What draws the pictures of the demo and the examples: places, palettes, meshes, shaders, views."""
+"""Pictures of the demo and the examples: places, palettes, meshes, shaders, views."""

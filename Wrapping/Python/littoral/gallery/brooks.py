@@ -28,7 +28,7 @@ def width_of(area):
 
 
 class Water:
-    """How water runs over a terrain.
+    """Water that runs over a terrain.
 
     wetness: ln(a / tan b) of each cell, a the drainage area by the width of a cell [m], b the slope, averaged beside
     brooks; cover: fraction of each cell under water; courses: of each brook the places [n, 2] and areas [n], downwards.
@@ -52,7 +52,7 @@ class Water:
         self.courses = [_smooth(*course) for course in _courses(drainage.GetOutputDataObject(1))]
 
     def distance_to(self, places):
-        """From places [n, 2] to the nearest bank [m]; negative in the water."""
+        """Distance of places [n, 2] from the nearest bank [m]; negative in the water."""
         away = np.full(len(places), np.inf)
         for course, areas in self.courses:
             apart = np.hypot(places[:, :1] - course[:, 0], places[:, 1:2] - course[:, 1])

@@ -19,7 +19,7 @@ LUSH = np.array((0.098, 0.150, 0.044))
 FOREST = np.array((0.050, 0.080, 0.034))
 UPLAND = np.array((0.095, 0.105, 0.042))
 ROCK = np.array((0.260, 0.225, 0.185))
-#: From low to high land.
+#: Colors from low to high land.
 ATLAS = np.array((
     (0.115, 0.190, 0.140), (0.210, 0.265, 0.150), (0.360, 0.320, 0.170), (0.330, 0.205, 0.105),
     (0.420, 0.360, 0.310)))
@@ -96,7 +96,7 @@ def _noise(shape, radius, seed):
 
 
 def mix(a, b, share):
-    """Between colors a and b, by a share of b at each place."""
+    """Mixture of colors a and b, by a share of b at each place."""
     return a + (b - a) * share[..., None]
 
 

@@ -39,7 +39,7 @@ def save_grounds(filename, grounds, rivers, titles, notes, rows, chart=None, exa
     width, count, aspect = relief.width_of(grounds[0]), len(grounds), size[0] / (size[1] * (1.0 - share))
     eye, focus, angle = relief.row_camera(width, count, aspect)
     distance = np.linalg.norm(eye - focus)
-    window, above, below = vtkRenderWindow(), _pale_renderer(), vtkRenderer()
+    window, above, below = vtkRenderWindow(), pale_renderer(), vtkRenderer()
     above.SetViewport(0.0, share, 1.0, 1.0)
     below.SetViewport(0.0, 0.0, 1.0, share)
     below.SetBackground(*relief.BACKGROUND[0])
@@ -53,7 +53,7 @@ def save_grounds(filename, grounds, rivers, titles, notes, rows, chart=None, exa
             above.AddActor(actor)
     for surface in [*blocks, relief.floor_shadow([block.GetBounds() for block in blocks])]:
         above.AddActor(lit_actor(surface))
-    _look(above, eye, focus, angle)
+    look(above, eye, focus, angle)
     for k, (title, note) in enumerate(zip(titles, notes)):
         place = (k + 0.5) / count
         above.AddActor(label(title, (place, 0.15), 50, INK))
@@ -94,7 +94,7 @@ def _chart_renderer(chart, viewport, size):
     return renderer
 
 
-def _pale_renderer():
+def pale_renderer():
     """A renderer before a pale sky."""
     renderer = vtkRenderer()
     renderer.GradientBackgroundOn()
@@ -104,7 +104,7 @@ def _pale_renderer():
     return renderer
 
 
-def _look(renderer, eye, focus, view_angle):
+def look(renderer, eye, focus, view_angle):
     """Place the camera of a renderer [m, degrees]."""
     camera = renderer.GetActiveCamera()
     camera.SetPosition(*eye)
@@ -120,12 +120,12 @@ def save_picture(filename, surfaces, eye, focus, view_angle, labels=(), size=(16
 
     eye, focus: camera [m]; view_angle: vertical [degrees]; labels: arguments of `label`.
     """
-    renderer = _pale_renderer()
+    renderer = pale_renderer()
     for surface in surfaces:
         renderer.AddActor(lit_actor(surface))
     for text, place, height, color in labels:
         renderer.AddActor(label(text, place, height * oversampling, color))
-    _look(renderer, eye, focus, view_angle)
+    look(renderer, eye, focus, view_angle)
     window = vtkRenderWindow()
     window.AddRenderer(renderer)
     write_png(window, filename, size, oversampling)

@@ -24,7 +24,7 @@ from .meshes import grids
 SUN = (248.0, 25.0)
 #: Cells along the longer side of a block, at least.
 CELLS = 600
-#: How far blocks are turned from facing the camera, and how high the camera stands above them.
+#: Angle by which blocks are turned from facing the camera, and elevation of the camera above them [degrees].
 TURN, LIFT = 32.0, 39.0
 #: The pale sky behind a relief model, sRGB at the lower and the upper edge of the picture.
 BACKGROUND = (0.96, 0.955, 0.945), (0.74, 0.80, 0.86)

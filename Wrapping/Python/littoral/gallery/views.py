@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Views of ParaView: what is shown in them, and pictures and volumes of it."""
+"""Views of ParaView: what is shown in them, and pictures, films and volumes of it."""
 
 import errno
 import json
@@ -12,6 +12,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from .. import display, files
 from ..elevation import write_vti
+from ..film import save_film
 
 
 def save_view(filename, view):
@@ -20,6 +21,19 @@ def save_view(filename, view):
     writer = vtkPNGWriter()
     writer.SetInputData(view.SMProxy.CaptureWindow(1))  # which draws it
     files.write(writer, filename)
+
+
+def film_view(filename, view, frames, rate, turn_to, told):
+    """Write a film of a view, of so many frames with a rate [1/s], and these beside it: `walk.0000.png` ... for `walk.ogv`.
+
+    turn_to: sets up the frame of a number; told: called before, with that number and `frames`.
+    """
+    pictures = [f"{os.path.splitext(filename)[0]}.{frame:04d}.png" for frame in range(frames)]
+    for frame, picture in enumerate(pictures):
+        told(frame, frames)
+        turn_to(frame)
+        save_view(picture, view)
+    save_film(filename, pictures, rate)
 
 
 def save_volume(filename, source):

@@ -145,7 +145,7 @@ float shafts(vec3 eye, vec3 ray, float part)
 }
 """
 
-#: For fragments.
+#: Shader of fragments.
 THROUGH = """
 // A surface of a radiance, seen through the water between.
 vec3 through(vec3 radiance)

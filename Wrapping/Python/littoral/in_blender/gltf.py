@@ -13,7 +13,7 @@ import numpy as np
 TYPES = {5120: np.int8, 5121: np.uint8, 5122: np.int16, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
 PARTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 INSTANCING, LIGHTS = "EXT_mesh_gpu_instancing", "KHR_lights_punctual"
-#: From y up, as in glTF, to z up.
+#: Rotation from y up, as in glTF, to z up.
 Z_UP = np.array(((1.0, 0, 0, 0), (0, 0, -1.0, 0), (0, 1.0, 0, 0), (0, 0, 0, 1.0)))
 
 

@@ -13,7 +13,7 @@ from . import versions
 SUN_PER_LUX, SKY = 4.6e-5, 0.11
 #: Sine of the lowest elevation at which haze has the color of the sky.
 HORIZON = 0.06
-#: How much brighter haze is towards the sun.
+#: Factor by which haze is brighter towards the sun.
 GLOW = 1.2
 
 
@@ -51,7 +51,7 @@ class Air:
         return s.blend(cover, self.sky(s), s.scaled((1.0, 0.96, 0.92), shine))
 
     def before(self, s, make):
-        """What `make` makes, seen through haze, whose density falls with height: only what the camera sees directly. It is
+        """Shader of `make`, seen through haze, whose density falls with height: only what the camera sees directly. It is
         made twice, so that other rays need not compute the haze; make(False) is for those."""
         if not self.sight:
             return s.mix(s.ray("Is Diffuse Ray"), make(), make(False))

@@ -106,7 +106,7 @@ def set_quality(job, extras):
 
 
 def report():
-    """What the scene holds, by the names of meshes: counts, bounds and kinds, as Blender evaluates them."""
+    """Contents of the scene, by the names of meshes: counts, bounds and kinds, as Blender evaluates them."""
     found = {}
     for one in bpy.context.evaluated_depsgraph_get().object_instances:
         thing = one.object

@@ -9,7 +9,7 @@ import bpy
 from . import versions
 from .shading import Shading
 
-#: Between which speeds of the wind [m/s] the air goes from clear to as dense as it gets.
+#: Speeds of the wind [m/s] between which the air goes from clear to as dense as it gets.
 SPEEDS = 5.0, 15.0
 #: Colors of slow and fast wind, and how much of the light goes on ahead.
 SLOW, FAST, FORWARD = (0.20, 0.45, 1.0), (1.0, 0.42, 0.12), 0.3

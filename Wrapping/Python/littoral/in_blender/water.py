@@ -64,7 +64,7 @@ class Water:
         return s.math("SUBTRACT", 1.0, s.math("MAXIMUM", s.ray("Is Shadow Ray"), s.ray("Is Diffuse Ray")))
 
     def filter(self, s):
-        """What the water leaves of the light of a surface on its way to the eye, a color."""
+        """Share of the light of a surface that the water leaves on its way to the eye, a color."""
         way = s.math("MULTIPLY", s.ray("Ray Length"), self.seen(s))
         return self.left(s, way, self.extinction)
 
@@ -74,7 +74,7 @@ class Water:
         return s.node("CombineXYZ", dict(enumerate(parts)))
 
     def before(self, s, make):
-        """What `make` makes, with the light that the water before it scatters to the eye; other rays do not compute it."""
+        """Shader of `make`, with the light that the water before it scatters to the eye; other rays do not compute it."""
         seen = s.node("AddShader", {0: make(), 1: self.veil(s)})
         return s.mix(self.seen(s), make(False), seen)
 
@@ -117,7 +117,7 @@ class Water:
         return s.math("MULTIPLY", total, 1.0 / LOOKS)
 
     def focus_at(self, s, place):
-        """How much the surface focuses light at a place, 1 under a flat one."""
+        """Factor by which the surface focuses light at a place, 1 under a flat one."""
         node = s.tree.nodes.new("ShaderNodeTexImage")
         node.image, node.extension = self.caustics, "EXTEND"
         s.plug(node.inputs["Vector"], s.scaled(s.vector("SUBTRACT", place, (*self.low, 0.0)), 1.0 / self.side))
