@@ -283,7 +283,10 @@ void MovingPlants::Follow(const std::vector<SceneSource>& sources, double time)
   const auto data = DataAt(sources, this->Address);
   const auto plants = IsComposite(data) ? BlocksOf(data, this->Name.c_str()) : nullptr;
   auto* joints = plants ? vtkPolyData::SafeDownCast(FindBlock(plants, joint::Joints)) : nullptr;
-  Require(joints ? "" : this->Name + " has no block Joints at " + TextOf(time) + " s after the start.");
+  if (!joints)
+  {
+    Refuse(this->Name, " has no block Joints at ", TextOf(time), " s after the start.");
+  }
   RequireJoints(joints, this->Name);
   if (joints->GetNumberOfPoints() != static_cast<vtkIdType>(this->Parents.size()))
   {
