@@ -8,8 +8,9 @@
     coverage.py BUILD clear
 
 BUILD is the folder of the preset `coverage`. `./littoral coverage` builds it and measures. The numerics, `Common`, are
-measured by their own tests alone, the VTK classes by all of them; tests of the tier `all` do not count. A line counts as run if any of the code that the
-compiler made of it ran, as an instance of a template or in another file that includes it. The numbers are gcov's.
+measured by their own tests alone, the VTK classes by all of them; tests of the tier `all` do not count. A line counts as
+run if any of the code that the compiler made of it ran, as an instance of a template or in another file that includes it.
+The numbers are gcov's.
 """
 
 import collections
