@@ -31,7 +31,8 @@
 #define LITTORAL_ANY_VERSION
 #endif
 
-/// Marks a function that becomes a part of each version of those that call it.
+/// Marks a function that becomes a part of each version of those that call it. What returns a vector of four must, and be
+/// no lambda, which is not marked: versions hand it back in other places.
 #if defined(__GNUC__) && !LITTORAL_IS_SANITIZED
 #define LITTORAL_INLINE inline __attribute__((always_inline))
 #else

@@ -200,6 +200,12 @@ LITTORAL_INLINE SimdDouble4 Square(const SimdDouble4& x)
   return x * x;
 }
 
+/// Mean of (v + s t)^2 over 0 <= s <= 1: v^2 + v t + t^2 / 3.
+LITTORAL_INLINE SimdDouble4 MeanSquare(const SimdDouble4& v, const SimdDouble4& t)
+{
+  return v * (v + t) + SimdDouble4(1.0 / 3.0) * t * t;
+}
+
 /// Parallel transport of a tangent vector of the unit sphere along the great circle from one direction to another.
 LITTORAL_INLINE Vector ParallelTransport(const Vector& tangent, const Vector& from, const Vector& to)
 {
@@ -435,12 +441,8 @@ public:
   {
     const LinkFaceOf<SimdDouble4> face = FaceOf<SimdDouble4>(body, pose);
     const Vector turning = body.Length * glm::cross(pose.Spin, pose.Axis);
-    // Mean of (v + s t)^2 over 0 <= s <= 1: v^2 + v t + t^2 / 3
-    const auto mean = [](const SimdDouble4& v, const SimdDouble4& t) {
-      return v * (v + t) + SimdDouble4(1.0 / 3.0) * t * t;
-    };
-    const SimdDouble4 normal = mean(glm::dot(pose.Velocity, face.Normal), glm::dot(turning, face.Normal));
-    const SimdDouble4 edge = mean(glm::dot(pose.Velocity, face.Edge), glm::dot(turning, face.Edge));
+    const SimdDouble4 normal = MeanSquare(glm::dot(pose.Velocity, face.Normal), glm::dot(turning, face.Normal));
+    const SimdDouble4 edge = MeanSquare(glm::dot(pose.Velocity, face.Edge), glm::dot(turning, face.Edge));
     const SimdDouble4 along = Square(glm::dot(pose.Velocity, pose.Axis));
     const SimdDouble4 spin = Square(glm::dot(pose.Spin, pose.Axis));
     return SimdDouble4(0.5) *

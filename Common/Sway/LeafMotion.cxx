@@ -67,10 +67,10 @@ LITTORAL_INLINE VectorOf<Real> Towards(
   const CosineAndSine<Real> way(part * AngleOf(sine, cosine));
   const Real least(1e-9);
   const Real factor = way.Sine / Max(sine, least);
-  const auto across = [&](const Real& own, const Real& other) {
-    return SelectLess(least, sine, factor * own, way.Sine * other);
-  };
-  return way.Cosine * from + VectorOf<Real>(across(flat.x, side.x), across(flat.y, side.y), across(flat.z, side.z));
+  const VectorOf<Real> across(SelectLess(least, sine, factor * flat.x, way.Sine * side.x),
+    SelectLess(least, sine, factor * flat.y, way.Sine * side.y),
+    SelectLess(least, sine, factor * flat.z, way.Sine * side.z));
+  return way.Cosine * from + across;
 }
 
 /// LeafRotation, with the angles of the flutter [rad].
@@ -115,13 +115,16 @@ struct FourLeaves
     return Four(__builtin_convertvector(four, Four::Register));
   }
 
+  /// Parts of the vectors at a corner.
+  LITTORAL_INLINE Four PartAt(int corner, int axis, const float* vectors) const
+  {
+    return this->Each([&](const FlutteringLeaf& leaf) { return vectors[3 * leaf.Corners[corner] + axis]; });
+  }
+
   /// Vectors at a corner.
   LITTORAL_INLINE FourVectors At(int corner, const float* vectors) const
   {
-    const auto part = [&](int axis) {
-      return this->Each([&](const FlutteringLeaf& leaf) { return vectors[3 * leaf.Corners[corner] + axis]; });
-    };
-    return { part(0), part(1), part(2) };
+    return { this->PartAt(corner, 0, vectors), this->PartAt(corner, 1, vectors), this->PartAt(corner, 2, vectors) };
   }
 
   /// Adds to vectors at a corner, of the first leaves.
