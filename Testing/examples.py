@@ -20,7 +20,7 @@ class Examples:
         return getattr(self.proxies, name)
 
     def tree(self):
-        return self.ReevesTree(NumberOfLeaves=100)
+        return self.ReevesTree(Preset="Custom", NumberOfLeaves=100, MainBranches=8, SideBranches=4)
 
     def sites(self):
         return self.QuadratPoints(Size=[50.0, 50.0], Quadrats=[5, 5])

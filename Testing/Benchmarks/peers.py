@@ -9,8 +9,6 @@ import shutil
 import subprocess
 import time
 
-import numpy as np
-
 R_SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "peers.R")
 
 
@@ -26,6 +24,8 @@ def least(work, runs):
 
 def variogram(side=1024, classes=40, directions=12):
     """Mean squared differences by class of distance and direction, by transforms of a padded grid."""
+    import numpy as np
+
     heights = np.random.default_rng(1).standard_normal((side, side))
     padded, half = (2 * side, 2 * side), side // 2
     z, squares, mask = (np.fft.rfft2(grid, padded) for grid in (heights, heights**2, np.ones_like(heights)))
@@ -42,6 +42,8 @@ def variogram(side=1024, classes=40, directions=12):
 
 def wind(steps=12000, across=32, up=32, part=500):
     """A field of white spectra: two transforms across for each frequency, padded to twice the size, and one in time."""
+    import numpy as np
+
     random = np.random.default_rng(1)
     field = np.empty((steps, across, up, 3), np.float32)
     for component in range(3):

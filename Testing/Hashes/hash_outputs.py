@@ -219,9 +219,10 @@ def main(wanted):
     for row in CASES:
         if wanted and row.name not in wanted:
             continue
-        default = print_outputs(make(row.name, inputs_of(row)), f"{row.name} default")
+        inputs = inputs_of(row)
+        default = print_outputs(make(row.name, inputs), f"{row.name} default")
         for number, settings in enumerate(row.variants, 1):
-            if print_outputs(make(row.name, inputs_of(row), **settings), f"{row.name} {number}") == default:
+            if print_outputs(make(row.name, inputs, **settings), f"{row.name} {number}") == default:
                 sys.exit(f"{row.name}: setting {number} changes nothing")
     if not wanted:
         print_volume()

@@ -38,12 +38,18 @@ def result(name, time, unit="ms", **more):
 
 
 class Benchmarks(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.compiled = folder.name  # of the report
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
         self.program = self.make("bench_waves", PROGRAM.format(python=sys.executable))
-        self.environment = {"PATH": self.folder, "VTK_SMP_MAX_THREADS": "2"}
+        self.environment = {"PATH": self.folder, "VTK_SMP_MAX_THREADS": "2", "PYTHONPYCACHEPREFIX": self.compiled}
 
     def make(self, name, script):
         """A program; returns its path."""
@@ -54,7 +60,7 @@ class Benchmarks(unittest.TestCase):
         return path
 
     def run_report(self, *words):
-        return subprocess.run([sys.executable, "-B", REPORT, *words], cwd=self.folder, text=True, env=self.environment,
+        return subprocess.run([sys.executable, REPORT, *words], cwd=self.folder, text=True, env=self.environment,
                               capture_output=True, check=False)
 
     def report(self, results, *words, **more):

@@ -11,6 +11,7 @@ from vtkmodules.vtkCommonCore import vtkStringArray
 
 from littoral.elevation import (
     array_from_image, image_from_array, metres_per_degree, read_elevation, write_vti)
+from littoral.gallery import relief
 from littoral.gallery.heights import blur, normals, openness, subdivide, sunlight
 from littoral.gallery.relief import floor_shadow, relief_block, row_camera
 from littoral.glb import direction
@@ -60,6 +61,7 @@ assert np.all(seen[:10] > 0.99) and np.all(seen[35:] > 0.99)
 assert np.all(openness(np.zeros((8, 8)), (1.0, 1.0)) == 1.0)
 assert openness(wall, (1.0, 1.0))[2, 10] < 0.9
 
+relief.CELLS = 60
 # A block stands on z = 0 round its center; flat, tiny and holed terrains have one as well.
 holed = np.where(x + y > 40.0, np.nan, plane)
 for terrain in (plane, np.full((4, 5), 7.0), plane[:2, :2], holed):

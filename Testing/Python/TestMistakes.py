@@ -48,6 +48,8 @@ def bounds_of(data):
 
 
 tree = vtkReevesTreeSource()
+tree.SetPresetToCustom()
+tree.SetMainBranches(8)
 tree.SetNumberOfLeaves(50)
 tree.Update()
 sway = watched(vtkBeamTreeDeformationFilter())

@@ -53,7 +53,8 @@ def make(name, *inputs, **settings):
 
 
 def tree(**settings):
-    return make("vtkReevesTreeSource", NumberOfLeaves=200, **settings)
+    """A small tree, or one of a preset."""
+    return make("vtkReevesTreeSource", **{"Preset": 0, "NumberOfLeaves": 200, "MainBranches": 8, "SideBranches": 4, **settings})
 
 
 def sites(count=40, side=60.0):
@@ -413,7 +414,7 @@ class Instances(Written):
 
     def test_grass(self):
         """A kind that is told is that of all parts of a source's instances."""
-        g = self.write({"Trees": self.forest, "Grass": forest([tree(Preset=4)])}, LevelForm=2, kinds={"Grass": "grass"})
+        g = self.write({"Trees": self.forest, "Grass": forest([tree(Seed=4)])}, LevelForm=2, kinds={"Grass": "grass"})
         found = {}
         for name in ("Trees", "Grass"):
             parts = [part for level in g.nodes[g.named(name)[0]]["children"] for part in g.nodes[level]["children"]]
@@ -477,9 +478,16 @@ class Refused(unittest.TestCase):
             self.assertIn(words, complaint({"Leaves": leaves}))
 
     def test_size(self):
-        """Beyond 32 bits: one large block a hundred times."""
-        large = points_of(np.zeros((4000000, 3)))
-        self.assertIn("a GLB file holds at most 4.29 GB", complaint({f"Part {k}": large for k in range(100)}))
+        """Beyond 32 bits: one large block with colors, 28 bytes a point, again and again."""
+        count = 500000
+        large, colors = points_of(np.zeros((count, 3))), vtkUnsignedCharArray()
+        colors.SetName("RGB")
+        colors.SetNumberOfComponents(4)
+        colors.SetNumberOfTuples(count)
+        colors.Fill(255)
+        large.GetPointData().AddArray(colors)
+        self.assertIn("a GLB file holds at most 4.29 GB",
+                      complaint({f"Part {k}": large for k in range((1 << 32) // (28 * count) + 1)}))
 
     def test_files(self):
         self.assertIn("FileName is empty", complaint({"A": sites()}, filename=""))

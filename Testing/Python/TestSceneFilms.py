@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: python3 tier=all
-"""A film of three seconds in a scene file: cubic curves keep fewer numbers than lines of the same tolerance would."""
+"""Scene files of whole species: what moves, and a film of three seconds, whose cubic curves keep fewer numbers than lines
+of the same tolerance would."""
 
 import sys
 import unittest
@@ -15,9 +16,15 @@ import TestSceneMotion  # noqa: E402
 from glb import smooth  # noqa: E402
 
 
+class Species(TestSceneMotion.Motion):
+    TREES = {"Preset": 2}, {"Preset": 3}
+    OF_FOREST = {"times": (0.5, 1.0, 8.0), "frames": (0, 4)}
+    OF_CURVES = 0, 5, 17, 26, 35, 36
+
+
 class Film(TestSceneMotion.Moving):
     def test_cubic_curves_are_shorter_than_lines(self):
-        g, error = self.compare(self.swaying(TestSceneFiles.tree()), (("High", "Skin"), ("High", "Leaves")), 0.001,
+        g, error = self.compare(self.swaying(TestSceneFiles.tree(Preset=2)), (("High", "Skin"), ("High", "Leaves")), 0.001,
                                 times=(0.5, 3.5, 24.0), frames=(0, 1, 5, 17, 26, 39, 50, 63, 70, 72))
         self.assertLess(error, 0.001)
         kept, by_lines = self.turns_of(g, 0.001)

@@ -61,8 +61,12 @@ class Moving(TestSceneFiles.Written):
 
 
 class Motion(Moving):
+    TREES = {}, {"Seed": 2, "CrownShape": 0}
+    OF_FOREST = {"times": (0.5, 0.75, 8.0), "frames": (0, 2)}
+    OF_CURVES = 0, 5, 17, 36
+
     def test_a_tree(self):
-        source = self.swaying(tree())
+        source = self.swaying(tree(**self.TREES[0]))
         parts = (("High", "Skin"), ("High", "Leaves"))
         g, error = self.compare(source, parts, 0.001)
         self.assertLess(error, 0.001)
@@ -74,11 +78,11 @@ class Motion(Moving):
         np.testing.assert_allclose(times, np.arange(9) / 8.0, atol=1e-7)
 
     def test_a_forest(self):
-        prototypes = [tree(), tree(Preset=3)]
+        prototypes = [tree(**settings) for settings in self.TREES]
         wood = forest(prototypes, count=16, OutputForm=0, ViewPoint=(0.0, 0.0, 2.0), NearDistance=18.0, FarDistance=40.0)
         source = self.swaying(wood, prototypes)
         g, error = self.compare(source, (("High", "Skin"), ("High", "Leaves"), ("Medium", "Trunk"), ("Medium", "Crown")), 0.001,
-                                times=(0.5, 0.75, 8.0), frames=(0, 2))
+                                **self.OF_FOREST)
         self.assertLess(error, 0.001)
         counts = {n: int(source.GetOutput().GetFieldData().GetArray(n).GetTuple1(0)) for n in ("PlantsHigh", "PlantsMedium")}
         self.assertEqual(len(g.skins), counts["PlantsHigh"] + counts["PlantsMedium"])
@@ -89,9 +93,9 @@ class Motion(Moving):
 
     def test_curves_between_few_samples(self):
         """Cubic curves of the film's rate, at samples and between them, keep fewer numbers than all samples would."""
-        source = self.swaying(tree())
+        source = self.swaying(tree(**self.TREES[0]))
         parts = (("High", "Skin"), ("High", "Leaves"))
-        g, error = self.compare(source, parts, 0.001, times=(0.5, 2.0, 24.0), frames=(0, 5, 17, 36))
+        g, error = self.compare(source, parts, 0.001, times=(0.5, 2.0, 24.0), frames=self.OF_CURVES)
         self.assertLess(error, 0.001)
         samplers = g.animations[0]["samplers"]
         smooth = [s for s in samplers if s["interpolation"] == "CUBICSPLINE"]

@@ -14,7 +14,7 @@ from TestFaults import Program, run
 LARGE = {
     "vtkTurningBandsTerrainSource": "made.SetWholeExtent(0, 3999, 0, 3999, 0, 0); made.SetNumberOfLines(1)",
     "vtkWindFieldSource": "made.SetDimensions(256, 64, 64)",
-    "vtkSeaweedSource": "made.SetTextureSize(4096, 4096)",
+    "vtkSeaweedSource": "made.SetTextureSize(2048, 2048)",
     "vtkSuspendedParticleSource": "made.SetDensity(100.0)",
     "vtkQuadratPointSource": "made.SetQuadrats(1000, 1000)",
     "vtkParticleFogFilter": "source = littoral.vtkSuspendedParticleSource(); made.SetDimensions(200, 200, 200)\n"

@@ -90,9 +90,9 @@ def measured(forest, count):
     return heights, diameters
 
 
-def check_planted(trees, name):
+def check_planted(trees, name, forest=None):
     """Height and DBH of each planted tree within 1 %."""
-    forest = stand.plant(trees)
+    forest = forest or stand.plant(trees)
     forest.Update()
     count = trees.GetNumberOfPoints()
     for what, values in zip(("Height", "DBH"), measured(forest, count)):
@@ -148,11 +148,10 @@ for k in range(24):
     dbh = np.exp(rng.uniform(np.log(1.5), np.log(90.0)))
     rows.append(f"{6 * (k % 6)},{7 * (k // 6)},{species},{dbh:.2f},{'' if k % 4 else round(2.0 + 9.0 * dbh**0.3, 1)}")
 mixed = stand.read_inventory(written("\n".join(rows)))
-check_planted(mixed, "three kinds")
 sites, plants = stand.prototypes(mixed, classes=2)
 assert len(plants) == 6 and sorted(set(stand.numbers(sites, "Species"))) == list(range(6))
 
-# As instances, the same trees.
+# As instances, and merged, the same trees.
 forest = stand.plant(mixed, OutputForm=1)
 forest.Update()
 points = forest.GetOutput().GetBlock(0)
@@ -160,6 +159,8 @@ scales = vtk_to_numpy(points.GetPointData().GetArray("Scale"))
 index = vtk_to_numpy(points.GetPointData().GetArray("Prototype"))
 tops = {k: max(forest.GetOutput().GetBlock(int(k)).GetBlock(part).GetBounds()[5] for part in (0, 1)) for k in set(index)}
 assert np.allclose([scales[k, 2] * tops[i] for k, i in enumerate(index)], stand.numbers(mixed, "Height"), rtol=1e-5)
+forest.SetOutputForm(0)
+check_planted(mixed, "three kinds", forest)
 
 # A real stand, where R is -----------------------------------------------------------------------------------------------
 longleaf = os.path.join(FOLDER, "longleaf.csv")

@@ -74,7 +74,7 @@ class Three(unittest.TestCase):
         np.testing.assert_allclose(colors, linear(array(data, "RGB") / 255.0), atol=1e-5)
 
     def test_a_plant_and_ground(self):
-        plant, land = tree(TextureSize=(32, 16)), make("vtkTurningBandsTerrainSource", WholeExtent=(0, 30, 0, 20, 0, 0))
+        plant, land = tree(Preset=2, TextureSize=(32, 16)), make("vtkTurningBandsTerrainSource", WholeExtent=(0, 30, 0, 20, 0, 0))
         dust = points_of([(1, 2, 3), (4, 5, 6)])
         found = loaded({"Tree": plant, "Land": land, "Dust": dust}, LevelForm=2, camera=((0, -9, 2), (0, 0, 2), (0, 0, 1), 40.0),
                        sun=(200, 35))
@@ -93,7 +93,7 @@ class Three(unittest.TestCase):
         self.assertEqual(found["lights"], [["DirectionalLight", 100000]])
 
     def test_instances(self):
-        prototype = tree()
+        prototype = tree(Preset=2)
         wood = forest([prototype])
         found = loaded({"Forest": wood}, LevelForm=2)
         merged = forest([prototype], OutputForm=0, UseLevels=False)
@@ -108,7 +108,7 @@ class Three(unittest.TestCase):
 
     def test_joints(self):
         wind = make("vtkWindFieldSource", Dimensions=(64, 32, 16), LateralSpacing=4.0, VerticalSpacing=2.5)
-        sway = make("vtkBeamTreeDeformationFilter", tree(), wind, GenerateJoints=True, LeafFlutter=0.0)
+        sway = make("vtkBeamTreeDeformationFilter", tree(Preset=2), wind, GenerateJoints=True, LeafFlutter=0.0)
         at = (0.0, 0.375, 1.0)
         for tolerance, limit in ((0.0, 0.0003), (0.001, 0.001)):
             found = loaded({"P": sway}, at, times=(0.5, 1.5, 8.0), JointTolerance=tolerance)
@@ -165,7 +165,7 @@ class Page(unittest.TestCase):
             shutil.copyfile(PAGE, os.path.join(folder, "scene.html"))
             os.mkdir(os.path.join(folder, "node_modules"))
             os.symlink(os.path.abspath(THREE), os.path.join(folder, "node_modules", "three"))
-            write_glb(os.path.join(folder, "scene.glb"), {"Forest": forest([tree()])}, LevelForm=3, sun=(200, 35),
+            write_glb(os.path.join(folder, "scene.glb"), {"Forest": forest([tree(Preset=2)])}, LevelForm=3, sun=(200, 35),
                       camera=((0, -60, 30), (0, 0, 5), (0, 0, 1), 50))
             red, green, blue = np.moveaxis(self.picture(folder)[..., :3], -1, 0)
         leaves = (green > 1.2 * blue) & (green > red)

@@ -58,23 +58,22 @@ def places():
 
 def depression_fraction(heights):
     """Share of the cells that water must cover before it can leave over the border."""
-    rows, columns = heights.shape
-    level = np.full(heights.shape, np.inf)
-    rim = []
-    for j in range(rows):
-        for i in range(columns):
-            if j in (0, rows - 1) or i in (0, columns - 1):
-                level[j, i] = heights[j, i]
-                rim.append((heights[j, i], j, i))
+    ground, columns = heights.ravel().tolist(), heights.shape[1]
+    dry = np.ones(heights.shape, bool)
+    dry[1:-1, 1:-1] = False
+    rim = [(ground[cell], cell) for cell in np.flatnonzero(dry).tolist()]
+    reached, sunk = bytearray(dry.tobytes()), 0
+    steps = [step + across for step in (-columns, 0, columns) for across in (-1, 0, 1)]
     heapq.heapify(rim)
     while rim:
-        water, j, i = heapq.heappop(rim)
-        for y in range(max(j - 1, 0), min(j + 2, rows)):
-            for x in range(max(i - 1, 0), min(i + 2, columns)):
-                if np.isinf(level[y, x]):
-                    level[y, x] = max(water, heights[y, x])
-                    heapq.heappush(rim, (level[y, x], y, x))
-    return (level > heights).mean()
+        water, cell = heapq.heappop(rim)
+        for step in steps:
+            near = cell + step
+            if 0 <= near < len(ground) and not reached[near]:
+                reached[near] = 1
+                sunk += water > ground[near]
+                heapq.heappush(rim, (max(water, ground[near]), near))
+    return sunk / len(ground)
 
 
 def skew(values):
