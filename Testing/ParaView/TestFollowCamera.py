@@ -114,7 +114,9 @@ def check_here(where):
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = [200, 150]
     forest = forest_in(view)
+    forest.UseCulling = 0
     simple.ResetCamera(view)
+    forest.UseCulling = 1
     simple.Render(view)
     assert sum(counts(forest)) == NUMBER, f"{where}: {counts(forest)} plants in the first picture, not {NUMBER}"
     check_follows(forest, view, where)
