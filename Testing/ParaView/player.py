@@ -17,6 +17,7 @@ import sys
 import traceback
 
 import numpy as np
+from paraview.simple import GetParaViewVersion
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
@@ -28,6 +29,7 @@ PANEL = f"{PROPERTIES}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContent
 NUMBER = "DoubleRangeWidget/DoubleLineEdit"  # the field of a number with a slider
 CAMERA = ("InteractionMode", "CameraPosition", "CameraFocalPoint", "CameraViewUp", "CameraViewAngle",
           "CameraParallelProjection", "CameraParallelScale")
+ASKS = GetParaViewVersion() < (5, 13)  # whether a reset is meant
 SIZE = [300, 300]  # of a view [pixels]
 PATIENCE = 1500  # with a client that may wait for somebody to close a dialog; CTest waits longer [s]
 MESSAGES = ("ERR|", "WARN|", "ERROR:", "Warning:", "critical:", "fatal:", "Traceback")
@@ -81,7 +83,8 @@ class Session:
     def reset(self):
         """Edit > Reset Session."""
         self.menu("menu_Edit", "actionDelete_All")
-        self.event(f"{WINDOW}/CoreUtilitiesPromptUser/qt_msgbox_buttonbox/1QPushButton0")  # Yes
+        if ASKS:
+            self.event(f"{WINDOW}/CoreUtilitiesPromptUser/qt_msgbox_buttonbox/1QPushButton0")  # Yes
 
     def select(self, *rows):
         """Select an entry of the pipeline browser by its row below each other: 0, 1 is the second output of the first."""
