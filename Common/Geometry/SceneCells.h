@@ -5,6 +5,7 @@
 
 #include "Geometry/ViewFrustum.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace littoral

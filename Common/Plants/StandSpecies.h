@@ -5,6 +5,7 @@
 
 #include "Plants/StandAllometry.h"
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>

@@ -54,7 +54,8 @@ def make(name, *inputs, **settings):
 
 def tree(**settings):
     """A small tree, or one of a preset."""
-    return make("vtkReevesTreeSource", **{"Preset": 0, "NumberOfLeaves": 200, "MainBranches": 8, "SideBranches": 4, **settings})
+    small = {"Preset": 0, "NumberOfLeaves": 200, "MainBranches": 8, "SideBranches": 4}
+    return make("vtkReevesTreeSource", **{**small, **settings})
 
 
 def sites(count=40, side=60.0):

@@ -74,7 +74,8 @@ class Three(unittest.TestCase):
         np.testing.assert_allclose(colors, linear(array(data, "RGB") / 255.0), atol=1e-5)
 
     def test_a_plant_and_ground(self):
-        plant, land = tree(Preset=2, TextureSize=(32, 16)), make("vtkTurningBandsTerrainSource", WholeExtent=(0, 30, 0, 20, 0, 0))
+        plant = tree(Preset=2, TextureSize=(32, 16))
+        land = make("vtkTurningBandsTerrainSource", WholeExtent=(0, 30, 0, 20, 0, 0))
         dust = points_of([(1, 2, 3), (4, 5, 6)])
         found = loaded({"Tree": plant, "Land": land, "Dust": dust}, LevelForm=2, camera=((0, -9, 2), (0, 0, 2), (0, 0, 1), 40.0),
                        sun=(200, 35))
