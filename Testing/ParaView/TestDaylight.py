@@ -69,7 +69,7 @@ for name in ("UseColorPaletteForBackground", "BackgroundColorMode", "Background"
 view.AdditionalLights = []
 view.UpdateVTKObjects()
 undone = lights_of(view)
-simple.Show(simple.ReevesTree(NumberOfLeaves=50), view)
+simple.Show(simple.ReevesTree(Preset="Custom", NumberOfLeaves=50, MainBranches=4, Orders=1), view)
 assert lights_of(view) == undone, "lit twice"
 
 # State: what a user has changed comes back, and what not, too.

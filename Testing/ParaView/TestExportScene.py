@@ -38,7 +38,8 @@ def camera_of(scene):
 
 def check_script():
     view = simple.CreateRenderView()
-    land, tree = simple.TurningBandsTerrain(WholeExtent=[0, 20, 0, 10, 0, 0]), simple.ReevesTree(NumberOfLeaves=100)
+    land = simple.TurningBandsTerrain(WholeExtent=[0, 20, 0, 10, 0, 0])
+    tree = simple.ReevesTree(Preset="Custom", NumberOfLeaves=50, MainBranches=4, Orders=1)
     simple.RenameSource("Café", tree)
     text = simple.Text(Text="no surface")
     for source in (land, tree, text):

@@ -26,7 +26,7 @@ def scene():
     """A view of trees near and far, and shrubs."""
     view = small_view(SIZE)
     view.UseColorPaletteForBackground, view.Background = 0, [0.0, 0.0, 1.0]
-    prototypes = [simple.ReevesTree(NumberOfLeaves=150), simple.GardnerPlant()]
+    prototypes = [simple.ReevesTree(Preset="Custom", NumberOfLeaves=1500, MainBranches=8, Orders=1), simple.GardnerPlant()]
     forest = simple.PlantScatter(
         Sites=simple.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=SITES), Prototypes=prototypes,
         FollowCamera=0, FaceCamera=0, FarDistance=70.0, ViewPoint=[45.0, -10.0, 10.0], ViewDirection=[0.0, 1.0, -0.1])

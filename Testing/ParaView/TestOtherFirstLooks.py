@@ -47,7 +47,8 @@ def check_fog():
 
 def check_textures():
     """The images of a plant, its other outputs, are shown as images, without a message."""
-    tree, view = simple.ReevesTree(NumberOfLeaves=50), small_view(SIZE)
+    tree = simple.ReevesTree(Preset="Custom", NumberOfLeaves=50, MainBranches=4, Orders=1)
+    view = small_view(SIZE)
     for port in (1, 2):
         shown = simple.Show(simple.OutputPort(tree, port), view)
         assert shown.Representation != "Full Surface", port

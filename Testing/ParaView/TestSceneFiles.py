@@ -25,7 +25,8 @@ def saved(name, proxy, **options):
     return json.loads(data[20:20 + struct.unpack_from("<I", data, 12)[0]])
 
 
-sites, tree = simple.QuadratPoints(Quadrats=[4, 4]), simple.ReevesTree(NumberOfLeaves=100)
+sites = simple.QuadratPoints(Quadrats=[4, 4])
+tree = simple.ReevesTree(Preset="Custom", NumberOfLeaves=50, MainBranches=4, Orders=1)
 forest = simple.PlantScatter(Sites=sites, Prototypes=[tree], OutputForm="Instances", UseCulling=0, FollowCamera=0)
 forest.UpdatePipeline()
 factory = servermanager.vtkSMProxyManager.GetProxyManager().GetWriterFactory()

@@ -102,8 +102,9 @@ def summary(costs):
 
 def main(record, tests, names=None):
     costs = costs_of(record, tests)
-    print("Processor time:", *summary(costs), sep="\n  ")
-    faults = list(faults_of(costs, slowness()))
+    slow = slowness()
+    print(f"Processor time, on a machine {slow:.2f} times as slow as that of the budgets:", *summary(costs), sep="\n  ")
+    faults = list(faults_of(costs, slow))
     print(*(sentence for _, sentence in faults), sep="\n", end="\n" if faults else "")
     if names:
         with open(names, "w", encoding="utf-8") as file:
