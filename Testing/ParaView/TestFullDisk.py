@@ -16,7 +16,7 @@ from littoral.gallery import views
 SOURCE = os.environ["LITTORAL_SOURCE_DIR"]
 
 with tempfile.TemporaryDirectory() as folder:
-    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", folder], check=False).returncode != 0:
+    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=256k", "tmpfs", folder], check=False).returncode != 0:
         print("skipped: only root can mount a small disk")
         sys.exit(125)
     try:
@@ -35,7 +35,7 @@ with tempfile.TemporaryDirectory() as folder:
             before = file.read()
         with open(os.path.join(folder, "rest"), "wb") as file:
             try:
-                file.write(bytes(100000))
+                file.write(bytes(300000))
                 file.flush()
             except OSError:
                 pass

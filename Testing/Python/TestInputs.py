@@ -214,7 +214,7 @@ def bad_cells(leaf, kind, value):
     """Makes a cell name a point that there is not."""
     cells = getattr(leaf, "Get" + kind)()
     ids = cells.GetConnectivityArray()
-    ids.SetValue(ids.GetNumberOfValues() // 2, value)
+    ids.SetComponent(ids.GetNumberOfTuples() // 2, 0, value)  # the type of VTK 9.6 is not wrapped
     ids.Modified()
     cells.Modified()
 
