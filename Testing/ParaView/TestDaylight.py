@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: together=looks
+# run-with: pvpython together=looks
 # run-with: pvpython tier=all args=each
 """The sky and the sun of a first look: never over a user's choice, never twice, not while a state is loaded; and what a
 state file keeps of first looks. With the argument `each`, all choices of a user."""

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: together=views
+# run-with: pvpython together=views
 """A forest stays in the view while the camera is dragged, above ParaView's threshold for levels of detail of its own.
 
 Each interactive picture is compared with the still picture of the same camera, with and without FollowCamera; in TestServer

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: together=plants
+# run-with: pvpython together=plants
 """ExportView writes what a view shows as one scene of glTF; TestLegends exports one in the window, TestServer a wood where
 the data are."""
 import os

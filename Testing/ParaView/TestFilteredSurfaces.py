@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: together=views
+# run-with: pvpython together=views
 """Ways of drawing that show what data describe: the surfaces that are drawn, against the data."""
 
 import numpy as np

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: together=views
+# run-with: pvpython together=views
 """Find Data on a scattered forest: a query by PlantId selects all of a plant and nothing else, which can be extracted.
 
 The selection is shown over textured blocks.

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: together=looks
+# run-with: pvpython together=looks
 """First looks beside what is shown already: what takes the place of what, and whose camera and choices stay."""
 
 import numpy as np

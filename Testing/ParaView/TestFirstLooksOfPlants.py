@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: together=looks
+# run-with: pvpython together=looks
 """TestFirstLooks.py for plants and particles."""
 
 import quick

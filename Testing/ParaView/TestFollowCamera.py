@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: together=views
+# run-with: pvpython together=views
 """FollowCamera: levels of detail change with the camera, and after a state; TestServers has it before a server."""
 
 import math

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """On a full disk the demo ends at once, and a picture ends in one sentence."""
 
+import contextlib
 import errno
 import os
 import subprocess
@@ -16,7 +17,7 @@ from littoral.gallery import views
 SOURCE = os.environ["LITTORAL_SOURCE_DIR"]
 
 with tempfile.TemporaryDirectory() as folder:
-    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=256k", "tmpfs", folder], check=False).returncode != 0:
+    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", folder], check=False).returncode != 0:
         print("skipped: only root can mount a small disk")
         sys.exit(125)
     try:
@@ -33,12 +34,9 @@ with tempfile.TemporaryDirectory() as folder:
         views.save_view(picture, view)
         with open(picture, "rb") as file:
             before = file.read()
-        with open(os.path.join(folder, "rest"), "wb") as file:
-            try:
-                file.write(bytes(300000))
-                file.flush()
-            except OSError:
-                pass
+        with open(os.path.join(folder, "rest"), "wb", buffering=0) as file, contextlib.suppress(OSError):
+            while True:
+                file.write(bytes(4096))
         try:
             views.save_view(picture, view)
         except OSError as error:

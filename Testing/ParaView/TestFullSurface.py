@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: together=looks
+# run-with: pvpython together=looks
 """The representation Full Surface spares work that ParaView does for each frame, and nobody sees it.
 
 Two squares and a line that move: bounds are those of the visible blocks at each time, and the cells that are picked are

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: together=views
+# run-with: pvpython together=views
 """The properties panels: labels, groups and their order, rows for inputs, and what is greyed out."""
 
 import glob

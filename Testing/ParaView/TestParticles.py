@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: together=waters
+# run-with: pvpython together=waters
 """Particles draws what ParaView's Point Gaussian draws, without a copy of the points; with Extinction it fades them as
 ParaView's Calculator would.
 

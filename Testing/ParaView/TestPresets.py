@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: together=views
+# run-with: pvpython together=views
 # run-with: pvpython tier=all args=each
 """The properties say what the preset grows: with Custom and these numbers the plant is the same.
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: together=views
+# run-with: pvpython together=views
 """File > Open reads a raster of heights in metres, and Save Data writes its twin in the same place."""
 import os
 import tempfile

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: together=looks
+# run-with: pvpython together=looks
 """Scenes, here a forest: each entry becomes an ordinary pipeline with its parts in the browser, shows a picture and plays where
 it should.
 

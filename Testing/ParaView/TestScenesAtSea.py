@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: together=waters
+# run-with: pvpython together=waters
 """TestScenes.py for the scenes of the sea; Underwater fades into its background, the sea has foam."""
 
 import numpy as np

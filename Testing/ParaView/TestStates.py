@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: together=views
+# run-with: pvpython together=views
 """States as .pvsm and as .py bring back a tree in the wind as it was at its time.
 
 TestEachState has other pipelines, each in a view of its own; TestStatesInWindow the menus and a trace.

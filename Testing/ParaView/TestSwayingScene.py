@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: together=plants
+# run-with: pvpython together=plants
 """TestScenes.py for a forest in the wind; defaults come back."""
 
 from TestScenes import check, check_defaults

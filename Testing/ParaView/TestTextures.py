@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: together=looks
+# run-with: pvpython together=looks
 """Blocks that carry a texture are drawn with it by the representation Full Surface.
 
 Squares with known texels: the color of a pixel is that of the points times the texel over the mean of the texture, and

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: together=waters
+# run-with: pvpython together=waters
 """The ripples of littoral.gallery.water move without a new shader, as the waves that its ripples() lists, and states
 keep their time; a turn of the camera runs no filter.
 
