@@ -4,17 +4,15 @@
 """Levels of particles that are chosen before a uniform current moves them, as in the example underwater.py: after its 6 s,
 0.5 m, the picture is nearly that of levels chosen where the particles are, and the water as turbid. After 5 m it is not."""
 
-import os
 import tempfile
 
 import numpy as np
 import quick
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 from window import colors
 
-from littoral.gallery import bay, underwater
+from littoral.gallery import bay, underwater, views
 
 DEPTH, EYE, SPEED = 9.5, (0.0, 0.0, -6.3), 0.08
 
@@ -50,11 +48,7 @@ def main(folder):
     simple._DisableFirstRenderCameraReset()
     points = bay.particles(
         (-17.0, 1.2, -DEPTH + 0.1, 17.0, 29.0, -0.5), 60000, 0.012, (0.84, 0.93, 0.84), clumps=0.9)
-    writer = vtkXMLPolyDataWriter()
-    writer.SetFileName(os.path.join(folder, "points.vtp"))
-    writer.SetInputData(points)
-    writer.Write()
-    reader = simple.XMLPolyDataReader(FileName=[writer.GetFileName()], TimeArray="None")
+    reader = views.reader("points", points, folder)
     sea = simple.SeaState(SeaBy="Height And Period", SignificantWaveHeight=0.6, PeakPeriod=6.2, WaterDepth=DEPTH,
                           NumberOfTrains=8)
     current = simple.FlowPrimitive(Strength=SPEED, Axis=[1.0, 0.25, 0.0])

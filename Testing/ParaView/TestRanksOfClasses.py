@@ -19,14 +19,22 @@ import tempfile
 import numpy as np
 import quick
 import TestTwoRanks
-from mistakes import classes, pv
+from mistakes import Messages, classes, pv
 from paraview import simple
 from paraview.servermanager import vtkProcessModule
+from vtkmodules.util import numpy_support
+from vtkmodules.vtkCommonCore import VTK_DOUBLE
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter
 
 TIME = 0.7
 # Keeps the rows of what comes in, block by block, in a file of the rank.
 KEEP = """import os, pickle, sys
 from paraview.servermanager import vtkProcessModule
+from vtkmodules.util import numpy_support
+from vtkmodules.vtkCommonCore import VTK_DOUBLE
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter
 sys.path.insert(0, {here!r})
 from blocks import rows_by_path
 rank = vtkProcessModule.GetProcessModule().GetPartitionId()
@@ -72,10 +80,30 @@ def results_of(name):
     return found
 
 
+def reads_raw():
+    """Whether VTK reads the raw bytes that it writes, by which ParaView redistributes blocks. VTK 9.1 does not with the
+    expat of Debian 12's updates, 2.5.0-1+deb12u2."""
+    image = vtkImageData()
+    image.SetDimensions(20, 20, 20)
+    image.AllocateScalars(VTK_DOUBLE, 1)
+    numpy_support.vtk_to_numpy(image.GetPointData().GetScalars())[:] = np.random.default_rng(1).normal(size=8000)
+    writer, reader = vtkXMLImageDataWriter(), vtkXMLImageDataReader()
+    writer.SetInputData(image)
+    writer.SetFileName("raw.vti")
+    writer.SetDataModeToAppended()
+    writer.EncodeAppendedDataOff()
+    writer.Write()
+    reader.SetFileName("raw.vti")
+    with Messages() as messages:
+        reader.Update()
+    return not messages.lines
+
+
 def drawn():
     """A translucent tree of blocks, which ranks redistribute before they draw it, is drawn; a chart has its series and
     rows once, and its picture."""
-    TestTwoRanks.check_picture(pv.tree(), "tree", 0.5, (0.5,))
+    if ranks == 1 or reads_raw():
+        TestTwoRanks.check_picture(pv.tree(), "tree", 0.5, (0.5,))
     charts = TestTwoRanks.draw_charts([TestTwoRanks.sea_chart], "alone" if ranks == 1 else "ranks")
     if ranks > 1:
         TestTwoRanks.compare_charts(charts, charts)  # numbers are compared below

@@ -18,10 +18,9 @@ os.environ["MESA_SHADER_CAPTURE_PATH"] = CAPTURED  # before the first window
 import numpy as np
 import quick
 from paraview import simple
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 from window import colors
 
-from littoral.gallery import bay, underwater, water
+from littoral.gallery import bay, underwater, views, water
 
 SIZE, DEPTH, EYE, TIME = 160, 6.0, (0.0, 0.0, -3.0), 7.3
 
@@ -31,28 +30,19 @@ def compiled():
     return len(os.listdir(CAPTURED))
 
 
-def produced(data, folder):
-    """A reader of polydata."""
-    writer = vtkXMLPolyDataWriter()
-    writer.SetFileName(os.path.join(folder, f"{id(data)}.vtp"))
-    writer.SetInputData(data)
-    writer.Write()
-    return simple.XMLPolyDataReader(FileName=[writer.GetFileName()], TimeArray="None")
-
-
 def scene(view, folder):
     """A surface, a bed, a kelp and the water behind; returns their representations."""
     sea = simple.SeaState(SeaBy="Height And Period", WaterDepth=DEPTH, NumberOfTrains=4)
-    level = produced(bay.mesh(bay.fan(rings=30, spokes=40)), folder)
+    level = views.reader("level", bay.mesh(bay.fan(rings=30, spokes=40)), folder)
     surface = simple.ParticleOrbits(Input=level, SeaState=sea)
     ground, height = bay.bed(DEPTH, EYE, samples=60)
     kelp = simple.PlantScatter(
-        Sites=produced(bay.kelp_sites(height, count=0), folder), FollowCamera=0, UseLevels=0, UseCulling=0,
+        Sites=views.reader("sites", bay.kelp_sites(height, count=0), folder), FollowCamera=0, UseLevels=0, UseCulling=0,
         Prototypes=[simple.Seaweed(), simple.Seaweed()])
     underwater.prepare_view(view)
     view.CameraPosition, view.CameraFocalPoint = list(EYE), [0.0, 10.0, -2.4]
     view.CameraViewUp, view.CameraViewAngle = [0.0, 0.0, 1.0], 66.0
-    shown = [underwater.show_seaweeds(kelp, view, TIME), underwater.show_bed(produced(ground, folder), view, TIME),
+    shown = [underwater.show_seaweeds(kelp, view, TIME), underwater.show_bed(views.reader("bed", ground, folder), view, TIME),
              underwater.show_surface(surface, view, TIME), underwater.show_beyond(view, TIME, EYE)]
     return shown
 
