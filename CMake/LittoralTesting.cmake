@@ -30,12 +30,12 @@ endfunction ()
 #
 #   # run-with: pvbatch mpi=1,2,3 tier=all args=--size=9 args=--seed=7
 #   # run-with: none
+#
 # Those with together=GROUP share a process in the entry <label>.GROUP (littoral_add_groups); their own entries are of the
-# tier all.
-# The tier is standard unless it is named. Each further such line is an entry of its own, named after its tier,
-# <label>.<name>.all, or by a word name=WORD. Each entry runs in a folder of its own, Testing/Output/<entry> in the build tree. Rank counts are
-# entries that share that folder and run one after the other, so that a run can compare its result with what the run
-# before it wrote. A script that exits with 125 counts as skipped.
+# tier all. The tier of others is standard unless it is named. Each further such line is an entry of its own, named after
+# its tier, <label>.<name>.all, or by a word name=WORD. Each entry runs in a folder of its own, Testing/Output/<entry> in
+# the build tree. Rank counts are entries that share that folder and run one after the other, so that a run can compare its
+# result with what the run before it wrote. A script that exits with 125 counts as skipped.
 function (littoral_add_script_test label script runner)
   file(READ "${script}" head LIMIT 1000)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${script}")
