@@ -138,6 +138,15 @@ void MoveCamera(vtkCamera* camera, const CameraPlace& place, const double bounds
 }
 
 //----------------------------------------------------------------------------
+void TurnAboutFocus(vtkSMRenderViewProxy* view)
+{
+  vtkCamera* camera = view->GetActiveCamera();
+  camera->SetParallelScale(camera->GetDistance() * std::tan(0.5 * camera->GetViewAngle() * Pi / 180.0));
+  vtkSMPropertyHelper(view, "CenterOfRotation").Set(camera->GetFocalPoint(), 3);
+  view->UpdateVTKObjects();
+}
+
+//----------------------------------------------------------------------------
 FirstCamera::~FirstCamera()
 {
   this->Stop();
@@ -182,6 +191,7 @@ void FirstCamera::OnStartWithData(vtkObject*, unsigned long, void*)
   {
     view->ResetCamera();
     view->GetActiveCamera()->Dolly(this->Place.Closer);
+    TurnAboutFocus(view);
   }
 }
 
@@ -199,11 +209,21 @@ void FirstCamera::OnResetCamera(vtkObject*, unsigned long, void*)
 }
 
 //----------------------------------------------------------------------------
-/// The window shows a flat image, as that of a terrain is, or a point in two dimensions, after it has reset the camera.
 void FirstCamera::OnStart(vtkObject*, unsigned long, void*)
 {
+  if (this->WasReset)
+  {
+    this->LiftFlatData();
+    TurnAboutFocus(this->View); // after ParaView has taken the middle of all that it knows to be visible
+  }
+}
+
+//----------------------------------------------------------------------------
+/// The window shows a flat image, as that of a terrain is, or a point in two dimensions, after it has reset the camera.
+void FirstCamera::LiftFlatData()
+{
   vtkCamera* camera = this->View->GetActiveCamera();
-  if (!this->WasReset || !(this->Place.IsOfFlatData || this->Place.IsOnMap) || !LooksAlongAxis(camera))
+  if (!(this->Place.IsOfFlatData || this->Place.IsOnMap) || !LooksAlongAxis(camera))
   {
     return; // someone has turned it since
   }

@@ -44,9 +44,12 @@ void MoveCamera(vtkCamera* camera, const CameraPlace& place);
 /// Moves a camera to where it shows all of a box, so that a level of detail for it has all in sight.
 void MoveCamera(vtkCamera* camera, const CameraPlace& place, const double bounds[6]);
 
+/// Makes the focal point of a camera the center of rotation, and a parallel projection show as much there as now.
+void TurnAboutFocus(vtkSMRenderViewProxy* view);
+
 /**
  * Waits for the moment at which ParaView, in the window or in a script, first resets the camera of a view, and moves it
- * then. A picture with another camera, which someone must have chosen, ends the waiting. A view that someone has in two
+ * then; what it looks at is the center of rotation. A picture with another camera, which someone must have chosen, ends the waiting. A view that someone has in two
  * dimensions is left alone.
  */
 class FirstCamera
@@ -70,6 +73,7 @@ private:
   void OnStartWithData(vtkObject*, unsigned long, void*);
   void OnResetCamera(vtkObject*, unsigned long, void*);
   void OnStart(vtkObject*, unsigned long, void*);
+  void LiftFlatData();
   void OnPicture(vtkObject*, unsigned long, void*);
   void Stop();
 

@@ -229,6 +229,7 @@ void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
     return;
   }
   this->WatchVisibility(representation);
+  this->KeepSide();
   if (IsLoadingState(this->Manager))
   {
     return;
@@ -587,6 +588,19 @@ void NaturalDisplay::OnVisibility(vtkObject* object, unsigned long, void*)
 }
 
 //----------------------------------------------------------------------------
+void NaturalDisplay::KeepSide()
+{
+  vtkPVXMLElement* look = this->Scene ? this->Scene.Get() : this->Owner->GetHints()->FindNestedElementByName("NaturalDisplay");
+  EyeHeights heights;
+  const bool hasLowest = look && look->GetScalarAttribute("lowest", &heights.Lowest) != 0;
+  const bool hasHighest = look && look->GetScalarAttribute("highest", &heights.Highest) != 0;
+  if (hasLowest || hasHighest)
+  {
+    this->Drag.Keep(vtkSMRenderViewProxy::SafeDownCast(ViewOfScene(this->Manager)), this->Owner, heights);
+  }
+}
+
+//----------------------------------------------------------------------------
 void NaturalDisplay::SetUpView(int port)
 {
   vtkSMRenderViewProxy* view = this->ActiveView();
@@ -620,6 +634,7 @@ void NaturalDisplay::SetUpView(int port)
   {
     // Filters that follow the camera have nothing to show before it is there.
     MoveCamera(view->GetActiveCamera(), place);
+    TurnAboutFocus(view);
   }
   if (place.IsFixed || elevation)
   {

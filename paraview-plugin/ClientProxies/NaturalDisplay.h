@@ -5,6 +5,7 @@
 
 #include "FirstCamera.h"
 #include "Observation.h"
+#include "SceneDrag.h"
 
 #include "vtkSmartPointer.h" // for the look of a part of a scene
 #include "vtkWeakPointer.h"  // for what is watched
@@ -49,6 +50,7 @@ namespace littoral
  *  - Where the source is the first thing in its view, the camera looks from `elevation` [degrees] above the horizon, z
  *    upwards, and `closer` times closer than ParaView would go to show all, or from `eye` to `target` [m]; and the view
  *    gets the background and the sun of `light`, see LightView, if it has ParaView's.
+ *  - A drag leaves the eye above `lowest` and below `highest` [m], see SceneDrag.
  *
  * An output has the hint with its number as `port`, if there is one, else the one without.
  *
@@ -99,6 +101,7 @@ private:
   void WatchVisibility(vtkSMProxy* representation);
   void OnVisibility(vtkObject* property, unsigned long, void*);
   void SetUpView(int port);
+  void KeepSide();
 
   vtkSMSourceProxy* Owner;
   vtkSmartPointer<vtkPVXMLElement> Look;
@@ -113,6 +116,7 @@ private:
   std::vector<Observation> Pictures;     ///< of all views, as long as some are colored
   std::vector<Observation> Visibilities; ///< of all representations
   FirstCamera Camera;
+  SceneDrag Drag;
 };
 
 }
