@@ -356,7 +356,7 @@ double BytesASample(vtkImageData* image)
 
 //----------------------------------------------------------------------------
 vtkTerrainLevelOfDetailFilter::vtkTerrainLevelOfDetailFilter()
-  : Selection(Distance)
+  : Selection(PixelErrorRule)
   , PixelError(1.0)
   , NumberOfLevels(5)
   , TileSize(32)

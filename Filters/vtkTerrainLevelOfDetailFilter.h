@@ -54,7 +54,7 @@ public:
 
   ///@{
   /**
-   * Criterion for the level of a tile, a SelectionType; default Distance. Distance: level 0 up to NearDistance, the
+   * Criterion for the level of a tile, a SelectionType; default PixelErrorRule. Distance: level 0 up to NearDistance, the
    * coarsest level from FarDistance, and transitions at equal ratios of distance between. PixelErrorRule: the coarsest
    * level whose screen-space error is at most PixelError.
    */

@@ -153,7 +153,7 @@ def draw(folder):
     view.ViewTime = TIME
     landscape.show_sky(sky, view, os.path.join(folder, "sky.png"))
     landscape.show_ground(
-        simple.TerrainLevelOfDetail(Input=terrain, NearDistance=3000.0, FarDistance=9000.0), view)
+        simple.TerrainLevelOfDetail(Input=terrain), view)
     views.show_baked(dark, view)
     views.show_baked(homes, view)
     landscape.show_plants(sway, view)

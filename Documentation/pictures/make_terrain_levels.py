@@ -68,6 +68,7 @@ def main(folder):
     levels = vtkTerrainLevelOfDetailFilter()
     levels.SetInputData(image)
     levels.SetViewPoint(*eye)
+    levels.SetSelectionToDistance()
     levels.SetNearDistance(NEAR)
     levels.SetFarDistance(FAR)
     levels.SetNumberOfLevels(LEVELS)

@@ -102,7 +102,7 @@ def build(folder, view, quick=False):
     trees = [simple.ReevesTree(registrationName=name, Preset=name, Seed=seed)
              for name, seed in SPECIES]
     ground = simple.TerrainLevelOfDetail(
-        registrationName="Ground", Input=terrain, NearDistance=600.0, FarDistance=6000.0, **STEADY)
+        registrationName="Ground", Input=terrain, **STEADY)
     forest = simple.PlantScatter(
         registrationName="Forest", Sites=sites, Prototypes=trees, Terrain=terrain,
         NearDistance=260.0, FarDistance=700.0, **STEADY)

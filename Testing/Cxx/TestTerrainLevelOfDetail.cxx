@@ -74,6 +74,7 @@ void LookAcross(Filter* filter)
 {
   filter->SetViewPoint(1500.0, -500.0, 400.0);
   filter->SetViewDirection(0.0, 1.0, -0.3);
+  filter->SetSelectionToDistance();
   filter->SetNearDistance(600.0);
   filter->SetFarDistance(1500.0);
 }

@@ -11,6 +11,7 @@ import tempfile
 import numpy as np
 import quick
 from paraview import servermanager, simple
+from states import visible
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 MACROS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "paraview-plugin", "Macros")
@@ -61,7 +62,14 @@ for name, (rows, measured) in TABLES.items():
 place = simple.TurningBandsTerrain(WholeExtent=[0, 150, 0, 120, 0, 0], Spacing=[10.0, 10.0, 1.0], Seed=5)
 place.UpdatePipeline()
 simple.SetActiveSource(place)
+simple.Show(place)
 run("twin_from_raster.py")
+assert visible(simple.GetActiveView()) == ["Ground", "Valleys"], visible(simple.GetActiveView())
+valleys, ground = servermanager.Fetch(simple.FindSource("Valleys")), servermanager.Fetch(simple.FindSource("Ground"))
+heights = [np.sort(vtk_to_numpy(one.GetPointData().GetScalars())) for one in (servermanager.Fetch(place), valleys)]
+assert np.abs(heights[0] - heights[1]).max() < 0.1 * heights[0].std(), "heights of the place"
+counts = [ground.GetFieldData().GetArray(f"Polygons{of}").GetValue(0) for of in ("Shown", "AtFullDetail")]
+assert 0.2 * counts[1] < counts[0] <= counts[1], f"{counts[0]} of {counts[1]} triangles"
 twin = simple.GetActiveSource()
 twin.UpdatePipeline()
 assert tuple(twin.GetDataInformation().GetBounds()[:4]) == (0.0, 1500.0, 0.0, 1200.0)

@@ -18,9 +18,11 @@ def prepare():
 
 def twin(view):
     fit = simple.CovarianceFit(Input=simple.XMLImageDataReader(FileName=["place.vti"]))
-    place = simple.TurningBandsTerrainFromFits(
+    twin = simple.TurningBandsTerrainFromFits(
         Input=simple.OutputPort(fit, 0), WholeExtent=[0, 60, 0, 40, 0, 0], Spacing=[10.0, 10.0, 1.0])
-    simple.Show(simple.TerrainLevelOfDetail(Input=place), view)
+    valleys = simple.Drainage(Input=twin, Target=fit.Input)
+    simple.Show(simple.TerrainLevelOfDetail(Input=simple.OutputPort(valleys, 0)), view)
+    simple.Show(simple.OutputPort(valleys, 1), view)
 
 
 def walk(walk):

@@ -60,20 +60,6 @@ bool IsPoint(const double bounds[6])
   return bounds[0] == bounds[1] && bounds[2] == bounds[3] && bounds[4] == bounds[5];
 }
 
-/// All that a filter is made of, from its inputs up to the sources.
-std::set<vtkSMProxy*> UpstreamOf(vtkSMProxy* filter)
-{
-  std::set<vtkSMProxy*> all;
-  for (unsigned int k = 0; k < filter->GetNumberOfProducers(); ++k)
-  {
-    vtkSMProxy* producer = filter->GetProducerProxy(k);
-    const std::set<vtkSMProxy*> further = UpstreamOf(producer);
-    all.insert(producer);
-    all.insert(further.begin(), further.end());
-  }
-  return all;
-}
-
 /// Visible representations of a view.
 std::vector<vtkSMProxy*> VisibleIn(vtkSMProxy* view)
 {
@@ -172,6 +158,31 @@ void NaturalDisplay::Watch()
     this->Manager = this->Owner->GetSessionProxyManager();
     this->RegisterObserver = this->Manager->AddObserver(vtkCommand::RegisterEvent, this, &NaturalDisplay::OnRegister);
   }
+  this->FollowDepth();
+}
+
+//----------------------------------------------------------------------------
+/// Changes by a state file, or by undo and redo, have those of the parts with them.
+void NaturalDisplay::FollowDepth()
+{
+  const double before = this->Depth;
+  this->DepthRatio();
+  if (before > 0.0 && this->Depth > 0.0 && before != this->Depth && this->Manager && !IsLoadingState(this->Manager))
+  {
+    ScaleDepths(this->Owner, this->Scene, this->Depth / before);
+  }
+}
+
+//----------------------------------------------------------------------------
+double NaturalDisplay::DepthRatio()
+{
+  double ofScene = 0.0;
+  if (!this->Scene || this->Scene->GetScalarAttribute("depth", &ofScene) == 0)
+  {
+    return 1.0;
+  }
+  this->Depth = vtkSMPropertyHelper(this->Owner, "WaterDepth").GetAsDouble();
+  return this->Depth > 0.0 ? this->Depth / ofScene : 1.0;
 }
 
 //----------------------------------------------------------------------------
@@ -298,6 +309,7 @@ void NaturalDisplay::MakeSceneOf(vtkSMProxy* representation)
   representation->UpdateVTKObjects();
   this->WaitForLegend(representation); // which is that of something hidden
   MakeScene(this->Owner, this->Scene, view);
+  ScaleDepths(this->Owner, this->Scene, this->DepthRatio());
 }
 
 //----------------------------------------------------------------------------
@@ -621,6 +633,9 @@ void NaturalDisplay::SetUpView(int port)
   vtkPVDataInformation* data = this->Owner->GetDataInformation(port);
   CameraPlace place;
   place.IsFixed = eye && target && ReadPlace(eye, place.Eye) && ReadPlace(target, place.Target);
+  const double ratio = this->DepthRatio();
+  place.Eye[2] *= ratio;
+  place.Target[2] *= ratio;
   const bool isFromSide = place.IsFixed || (elevation && std::strtod(elevation, nullptr) < 90.0);
   place.IsOfFlatData = data && isFromSide && (IsLevel(data->GetBounds()) || IsPoint(data->GetBounds()));
   place.IsOnMap = isMap && isFromSide;

@@ -72,7 +72,7 @@ public:
   NaturalDisplay(const NaturalDisplay&) = delete;
   void operator=(const NaturalDisplay&) = delete;
 
-  /// Starts to follow the session; called when the owner has one.
+  /// Starts to follow the session; called when the owner has one, and whenever its properties have changed.
   void Watch();
 
   /// Attributes that take the place of the hint.
@@ -102,6 +102,8 @@ private:
   void OnVisibility(vtkObject* property, unsigned long, void*);
   void SetUpView(int port);
   void KeepSide();
+  void FollowDepth();
+  double DepthRatio();
 
   vtkSMSourceProxy* Owner;
   vtkSmartPointer<vtkPVXMLElement> Look;
@@ -117,6 +119,7 @@ private:
   std::vector<Observation> Visibilities; ///< of all representations
   FirstCamera Camera;
   SceneDrag Drag;
+  double Depth = 0.0; ///< of the water of a scene that has one, as it was last [m]
 };
 
 }

@@ -16,6 +16,7 @@
 
 #include <cstring>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -51,6 +52,22 @@ void SetInputs(vtkSMProxy* part, vtkPVXMLElement* description, const Parts& part
       vtkSMPropertyHelper(part, Attribute(one, "property").c_str()).Add(parts.at(Attribute(one, "to")), 0);
     }
   }
+}
+
+/// Scales the values that are of a depth.
+void ScaleDepthsOf(vtkSMProxy* part, vtkPVXMLElement* description, double ratio)
+{
+  for (unsigned int k = 0; k < description->GetNumberOfNestedElements(); ++k)
+  {
+    vtkPVXMLElement* one = description->GetNestedElement(k);
+    int component = 0;
+    if (one->GetScalarAttribute("of-depth", &component) != 0)
+    {
+      vtkSMPropertyHelper property(part, Attribute(one, "property").c_str());
+      property.Set(component, ratio * property.GetAsDouble(component));
+    }
+  }
+  part->UpdateVTKObjects();
 }
 
 /// A registered part; null if its type is not known.
@@ -109,6 +126,20 @@ void SetFrames(vtkSMSourceProxy* part)
 }
 
 //----------------------------------------------------------------------------
+std::set<vtkSMProxy*> UpstreamOf(vtkSMProxy* filter)
+{
+  std::set<vtkSMProxy*> all;
+  for (unsigned int k = 0; k < filter->GetNumberOfProducers(); ++k)
+  {
+    vtkSMProxy* producer = filter->GetProducerProxy(k);
+    const std::set<vtkSMProxy*> further = UpstreamOf(producer);
+    all.insert(producer);
+    all.insert(further.begin(), further.end());
+  }
+  return all;
+}
+
+//----------------------------------------------------------------------------
 void SetValues(vtkSMProxy* proxy, vtkPVXMLElement* description)
 {
   for (unsigned int k = 0; k < description->GetNumberOfNestedElements(); ++k)
@@ -122,6 +153,31 @@ void SetValues(vtkSMProxy* proxy, vtkPVXMLElement* description)
       for (unsigned int n = 0; values >> value; ++n)
       {
         property.Set(n, value);
+      }
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+void ScaleDepths(vtkSMSourceProxy* source, vtkPVXMLElement* scene, double ratio)
+{
+  std::set<vtkSMProxy*> parts;
+  for (unsigned int k = 0; k < source->GetNumberOfConsumers(); ++k)
+  {
+    if (vtkSMProxy* consumer = source->GetConsumerProxy(k))
+    {
+      const std::set<vtkSMProxy*> upstream = UpstreamOf(consumer);
+      parts.insert(upstream.begin(), upstream.end());
+    }
+  }
+  for (unsigned int k = 0; k < scene->GetNumberOfNestedElements(); ++k)
+  {
+    vtkPVXMLElement* description = scene->GetNestedElement(k);
+    for (vtkSMProxy* part : parts)
+    {
+      if (Attribute(description, "type") == part->GetXMLName())
+      {
+        ScaleDepthsOf(part, description, ratio);
       }
     }
   }

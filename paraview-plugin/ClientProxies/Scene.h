@@ -3,6 +3,8 @@
 #ifndef LittoralScene_h
 #define LittoralScene_h
 
+#include <set>
+
 class vtkPVXMLElement;
 class vtkSMProxy;
 class vtkSMSourceProxy;
@@ -27,10 +29,19 @@ namespace littoral
  * are ordinary sources and filters, made when the source is first shown; `to` names one before it, or the source by the
  * name of its type. Those with a NaturalDisplay are shown, in that way, which goes before the hint of their type; its
  * attribute `port` numbers the output, 0 by default.
+ *
+ * With `depth` the heights of the camera, and the value of each part's Set that its attribute `of-depth` numbers, are
+ * those for that WaterDepth of the source [m], and in proportion to it.
  */
+
+/// All that a filter is made of, from its inputs up to the sources.
+std::set<vtkSMProxy*> UpstreamOf(vtkSMProxy* filter);
 
 /// Sets the properties of a proxy to the values of a description.
 void SetValues(vtkSMProxy* proxy, vtkPVXMLElement* description);
+
+/// The parts of a scene go along with the bed: brings what is of a depth of water to `ratio` times as deep.
+void ScaleDepths(vtkSMSourceProxy* source, vtkPVXMLElement* scene, double ratio);
 
 /// Whether no filter has a source as input.
 bool IsLastOfPipeline(vtkSMSourceProxy* source);

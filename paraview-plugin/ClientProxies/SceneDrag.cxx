@@ -21,8 +21,9 @@ namespace
 /// Priority of an observer before those that take the camera.
 constexpr float BeforeOthers = 20.0f;
 
-/// Height of the eye over the bed of the sea [m].
-constexpr double OverBed = 0.5;
+/// Height of the eye over the bed and depth below the surface of a shallow sea, as shares of its depth.
+constexpr double OverBed = 0.1;
+constexpr double UnderSurface = 0.3;
 
 /// Steepest sight of what is dragged, down or up [rad]: at the pole the horizon turns round.
 constexpr double Steepest = 85.0 * Pi / 180.0;
@@ -99,7 +100,8 @@ EyeHeights SceneDrag::Limits() const
   EyeHeights limits = { level + this->Heights.Lowest, level + this->Heights.Highest };
   if (this->Heights.Highest < 0.0 && depth > 0.0)
   {
-    limits.Lowest = std::max(limits.Lowest, std::min(level - depth + OverBed, limits.Highest));
+    limits.Lowest = std::max(limits.Lowest, level - (1.0 - OverBed) * depth);
+    limits.Highest = std::max(limits.Highest, level - UnderSurface * depth);
   }
   return limits;
 }

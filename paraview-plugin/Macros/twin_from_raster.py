@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Make a twin of a terrain: select the opened elevation image in the pipeline browser, then run this macro.
 
-Fits the seven covariance models, generates a terrain of the best one on the same grid, and shows it as relief.
+Fits the seven covariance models, generates a terrain of the best one on the same grid, carves valleys into it with the heights
+of the place, and shows it with its rivers in the place of the image.
 """
 from paraview import simple
 
@@ -18,7 +19,7 @@ def render_view():
 
 def main():
     """A twin of the active image, shown in a render view."""
-    place = simple.GetActiveSource()
+    place = raster = simple.GetActiveSource()
     if place is None or place.GetDataInformation().GetDataSetTypeAsString() != "vtkImageData":
         print("Select an elevation image in the pipeline browser first.")
         return
@@ -29,8 +30,12 @@ def main():
     fit.Array = ["POINTS", place.PointData.GetArray(0).Name]
     twin = simple.TurningBandsTerrainFromFits(
         registrationName="Twin", Input=simple.OutputPort(fit, 0), UseMeasuredGrid=1)
-    ground = simple.TerrainLevelOfDetail(registrationName="Ground", Input=twin)
+    valleys = simple.Drainage(registrationName="Valleys", Input=twin, Target=place)
+    ground = simple.TerrainLevelOfDetail(registrationName="Ground", Input=simple.OutputPort(valleys, 0))
     view = render_view()
+    for one in {place, raster}:
+        simple.Hide(one, view)
+    simple.Show(simple.OutputPort(valleys, 1), view)
     simple.Show(ground, view)
     simple.ResetCamera(view)
     simple.SetActiveSource(twin)

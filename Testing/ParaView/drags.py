@@ -1,0 +1,84 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Drags of the mouse: what a first look shows stays in the picture, from there and from near, and the eye on its side."""
+
+import math
+
+import numpy as np
+import quick
+from paraview import simple
+from vtkmodules.vtkRenderingUI import vtkGenericRenderWindowInteractor
+from window import colors, picture, small_view
+
+SIZE = (240, 200)
+LENGTH = 60  # of a drag [pixels], as 200 in a window of 800 by 670
+NEAR = 2.0  # times closer than the first look
+simple._DisableFirstRenderCameraReset()  # pylint: disable=protected-access
+CAMERA = ("CameraPosition", "CameraFocalPoint", "CameraViewUp", "CameraParallelScale")
+
+
+def drag(view, interactor, dx, dy, steps):
+    """Drags with the left button, in the middle of the view."""
+    x, y = (int(0.5 * (size - shift)) for size, shift in zip(SIZE, (dx, dy)))
+
+    def move(share, event):
+        interactor.SetEventInformation(round(x + share * dx), round(y + share * dy), 0, 0, "\0", 0, None)
+        interactor.InvokeEvent(event)
+
+    move(0.0, "LeftButtonPressEvent")
+    for step in range(1, steps + 1):
+        move(step / steps, "MouseMoveEvent")
+    move(1.0, "LeftButtonReleaseEvent")
+    simple.Render(view)
+
+
+def covered(view, nothing):
+    """The share of the picture that shows something."""
+    return float((np.abs(picture(view) - nothing).max(axis=2) > 8).mean())
+
+
+def without(view):
+    """The picture of a view that shows nothing."""
+    shown = [one for one in view.Representations if hasattr(one, "Input") and one.Visibility]
+    for one in shown:
+        one.Visibility = 0
+    nothing = picture(view)
+    for one in shown:
+        one.Visibility = 1
+    return nothing
+
+
+def check(name, source, lowest=-math.inf, highest=math.inf, steps=16, directions=8):
+    """Each drag, from the first look and from near, leaves half of what is shown, and the eye between two heights [m]."""
+    view = small_view(SIZE)
+    simple.Show(source, view)
+    view.ResetCamera()
+    picture(view)
+    center, focus = np.array(view.CenterOfRotation), np.array(view.CameraFocalPoint)
+    distance = np.linalg.norm(np.array(view.CameraPosition) - focus)
+    assert np.linalg.norm(center - focus) <= 1e-6 * distance, f"{name}: turns about {center}, looks at {focus}"
+    scale = distance * math.tan(math.radians(0.5 * view.CameraViewAngle))
+    assert math.isclose(view.CameraParallelScale, scale, rel_tol=1e-6), f"{name}: parallel scale {view.CameraParallelScale}"
+    interactor = vtkGenericRenderWindowInteractor()
+    view.SMProxy.SetupInteractor(interactor)
+    interactor.Initialize()
+    interactor.SetSize(*SIZE)
+    nothing = without(view)
+    for closer in (1.0, NEAR):
+        view.GetActiveCamera().Dolly(closer)
+        before = covered(view, nothing)
+        place = [list(getattr(view, one)) if one != CAMERA[-1] else view.CameraParallelScale for one in CAMERA]
+        for k in range(directions):
+            angle = math.pi * (0.5 + 2.0 * k / directions)
+            drag(view, interactor, LENGTH * math.cos(angle), LENGTH * math.sin(angle), steps)
+            share, eye = covered(view, nothing), view.CameraPosition
+            where = f"{name}, {closer} times closer, dragged to {math.degrees(angle):.0f} degrees"
+            assert share >= 0.5 * before, f"{where}: {share:.2f} of the picture is covered, {before:.2f} before"
+            assert lowest - 1e-9 <= eye[2] <= highest + 1e-9, f"{where}: the eye is at {eye}"
+            for one, value in zip(CAMERA, place):
+                setattr(view, one, value)
+            simple.Render(view)
+    print(f"{name}: covers {before:.2f}", flush=True)
+    simple.Delete(view)
+    for one in simple.GetSources().values():
+        simple.Delete(one)
