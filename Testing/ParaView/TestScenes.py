@@ -9,7 +9,7 @@ TestSwayingScene and TestScenesAtSea have others, where a part is changed, TestE
 
 import numpy as np
 import quick
-from paraview import simple
+from paraview import servermanager, simple
 from states import visible
 from window import apart, picture, small_view
 
@@ -45,12 +45,22 @@ def show(name, parts, shown):
     return view, first
 
 
+def new_film():
+    """What Save Animation offers."""
+    film = servermanager.ProxyManager().NewProxy("misc", "SaveAnimation")
+    servermanager.vtkSMParaViewPipelineController().InitializeProxy(film)
+    return servermanager._getPyProxy(film)  # pylint: disable=protected-access
+
+
 def check_times(name, view, first, last_time):
     """Play works at once: the animation has the scene's times, and its pictures move."""
     animation = simple.GetAnimationScene()
     animation.UpdateAnimationUsingDataTimeSteps()
     assert abs(animation.EndTime - last_time) < 1e-9, f"{name}: the animation ends at {animation.EndTime}"
     if last_time > 1.0:
+        steps = len(simple.GetTimeKeeper().TimestepValues)
+        frames, rate = steps or animation.NumberOfFrames, new_film().FrameRate
+        assert abs((frames - 1) / rate - last_time) < 0.1, f"{name}: a film of {frames} frames, {rate} a second"
         view.ViewTime = 1.0
         moved = apart(picture(view), first)
         assert moved > 0.002, f"{name}: {moved:.2%} of the picture moves"

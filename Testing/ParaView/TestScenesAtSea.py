@@ -69,7 +69,18 @@ def check_foam(_):
     assert 0.001 < white < 0.1, f"Sea: foam on {white:.2%}"
 
 
+def check_depth(depth):
+    """The bed and the particles go along with the depth of the water."""
+    water = simple.FindSource("Water")
+    simple.FindSource("Underwater1").WaterDepth = depth
+    simple.FindSource("Relief").UpdatePipeline()
+    low, high = simple.FindSource("Relief").PointData["Elevation"].GetRange()
+    assert low < -depth < high < 0.0 and np.isclose(water.Bounds[4], -depth), f"a bed from {low} to {high} m"
+
+
 def check_water(_):
+    for depth in (2.0, 6.0):
+        check_depth(depth)
     check_murk("Bed")
     if POINTS_FADE:
         check_murk("Particles")

@@ -7,8 +7,10 @@ import math
 import numpy as np
 import quick
 from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 from vtkmodules.vtkRenderingUI import vtkGenericRenderWindowInteractor
-from window import colors, picture, small_view
+from window import picture, small_view
 
 SIZE = (240, 200)
 LENGTH = 60  # of a drag [pixels], as 200 in a window of 800 by 670
@@ -33,8 +35,15 @@ def drag(view, interactor, dx, dy, steps):
 
 
 def covered(view, nothing):
-    """The share of the picture that shows something."""
-    return float((np.abs(picture(view) - nothing).max(axis=2) > 8).mean())
+    """The share of the picture that shows something: by its color, as of fog, or its depth, as in the shade."""
+    is_colored = np.abs(picture(view) - nothing).max(axis=2) > 8
+    capture = vtkWindowToImageFilter()
+    capture.SetInput(view.GetRenderWindow())
+    capture.SetInputBufferTypeToZBuffer()
+    capture.ShouldRerenderOff()
+    capture.Update()
+    depth = vtk_to_numpy(capture.GetOutput().GetPointData().GetScalars()).reshape(is_colored.shape)
+    return float((is_colored | (depth < 1.0)).mean())
 
 
 def without(view):

@@ -9,16 +9,20 @@
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxySelectionModel.h"
+#include "vtkSMSettings.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace littoral
 {
@@ -26,7 +30,7 @@ namespace
 {
 
 constexpr int DefaultFrames = 10;        // of ParaView
-constexpr double FramesPerSecond = 12.0; // of a film instead
+constexpr int FramesPerSecond = 24; // of a film instead
 
 using Parts = std::map<std::string, vtkSMSourceProxy*>;
 
@@ -104,22 +108,39 @@ void Show(vtkSMSourceProxy* part, vtkPVXMLElement* look, vtkSMViewProxy* view)
   controller->Show(part, port, view);
 }
 
-/// Gives a range of times without time steps the frames of a film, unless someone has chosen their number.
+/// Frames a second of a new film, 1 by default of ParaView, unless the user has others.
+void SetFrameRate(double rate)
+{
+  constexpr double BelowUsers = -1.0; // priority
+  vtkSMSettings::GetInstance()->AddCollectionFromString(
+    R"({"misc": {"SaveAnimation": {"FrameRate": )" + std::to_string(std::max(1l, std::lround(rate))) + "}}}", BelowUsers);
+}
+
+/// Gives a range of times without time steps the frames of a film, unless someone has chosen their number, and a film
+/// the length of its times.
 void SetFrames(vtkSMSourceProxy* part)
 {
   vtkNew<vtkSMParaViewPipelineController> controller;
   vtkSMProxy* animation = controller->FindAnimationScene(part->GetSession());
-  vtkSMProperty* range = part->GetProperty("TimeRange");
-  if (!animation || !range || !animation->GetProperty("NumberOfFrames"))
+  if (!animation || !animation->GetProperty("NumberOfFrames"))
   {
     return;
   }
-  vtkSMPropertyHelper frames(animation, "NumberOfFrames");
-  const vtkSMPropertyHelper times(range);
-  if (frames.GetAsInt() == DefaultFrames && times.GetNumberOfElements() == 2)
+  if (part->GetProperty("TimestepValues"))
   {
-    frames.Set(static_cast<int>(FramesPerSecond * (times.GetAsDouble(1) - times.GetAsDouble(0))) + 1);
+    const std::vector<double> steps = vtkSMPropertyHelper(part, "TimestepValues").GetDoubleArray();
+    if (steps.size() > 1)
+    {
+      SetFrameRate(static_cast<double>(steps.size() - 1) / (steps.back() - steps.front()));
+    }
+  }
+  vtkSMPropertyHelper frames(animation, "NumberOfFrames");
+  if (part->GetProperty("TimeRange") && frames.GetAsInt() == DefaultFrames)
+  {
+    const std::vector<double> range = vtkSMPropertyHelper(part, "TimeRange").GetDoubleArray();
+    frames.Set(static_cast<int>(std::lround(FramesPerSecond * (range[1] - range[0]))) + 1);
     animation->UpdateVTKObjects();
+    SetFrameRate(FramesPerSecond);
   }
 }
 
