@@ -49,8 +49,8 @@ void TurnAboutFocus(vtkSMRenderViewProxy* view);
 
 /**
  * Waits for the moment at which ParaView, in the window or in a script, first resets the camera of a view, and moves it
- * then; what it looks at is the center of rotation. A picture with another camera, which someone must have chosen, ends the waiting. A view that someone has in two
- * dimensions is left alone.
+ * then; what it looks at is the center of rotation. A picture with another camera, which someone must have chosen, ends
+ * the waiting. A view that someone has in two dimensions is left alone.
  */
 class FirstCamera
 {

@@ -602,7 +602,8 @@ void NaturalDisplay::OnVisibility(vtkObject* object, unsigned long, void*)
 //----------------------------------------------------------------------------
 void NaturalDisplay::KeepSide()
 {
-  vtkPVXMLElement* look = this->Scene ? this->Scene.Get() : this->Owner->GetHints()->FindNestedElementByName("NaturalDisplay");
+  vtkPVXMLElement* look =
+    this->Scene ? this->Scene.Get() : this->Owner->GetHints()->FindNestedElementByName("NaturalDisplay");
   EyeHeights heights;
   const bool hasLowest = look && look->GetScalarAttribute("lowest", &heights.Lowest) != 0;
   const bool hasHighest = look && look->GetScalarAttribute("highest", &heights.Highest) != 0;

@@ -9,8 +9,8 @@
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxySelectionModel.h"
-#include "vtkSMSettings.h"
 #include "vtkSMSessionProxyManager.h"
+#include "vtkSMSettings.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
 #include "vtkSmartPointer.h"
@@ -29,7 +29,7 @@ namespace littoral
 namespace
 {
 
-constexpr int DefaultFrames = 10;        // of ParaView
+constexpr int DefaultFrames = 10;   // of ParaView
 constexpr int FramesPerSecond = 24; // of a film instead
 
 using Parts = std::map<std::string, vtkSMSourceProxy*>;
@@ -113,7 +113,8 @@ void SetFrameRate(double rate)
 {
   constexpr double BelowUsers = -1.0; // priority
   vtkSMSettings::GetInstance()->AddCollectionFromString(
-    R"({"misc": {"SaveAnimation": {"FrameRate": )" + std::to_string(std::max(1l, std::lround(rate))) + "}}}", BelowUsers);
+    R"({"misc": {"SaveAnimation": {"FrameRate": )" + std::to_string(std::max(1l, std::lround(rate))) + "}}}",
+    BelowUsers);
 }
 
 /// Gives a range of times without time steps the frames of a film, unless someone has chosen their number, and a film

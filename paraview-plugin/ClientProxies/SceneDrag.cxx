@@ -143,7 +143,8 @@ void SceneDrag::OnStart(vtkObject*, unsigned long, void* isInteractive)
   if (!isInteractive || *static_cast<int*>(isInteractive) == 0)
   {
     const EyeHeights limits = this->Limits();
-    this->IsKept = sight.Eye.z >= limits.Lowest && sight.Eye.z <= limits.Highest && IsUpright(sight.Eye - sight.Focus, sight.Up);
+    this->IsKept =
+      sight.Eye.z >= limits.Lowest && sight.Eye.z <= limits.Highest && IsUpright(sight.Eye - sight.Focus, sight.Up);
   }
   else if (this->IsKept)
   {

@@ -25,8 +25,8 @@ struct EyeHeights
 /**
  * Keeps a camera that is dragged upright, on its side of the ground or the surface of the sea.
  *
- * ParaView's trackball rolls the horizon, and turns through the ground. A camera that was rolled, or brought to the other
- * side by other means than a drag, is left alone.
+ * ParaView's trackball rolls the horizon, and turns through the ground. A camera that was rolled, or brought to the
+ * other side by other means than a drag, is left alone.
  */
 class SceneDrag
 {
