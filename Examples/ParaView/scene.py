@@ -107,7 +107,7 @@ def build(folder, size, quick=False):
     write_vti(place, filename)
     reader = simple.XMLImageDataReader(
         registrationName="Jacksboro fault", FileName=[filename], TimeArray="None")
-    fit = simple.CovarianceFit(registrationName="Fits", Input=reader)
+    fit = simple.CovarianceFit(registrationName="Fit", Input=reader)
     twin = grown_like(fit, place)
 
     # The ParaView window already has a view; a script has to create one.

@@ -70,6 +70,9 @@ heights = [np.sort(vtk_to_numpy(one.GetPointData().GetScalars())) for one in (se
 assert np.abs(heights[0] - heights[1]).max() < 0.1 * heights[0].std(), "heights of the place"
 counts = [ground.GetFieldData().GetArray(f"Polygons{of}").GetValue(0) for of in ("Shown", "AtFullDetail")]
 assert 0.2 * counts[1] < counts[0] <= counts[1], f"{counts[0]} of {counts[1]} triangles"
+for name in ("Fit", "Valleys", "Ground"):
+    chosen = simple.FindSource(name).GetProperty("Array")
+    assert list(chosen)[1:] == ["Elevation"], f"{name}: Array is {list(chosen)}"
 twin = simple.GetActiveSource()
 twin.UpdatePipeline()
 assert tuple(twin.GetDataInformation().GetBounds()[:4]) == (0.0, 1500.0, 0.0, 1200.0)

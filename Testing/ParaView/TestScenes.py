@@ -36,6 +36,9 @@ def show(name, parts, shown):
     simple.Show(scene, view)
     names = [key[0] for key in simple.GetSources()]
     assert sorted(names) == sorted([f"{name}1", *parts]), f"{name}: consists of {names}"
+    for part in map(simple.FindSource, parts):
+        if "Array" in part.ListProperties():
+            assert list(part.GetProperty("Array"))[1:] == ["Elevation"], f"{name}: Array is {list(part.GetProperty('Array'))}"
     assert visible(view) == sorted(shown), f"{name}: shows {visible(view)}"
     first = picture(view)
     covered = apart(first, blank)

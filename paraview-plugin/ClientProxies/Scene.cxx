@@ -74,6 +74,15 @@ void ScaleDepthsOf(vtkSMProxy* part, vtkPVXMLElement* description, double ratio)
   part->UpdateVTKObjects();
 }
 
+/// Makes the input of a part that chooses one of its arrays, so that its panel names it.
+void UpdateElevations(vtkSMSourceProxy* part)
+{
+  for (unsigned int k = 0; part->GetProperty("SelectInputScalars") && k < part->GetNumberOfProducers(); ++k)
+  {
+    vtkSMSourceProxy::SafeDownCast(part->GetProducerProxy(k))->UpdatePipeline();
+  }
+}
+
 /// A registered part; null if its type is not known.
 vtkSMSourceProxy* Make(vtkSMSessionProxyManager* manager, vtkPVXMLElement* description, const Parts& parts)
 {
@@ -89,6 +98,7 @@ vtkSMSourceProxy* Make(vtkSMSessionProxyManager* manager, vtkPVXMLElement* descr
   controller->PreInitializeProxy(part);
   SetValues(part, description);
   SetInputs(part, description, parts);
+  UpdateElevations(part);
   controller->PostInitializeProxy(part);
   const std::string name = manager->GetUniqueProxyName("sources", Attribute(description, "name").c_str(), false);
   controller->RegisterPipelineProxy(part, name.c_str());

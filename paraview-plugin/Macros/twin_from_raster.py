@@ -30,7 +30,9 @@ def main():
     fit.Array = ["POINTS", place.PointData.GetArray(0).Name]
     twin = simple.TurningBandsTerrainFromFits(
         registrationName="Twin", Input=simple.OutputPort(fit, 0), UseMeasuredGrid=1)
+    twin.UpdatePipeline()  # so that the panels name the array
     valleys = simple.Drainage(registrationName="Valleys", Input=twin, Target=place)
+    valleys.UpdatePipeline()
     ground = simple.TerrainLevelOfDetail(registrationName="Ground", Input=simple.OutputPort(valleys, 0))
     view = render_view()
     for one in {place, raster}:
