@@ -13,10 +13,11 @@ import mistakes
 SIDES = {"Forest": (45.0, 1e9), "SwayingForest": (3.0, 1e9), "Sea": (3.0, 1e9), "Underwater": (-5.4, -0.7),
          "TwinOfAPlace": (900.0, 1e9), "SeaState": (2.0, 1e9), "SeaSurface": (2.0, 1e9), "MeasuredSeaState": (2.0, 1e9)}
 # What is solid or goes around the eye keeps half of what it covers; what is flat can be seen from its edge.
-SOLID = {"AonoKuniiTree", "GardnerPlant", "ReevesTree", "Seaweed", "PlantScatter", "SuspendedParticles", *SIDES}
+SOLID = {"AonoKuniiTree", "GardnerPlant", "ReevesTree", "BeamTreeDeformation", "Seaweed", "SuspendedParticles", "ParticleOrbits",
+         "CurrentDrift", "ParticleLevelOfDetail", "ParticleFog", *SIDES}
 
 for _, entry in classes.all_entries():
     if entry.menu in ("Sources", "Filters") and entry.kind.startswith(("NaturalDisplay", "FollowCamera", "Preset")):
         given = mistakes.pv.shown_inputs(entry.proxy)
         check(entry.proxy, getattr(simple, entry.proxy)(**given), *SIDES.get(entry.proxy, ()),
-              least=0.5 if entry.proxy in SOLID else 0.02)
+              least=0.5 if entry.proxy in SOLID else 0.1)

@@ -607,7 +607,8 @@ void NaturalDisplay::KeepSide()
   EyeHeights heights;
   const bool hasLowest = look && look->GetScalarAttribute("lowest", &heights.Lowest) != 0;
   const bool hasHighest = look && look->GetScalarAttribute("highest", &heights.Highest) != 0;
-  if (hasLowest || hasHighest)
+  const bool hasElevation = look && look->GetScalarAttribute("least-elevation", &heights.Elevation) != 0;
+  if (hasLowest || hasHighest || hasElevation)
   {
     this->Drag.Keep(vtkSMRenderViewProxy::SafeDownCast(ViewOfScene(this->Manager)), this->Owner, heights);
   }

@@ -50,7 +50,8 @@ namespace littoral
  *  - Where the source is the first thing in its view, the camera looks from `elevation` [degrees] above the horizon, z
  *    upwards, and `closer` times closer than ParaView would go to show all, or from `eye` to `target` [m]; and the view
  *    gets the background and the sun of `light`, see LightView, if it has ParaView's.
- *  - A drag leaves the eye above `lowest` and below `highest` [m], see SceneDrag.
+ *  - A drag leaves the eye above `lowest` and below `highest` [m], and `least-elevation` above the horizon [degrees],
+ * see SceneDrag.
  *
  * An output has the hint with its number as `port`, if there is one, else the one without.
  *

@@ -97,7 +97,7 @@ EyeHeights SceneDrag::Limits() const
 {
   const double level = ValueOf(this->Source, "SeaLevel", 0.0);
   const double depth = ValueOf(this->Source, "WaterDepth", 0.0);
-  EyeHeights limits = { level + this->Heights.Lowest, level + this->Heights.Highest };
+  EyeHeights limits = { this->Heights.Elevation, level + this->Heights.Lowest, level + this->Heights.Highest };
   if (this->Heights.Highest < 0.0 && depth > 0.0)
   {
     limits.Lowest = std::max(limits.Lowest, level - (1.0 - OverBed) * depth);
@@ -114,13 +114,14 @@ SceneDrag::Sight SceneDrag::Kept(const Sight& dragged) const
   const Vector3 former = this->Former.Eye - this->Former.Focus;
   const double distance = glm::length(arm);
   const bool isOverPole = dragged.Up.z < 0.0;
-  // No steeper than the steepest: z = max(-d sin a, min(arm_z, d sin a))
+  // No steeper than the steepest, no flatter than the least: z = max(d sin e, min(arm_z, d sin a))
+  const EyeHeights limits = this->Limits();
   const double highest = distance * std::sin(Steepest);
-  const double rise = std::max(-highest, std::min(isOverPole ? std::copysign(highest, arm.z) : arm.z, highest));
+  const double least = std::max(-highest, distance * std::sin(limits.Elevation * Pi / 180.0));
+  const double rise = std::max(least, std::min(isOverPole ? std::copysign(highest, arm.z) : arm.z, highest));
   const Vector3& side = isOverPole ? former : arm;
   kept.Eye = EyeAt(dragged.Focus, distance, side.x, side.y, rise);
   // Back to its side: turned about a focus at rest, else moved with it
-  const EyeHeights limits = this->Limits();
   const double missing = std::max(limits.Lowest, std::min(kept.Eye.z, limits.Highest)) - kept.Eye.z;
   if (missing != 0.0 && AreSame(dragged.Focus, this->Former.Focus, distance) && std::abs(rise + missing) < highest)
   {
@@ -143,7 +144,8 @@ void SceneDrag::OnStart(vtkObject*, unsigned long, void* isInteractive)
   if (!isInteractive || *static_cast<int*>(isInteractive) == 0)
   {
     const EyeHeights limits = this->Limits();
-    this->IsKept =
+    const Vector3 arm = sight.Eye - sight.Focus;
+    this->IsKept = arm.z >= glm::length(arm) * std::sin(limits.Elevation * Pi / 180.0) &&
       sight.Eye.z >= limits.Lowest && sight.Eye.z <= limits.Highest && IsUpright(sight.Eye - sight.Focus, sight.Up);
   }
   else if (this->IsKept)

@@ -18,6 +18,7 @@ namespace littoral
 /// Heights of an eye [m], over the property SeaLevel of a source if it has one.
 struct EyeHeights
 {
+  double Elevation = -90.0; ///< least one over the horizon, seen from what the camera looks at [degrees]
   double Lowest = -1e30;
   double Highest = 1e30; ///< if below 0, the eye is under water, and stays above the bed of property WaterDepth too
 };
