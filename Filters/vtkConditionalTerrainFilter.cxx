@@ -313,12 +313,10 @@ void vtkConditionalTerrainFilter::CheckMemory(const littoral::Survey& survey, co
   const double width = std::max(0.0, extent[1] - static_cast<double>(extent[0]) + 1.0);
   const double height = std::max(0.0, extent[3] - static_cast<double>(extent[2]) + 1.0);
   const double bytes = littoral::MemoryOf(survey, width * height, this->KrigingVariance);
-  if (bytes > littoral::AvailableMemory())
-  {
-    littoral::Refuse("A field of ", littoral::TextOf(width), " x ", littoral::TextOf(height), " points from ",
-      survey.Data.Places.size(), " data needs ", littoral::TextOf(bytes / 0x1p30),
-      " GiB, more than this machine has free. Take fewer points, or a NumberOfNeighbors.");
-  }
+  littoral::RequireMemory(bytes,
+    "A field of " + littoral::TextOf(width) + " x " + littoral::TextOf(height) + " points from " +
+      std::to_string(survey.Data.Places.size()) + " data",
+    "take fewer points, or a NumberOfNeighbors");
 }
 
 //----------------------------------------------------------------------------

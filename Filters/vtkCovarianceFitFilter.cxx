@@ -39,6 +39,8 @@ namespace
 {
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+/// Memory of a point: its value, and the correlations of all that are padded [bytes].
+constexpr double BytesOfPoint = 120.0;
 /// Fewer points along a side have no lags to speak of.
 constexpr int SmallestSide = 8;
 constexpr std::size_t FewestSamples = SmallestSide * SmallestSide;
@@ -324,6 +326,8 @@ int vtkCovarianceFitFilter::RequestData(
     littoral::InContext("Cannot fit: ", [&] { return littoral::InputOf<vtkImageData>(inputVector[0], "Input"); });
   this->CheckProperties();
   vtkDataArray* array = this->FindArray(image, inputVector);
+  littoral::RequireMemory(BytesOfPoint * static_cast<double>(image->GetNumberOfPoints()),
+    "The image: its variogram takes all of it at once and", "take a part of it or a coarser one");
   this->SetProgressText("Fitting covariance models");
   Detrended field;
   this->Detrend(image, array, field);

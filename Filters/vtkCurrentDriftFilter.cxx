@@ -220,10 +220,7 @@ void vtkCurrentDriftFilter::TakePoints(vtkDataObject* input)
     count += static_cast<double>(leaf->GetNumberOfPoints());
   }
   const double bytesOfPoint = (littoral::DriftHistory::MaximumCheckpoints + 4.0) * (sizeof(Vector3) + 1.0);
-  if (count * bytesOfPoint > littoral::AvailableMemory())
-  {
-    littoral::Refuse(static_cast<long long>(count), " points are more than this machine has memory for.");
-  }
+  littoral::RequireMemory(count * bytesOfPoint, "The drift of " + littoral::TextOf(count) + " points", "take fewer");
   littoral::Drifters start;
   for (vtkPointSet* leaf : leaves)
   {

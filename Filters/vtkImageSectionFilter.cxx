@@ -28,6 +28,9 @@ vtkStandardNewMacro(vtkImageSectionFilter);
 namespace
 {
 
+/// Memory of a point and its cell, at most, with some arrays [bytes].
+constexpr double BytesOfPoint = 250.0;
+
 /// Sections of an image, one after the other.
 class Sections
 {
@@ -47,6 +50,8 @@ public:
     const int v = (axis + 2) % 3;
     const vtkIdType first = this->Points->GetNumberOfPoints();
     const vtkIdType row = this->Extent[2 * u + 1] - this->Extent[2 * u] + 1;
+    const double count = static_cast<double>(row) * (this->Extent[2 * v + 1] - this->Extent[2 * v] + 1.0);
+    littoral::RequireMemory(BytesOfPoint * count, "a section of " + littoral::TextOf(count) + " points", "take a coarser image");
     int sample[3];
     sample[axis] = index;
     for (sample[v] = this->Extent[2 * v]; sample[v] <= this->Extent[2 * v + 1]; ++sample[v])

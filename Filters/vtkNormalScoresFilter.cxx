@@ -106,6 +106,8 @@ int vtkNormalScoresFilter::RequestData(
   littoral::Require(this->Inverse && !hasReference
       ? "The way back from scores to values needs a Reference whose distribution they take."
       : "");
+  littoral::RequireMemory(16.0 * static_cast<double>(known->GetNumberOfTuples() + values->GetNumberOfTuples()),
+    "Scores of " + std::to_string(values->GetNumberOfTuples()) + " values", "take fewer");
   std::vector<double> distribution;
   for (vtkIdType n = 0; n < known->GetNumberOfTuples(); ++n)
   {

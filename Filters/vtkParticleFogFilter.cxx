@@ -206,11 +206,8 @@ void vtkParticleFogFilter::CheckProperties() const
     }
   }
   const double samples = static_cast<double>(this->MakeGrid(this->Bounds).NumberOfSamples());
-  if (BytesASample * samples > littoral::AvailableMemory())
-  {
-    littoral::Refuse(
-      "the image of ", samples, " samples needs more memory than there is: take fewer Dimensions or more Spacing.");
-  }
+  littoral::RequireMemory(BytesASample * samples, "the image of " + littoral::TextOf(samples) + " samples",
+    "take fewer Dimensions or more Spacing");
 }
 
 //----------------------------------------------------------------------------
@@ -285,8 +282,7 @@ int vtkParticleFogFilter::RequestData(
   {
     count += static_cast<double>(set->GetNumberOfPoints());
   }
-  littoral::Require(
-    BytesAParticle * count > littoral::AvailableMemory() ? "the particles need more memory than there is." : "");
+  littoral::RequireMemory(BytesAParticle * count, "fog of " + littoral::TextOf(count) + " particles", "take fewer");
   this->SetProgressText("Making fog");
   std::vector<littoral::FogParticle> particles;
   for (vtkPointSet* set : sets)

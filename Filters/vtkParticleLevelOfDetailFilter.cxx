@@ -340,11 +340,9 @@ void vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
   options.Scatter = this->SlavePlacement == Scattered;
   options.Seed = this->Seed;
   littoral::Require(littoral::WhyInvalid(options));
-  if (count > std::numeric_limits<int>::max() ||
-    BytesAParticle * static_cast<double>(count) > littoral::AvailableMemory())
-  {
-    littoral::Refuse(count, " particles are more than this machine has memory for.");
-  }
+  littoral::Require(count > std::numeric_limits<int>::max() ? "More particles than 2147483647 have no levels." : "");
+  littoral::RequireMemory(
+    BytesAParticle * static_cast<double>(count), "A water of " + std::to_string(count) + " particles", "take fewer");
   std::vector<littoral::Vector3> places(static_cast<std::size_t>(count));
   const littoral::Poll poll = littoral::PollOf(this);
   littoral::SteppedPoll steps(poll);

@@ -395,10 +395,8 @@ void vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
   std::vector<int> trainCounts;
   littoral::Slaves slaves;
   ReadFollowers(input, trainCounts, slaves);
-  if (17.0 * sizeof(typename Array::ValueType) * static_cast<double>(count) > littoral::AvailableMemory())
-  {
-    littoral::Refuse(count, " points are more than this machine has memory for.");
-  }
+  littoral::RequireMemory(17.0 * sizeof(typename Array::ValueType) * static_cast<double>(count),
+    "the motion of " + std::to_string(count) + " points", "take fewer");
   const bool surface = this->GenerateSurface && IsAtSeaLevel(input->GetPoints(), sea.State.SeaLevel);
   MovedArrays<Array> moved(input, this->GenerateVelocity, this->GenerateAcceleration, surface, output->GetPointData());
   moved.Request.TrainCounts = trainCounts.empty() ? nullptr : trainCounts.data();

@@ -57,7 +57,6 @@ constexpr const char* TerrainInput = "Terrain";
 constexpr const char* InstancesBlock = "Instances";
 constexpr const char* CannotScatter = "Cannot scatter plants: ";
 constexpr double Degree = littoral::Pi / 180.0;
-constexpr double Gigabyte = 1e9;
 /// More prototypes than this have no weight of their own.
 constexpr int MostWeights = 1000000;
 
@@ -443,13 +442,12 @@ void vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* 
     request.Places.empty() ? this->Internals->Scene.Places : request.Places;
   littoral::ScatterMerge merge(
     this->Internals->Species, places, request.Shown, this->FaceCamera ? &request.Seen : nullptr);
-  const double available = littoral::AvailableMemory();
-  if (merge.GetBytes() > available || merge.HasTooManyNodes())
-  {
-    littoral::Refuse(request.Shown.size(), " plants, ", merge.GetNumberOfPlants(littoral::PlantLevel::High),
-      " of them in full, need ", merge.GetBytes() / Gigabyte, " GB, and ", available / Gigabyte,
-      " GB are free. Switch on UseLevels and UseCulling, lower NearDistance, or set VisibleDistance.");
-  }
+  const std::string plants = "A forest of " + std::to_string(request.Shown.size()) + " plants, " +
+    std::to_string(merge.GetNumberOfPlants(littoral::PlantLevel::High)) + " of them in full,";
+  const char* remedy = "switch on UseLevels and UseCulling, lower NearDistance, or set VisibleDistance";
+  littoral::RequireMemory(merge.GetBytes(), plants, remedy);
+  littoral::Require(
+    merge.HasTooManyNodes() ? plants + " has too many nodes for one mesh: " + remedy + "." : std::string());
   this->SetProgressText("Scattering plants");
   const std::size_t jobs = merge.Begin();
   if (!littoral::RunWithProgress(this, jobs, 0.1, 0.9, [&](std::size_t job) { merge.Do(job); }))
@@ -468,12 +466,8 @@ void vtkPlantScatterFilter::AddInstances(const Request& request, vtkMultiBlockDa
   const std::vector<littoral::PlantPlace>& places =
     request.Places.empty() ? this->Internals->Scene.Places : request.Places;
   const double bytes = littoral::InstanceBytes(request.Shown.size(), littoral::HasGirths(places));
-  const double available = littoral::AvailableMemory();
-  if (bytes > available)
-  {
-    littoral::Refuse(request.Shown.size(), " instances of plants need ", bytes / Gigabyte, " GB, and ",
-      available / Gigabyte, " GB are free. Switch on UseCulling, or set VisibleDistance.");
-  }
+  littoral::RequireMemory(bytes, "A forest of " + std::to_string(request.Shown.size()) + " instances of plants",
+    "switch on UseCulling, or set VisibleDistance");
   output->ShallowCopy(this->Internals->Species.Levels);
   littoral::ReplaceBlock(output, InstancesBlock, littoral::InstancesOf(places, request.Shown));
   const double polygons = littoral::PolygonsOf(this->Internals->Species.Levels, places, request.Shown);

@@ -280,8 +280,9 @@ void vtkPointPatternStatisticsFilter::ReadLaw(Pattern& pattern)
     littoral::ReadQuadratFit(pattern.Fits, law.Counts, law.Grid);
   }
   littoral::Require(littoral::WhyInvalid(law, pattern.Window));
-  const bool isTooMuch = 64.0 * littoral::ExpectedDraws(law, pattern.Window) > littoral::AvailableMemory();
-  littoral::Require(isTooMuch ? "the law of the table makes more points than this machine has memory for." : "");
+  const double draws = littoral::ExpectedDraws(law, pattern.Window);
+  littoral::RequireMemory(
+    64.0 * draws, "the law of the table, which makes " + littoral::TextOf(draws) + " points,", "take that of this pattern");
 }
 
 //----------------------------------------------------------------------------

@@ -156,11 +156,9 @@ littoral::QuadratGrid vtkQuadratAnalysisFilter::MakeGrid(vtkPointSet* input)
       grid.Count = { this->Quadrats[0], this->Quadrats[1] };
       littoral::Require(littoral::WhyInvalid(grid));
     }
-    const double quadrats = static_cast<double>(grid.NumberOfQuadrats());
-    if (quadrats < 2.0 || 4.0 * quadrats > littoral::AvailableMemory())
-    {
-      littoral::Refuse(grid.NumberOfQuadrats(), " quadrats cannot be analysed; take another number.");
-    }
+    littoral::Require(grid.NumberOfQuadrats() < 2 ? "one quadrat cannot be analysed; take more." : "");
+    littoral::RequireMemory(4.0 * static_cast<double>(grid.NumberOfQuadrats()),
+      "an analysis of " + std::to_string(grid.NumberOfQuadrats()) + " quadrats", "take fewer");
   });
   return grid;
 }

@@ -37,6 +37,9 @@ namespace
 /// Points that a thread takes at a time.
 constexpr std::size_t RangeLength = 4096;
 
+/// Memory of a point and its triangles [bytes].
+constexpr double BytesOfPoint = 110.0;
+
 /// Height over the sea of the eye for which the water is colored [m]: that of a ship's bridge.
 constexpr double EyeHeight = 9.0;
 
@@ -194,6 +197,8 @@ void vtkSeaSurfaceFilter::MakeSurface(const littoral::SeaState& sea, double time
 {
   const littoral::SeaSurfaceParameters parameters = this->MakeParameters();
   const littoral::SeaSurfaceGrid grid(parameters);
+  littoral::RequireMemory(BytesOfPoint * static_cast<double>(grid.GetNumberOfPoints()), "the surface",
+    "take fewer points along its sides");
   const double waveHeight = std::max(1e-9, 4.0 * std::sqrt(littoral::EnergyOf(sea.Trains)));
   const double center[3] = { this->Center[0], this->Center[1], sea.SeaLevel };
   Arrays arrays(static_cast<vtkIdType>(grid.GetNumberOfPoints()), this->WaterColors);

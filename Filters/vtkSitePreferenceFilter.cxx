@@ -245,6 +245,8 @@ int vtkSitePreferenceFilter::RequestData(
     table ? littoral::ReadPreferences(littoral::TextsOf(table)) : littoral::DefaultPreferences(knowsDrainage);
   const littoral::SiteGround ground = GroundOf(terrain, species);
   const Sites arrays(sites);
+  const auto count = static_cast<double>(sites->GetNumberOfPoints());
+  littoral::RequireMemory(2.0 * sizeof(KeptSite) * count, "the choice of " + littoral::TextOf(count) + " sites", "take fewer");
   std::vector<KeptSite> kept;
   vtkInformation* output = outputVector->GetInformationObject(0);
   const littoral::PieceRange part = littoral::RequestedPart(output, sites->GetNumberOfPoints());

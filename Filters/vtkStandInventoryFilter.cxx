@@ -35,6 +35,9 @@ namespace
 constexpr int InventoryPort = 0;
 constexpr int SpeciesPort = 1;
 
+/// Memory of a row: its texts, the tree of it and its values [bytes].
+constexpr double BytesOfTree = 1000.0;
+
 std::string Word(const char* word)
 {
   return word ? word : "";
@@ -223,6 +226,7 @@ int vtkStandInventoryFilter::RequestData(
   const littoral::StandSpeciesTable species =
     rows ? littoral::StandSpeciesTable(littoral::TextsOf(rows)) : littoral::StandSpeciesTable();
   const littoral::InventoryOptions options = this->Options();
+  littoral::RequireMemory(BytesOfTree * static_cast<double>(inventory->GetNumberOfRows()), "the inventory", "take fewer rows");
   this->SetProgressText("Reading trees");
   const littoral::TextTable texts = littoral::TextsOf(inventory);
   this->UpdateProgress(0.3);

@@ -456,10 +456,7 @@ void vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataAr
   }
   internals.Pyramid.reset();
   const double bytes = BytesASample(image) * static_cast<double>(image->GetNumberOfPoints());
-  if (bytes > littoral::AvailableMemory())
-  {
-    littoral::Refuse("The terrain in levels may take ", bytes / 1e9, " GB, more than the free memory.");
-  }
+  littoral::RequireMemory(bytes, "the terrain in levels", "take a part of it or a coarser one");
   this->CheckHeights(heights);
   littoral::HeightSamples samples;
   int dimensions[3];

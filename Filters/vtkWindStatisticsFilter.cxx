@@ -25,6 +25,9 @@ vtkStandardNewMacro(vtkWindStatisticsFilter);
 namespace
 {
 
+/// Memory of a point: its velocity, and the Fourier components of it [bytes].
+constexpr double BytesOfPoint = 40.0;
+
 constexpr const char* Components[littoral::WindComponents] = { "Along", "Across", "Up" };
 
 void WriteBands(const std::vector<littoral::WindBand>& bands, vtkTable* table)
@@ -103,8 +106,10 @@ int vtkWindStatisticsFilter::RequestData(
   check.NotNegative("Separation[1]", this->Separation[1], "m");
   check.Count("NumberOfBands", this->NumberOfBands, 2, 10000);
   littoral::Require(check.Reason());
+  auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Input");
+  littoral::RequireMemory(BytesOfPoint * static_cast<double>(image->GetNumberOfPoints()), "The wind", "take a part of it");
   const littoral::ModelledWind wind =
-    littoral::ReadModelledWind(littoral::InputOf<vtkImageData>(inputVector[0], "Input"));
+    littoral::ReadModelledWind(image);
   const littoral::WindGrid& grid = wind.Grid;
   const littoral::WindPlaces places =
     littoral::FindPlaces(grid, this->Height, { this->Separation[0], this->Separation[1] });

@@ -5,6 +5,7 @@
 #include "CoordinateSystem.h"
 #include "GdalMessages.h"
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/Memory.h"
 
 #include <algorithm>
 #include <cctype>
@@ -71,6 +72,10 @@ private:
 };
 
 constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
+constexpr int RowsAtOnce = 64;
+
+/// Part of the free memory that GDAL may fill with blocks: its own bound is a part of the machine's.
+constexpr double CacheShare = 0.1;
 
 // --- Opening --------------------------------------------------------------------------------------------------------
 
@@ -134,6 +139,7 @@ std::string HintFor(const std::string& path)
 Dataset OpenRaster(const RasterOptions& options, GdalMessages& messages)
 {
   GDALAllRegister();
+  GDALSetCacheMax64(std::min(GDALGetCacheMax64(), static_cast<GIntBig>(CacheShare * std::min(AvailableMemory(), 0x1p50))));
   std::error_code error;
   const bool isVirtual = options.Path.rfind("/vsi", 0) == 0;
   if (!isVirtual && !std::filesystem::exists(options.Path, error))
@@ -576,6 +582,29 @@ const std::string& Raster::HeightWords() const
   return this->Own->Height.Words;
 }
 
+double Raster::WorkBytes(int width) const
+{
+  const auto blockOf = [](void* dataset) {
+    std::array<int, 2> block{};
+    GDALGetBlockSize(GDALGetRasterBand(dataset, 1), block.data(), block.data() + 1);
+    return block;
+  };
+  const auto pixels = [](void* dataset) { return 1.0 * GDALGetRasterXSize(dataset) * GDALGetRasterYSize(dataset); };
+  void* file = this->Own->Chain.front().get();
+  const std::array<int, 2> block = blockOf(file);
+  const double across = std::ceil(1.0 * GDALGetRasterXSize(file) / block[0]) * block[0];
+  const double size = GDALGetDataTypeSizeBytes(GDALGetRasterDataType(GDALGetRasterBand(file, this->Own->Options.Band)));
+  const double ofRows = RowsAtOnce * (sizeof(double) + 1.0) * width;
+  if (this->Own->Chain.size() < 3)
+  {
+    return ofRows + 2.0 * size * across * block[1];
+  }
+  // A block of the projected grid takes all pixels under it, as 4 bytes with masks.
+  const std::array<int, 2> projected = blockOf(this->Own->Last());
+  const double share = std::min(1.0, 2.0 * projected[0] * projected[1] / pixels(this->Own->Last()));
+  return ofRows + (12.0 + size) * share * pixels(file);
+}
+
 bool Raster::Read(const std::array<int, 4>& window, float* heights, const RasterProgress& progress)
 {
   Internals& own = *this->Own;
@@ -588,17 +617,16 @@ bool Raster::Read(const std::array<int, 4>& window, float* heights, const Raster
   const bool usesNoData = own.Options.UsesNoData && own.Chain.size() < 3; // else the projection has left them out
   const int width = window[1] - window[0] + 1;
   const int height = window[3] - window[2] + 1;
-  constexpr int rowsAtOnce = 64;
-  std::vector<double> values(static_cast<std::size_t>(width) * rowsAtOnce);
+  std::vector<double> values(static_cast<std::size_t>(width) * RowsAtOnce);
   std::vector<unsigned char> valid(values.size(), 1);
-  for (int done = 0; done < height; done += rowsAtOnce)
+  for (int done = 0; done < height; done += RowsAtOnce)
   {
     if (!progress(static_cast<double>(done) / height))
     {
       return false;
     }
     // Rows in the order of the file, which is that in which it can be read fast.
-    const int rows = std::min(rowsAtOnce, height - done);
+    const int rows = std::min(RowsAtOnce, height - done);
     const int first = own.IsSouthFirst ? window[2] + done : own.Grid.Points[1] - 1 - window[3] + done;
     bool isRead = GDALRasterIO(band, GF_Read, window[0], first, width, rows, values.data(), width, rows, GDT_Float64, 0,
                     0) == CE_None;

@@ -80,6 +80,10 @@ public:
   /// Conversion of heights to metres in words, as "heights in feet".
   const std::string& HeightWords() const;
 
+  /// Memory that reading rows of so many points takes beside the heights: blocks of the file, and what is projected at
+  /// once [bytes].
+  double WorkBytes(int width) const;
+
   /**
    * Heights [m] of the points from (i0, j0) to (i1, j1), both included, x fastest, rows from south to north; NaN where
    * there are none. False if stopped. Throws RasterError.

@@ -50,11 +50,7 @@ std::string WhyTooManyBytes(double bytes)
   }
   // The meshes, their place in the buffer, and the library's copy of it.
   constexpr double copies = 3.0;
-  if (copies * bytes > AvailableMemory())
-  {
-    return "the scene needs " + gigabytes(copies * bytes) + " of memory, more than this machine has free.";
-  }
-  return {};
+  return WhyRefused([&] { RequireMemory(copies * bytes, "the scene", "take less of it"); });
 }
 
 double BytesOf(const SceneMesh& mesh)

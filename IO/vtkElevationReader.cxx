@@ -199,6 +199,11 @@ int vtkElevationReader::RequestData(vtkInformation*, vtkInformationVector**, vtk
       return 1; // a rank with nothing to do
     }
     const vtkIdType count = output->GetNumberOfPoints();
+    // 4 bytes a height, and 1 that hides it
+    littoral::RequireMemory(5.0 * static_cast<double>(count) + raster.WorkBytes(extent[1] - extent[0] + 1),
+      "a raster of " + std::to_string(extent[1] - extent[0] + 1) + " x " + std::to_string(extent[3] - extent[2] + 1) +
+        " heights",
+      this->Projection == AsInFile ? "read a part of it, or a coarser one" : "set a larger ProjectedSpacing");
     auto heights = littoral::NewArray<vtkFloatArray>("Elevation", 1, count);
     this->SetProgressText("Reading heights");
     const bool isRead =

@@ -194,10 +194,7 @@ void vtkElevationWriter::WriteImage(vtkImageData* image)
   content.IsCompressed = this->Compression == Deflate;
   // The file is made in memory, compressed or not at most as large as the heights and somewhat more.
   const double bytes = (content.IsWide ? 8.8 : 4.4) * static_cast<double>(image->GetNumberOfPoints());
-  if (bytes > littoral::AvailableMemory())
-  {
-    littoral::Refuse("it needs ", littoral::TextOf(bytes / 0x1p30), " GiB of memory, more than this machine has free.");
-  }
+  littoral::RequireMemory(bytes, "it", "take a smaller or coarser terrain");
   vtkUnsignedCharArray* ghosts = image->GetPointGhostArray();
   content.FillRow = [&](int row, double* values) {
     const vtkIdType begin = static_cast<vtkIdType>(dimensions[1] - 1 - row) * dimensions[0];

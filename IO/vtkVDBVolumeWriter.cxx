@@ -62,12 +62,8 @@ std::string WhyUnfit(const littoral::VolumeInput& input)
   {
     return "the input has no array of numbers, or none is chosen.";
   }
-  const double bytes = GridBytes(input.Volumes);
-  if (bytes > littoral::AvailableMemory())
-  {
-    return "its volumes need " + std::to_string(bytes / 0x1p30) + " GiB of memory, more than this machine has free.";
-  }
-  return {};
+  return littoral::WhyRefused(
+    [&] { littoral::RequireMemory(GridBytes(input.Volumes), "a file of its volumes", "take a smaller or coarser grid"); });
 }
 
 /// Gives the only volume a name, unless that is empty. Why it cannot; empty if it can.

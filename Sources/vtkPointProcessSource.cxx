@@ -252,8 +252,8 @@ std::string vtkPointProcessSource::WhyInvalid(const Recipe& recipe) const
   if (check.IsGood())
   {
     const double draws = littoral::ExpectedDraws(recipe.Process, recipe.Options, recipe.Window);
-    check.Require(BytesOfPoint * draws < littoral::AvailableMemory(),
-      "The process makes " + littoral::TextOf(draws) + " points, more than this machine has memory for.");
+    littoral::RequireMemory(
+      BytesOfPoint * draws, "The process, which makes " + littoral::TextOf(draws) + " points,", "take a smaller Size");
   }
   return check.Reason();
 }

@@ -191,10 +191,13 @@ std::string vtkQuadratPointSource::WhyInvalid(const Recipe& recipe) const
   check.Choice("Mode", this->Mode, { "quota", "sampling" });
   const long long quadrats = recipe.Grid.NumberOfQuadrats();
   const double points = static_cast<double>(quadrats) * recipe.Law.Mean;
-  check.Require(
-    quadrats <= MostQuadrats && 48.0 * points + 8.0 * static_cast<double>(quadrats) <= littoral::AvailableMemory(),
-    "Quadrats (" + std::to_string(quadrats) + ") of MeanPerQuadrat (" + littoral::TextOf(recipe.Law.Mean) +
-      ") points are more than this machine has memory for.");
+  const std::string words = std::to_string(quadrats) + " Quadrats of MeanPerQuadrat";
+  check.Require(quadrats <= MostQuadrats, words + " are more than memory is made for.");
+  if (check.IsGood())
+  {
+    littoral::RequireMemory(48.0 * points + 8.0 * static_cast<double>(quadrats),
+      "A pattern of " + words + ", " + littoral::TextOf(recipe.Law.Mean) + ",", "take fewer");
+  }
   return check.Reason();
 }
 

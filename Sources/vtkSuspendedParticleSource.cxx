@@ -388,10 +388,9 @@ int vtkSuspendedParticleSource::RequestData(vtkInformation*, vtkInformationVecto
   const Recipe recipe = this->MakeRecipe();
   const auto [first, last] = littoral::RequestedPart(outputVector->GetInformationObject(0), recipe.First.back());
   const double bytes = this->Mode == Quads ? 5.0 * 88.0 + 40.0 : 64.0;
-  if (bytes * static_cast<double>(last - first) > littoral::AvailableMemory())
-  {
-    littoral::Refuse(last - first, " particles are more than this machine has memory for.");
-  }
+  const auto count = last - first;
+  littoral::RequireMemory(bytes * static_cast<double>(count), "The water with " + std::to_string(count) + " particles",
+    "take a smaller Density or fewer boxes");
   this->SetProgressText("Placing particles");
   this->NameBoxes(recipe, output);
   const bool done = this->OutputPointsPrecision == vtkAlgorithm::DOUBLE_PRECISION

@@ -270,11 +270,8 @@ void vtkTurningBandsTerrainSource::CheckMemory(const int extent[6])
   const double width = extent[1] - static_cast<double>(extent[0]) + 1.0;
   const double height = extent[3] - static_cast<double>(extent[2]) + 1.0;
   const double bytes = width * height * sizeof(float) * (this->Reflectance ? 2 : 1);
-  if (bytes > littoral::AvailableMemory())
-  {
-    littoral::Refuse("A terrain of ", width, " x ", height, " points needs ", bytes / 0x1p30,
-      " GiB, more than this machine has free. Take a smaller WholeExtent, or ask for a part of it.");
-  }
+  littoral::RequireMemory(bytes, "A terrain of " + littoral::TextOf(width) + " x " + littoral::TextOf(height) + " points",
+    "take a smaller WholeExtent, or ask for a part of it");
 }
 
 //----------------------------------------------------------------------------

@@ -233,11 +233,10 @@ int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
   const double points = NumberOfPoints(extent.data());
   const double bytes =
     points * sizeof(float) * littoral::WindComponents + (fresh ? 0.0 : littoral::WindFieldBytes(grid));
-  if (bytes > littoral::AvailableMemory())
-  {
-    littoral::Refuse("A wind with Dimensions ", grid.Count[0], " x ", grid.Count[1], " x ", grid.Count[2], " needs ",
-      bytes / 0x1p30, " GiB of memory, more than this machine has free.");
-  }
+  littoral::RequireMemory(bytes,
+    "A wind with Dimensions " + std::to_string(grid.Count[0]) + " x " + std::to_string(grid.Count[1]) + " x " +
+      std::to_string(grid.Count[2]),
+    "take smaller Dimensions");
   if (!fresh && points > 0.0 && !this->Freeze(recipe))
   {
     return 1; // aborted

@@ -7,26 +7,16 @@
 #include "vtkFloatArray.h"
 #include "vtkPoints.h"
 
-#include <new>
+#include <string>
 
 namespace littoral
 {
 
-namespace
-{
-
-/// Sizes that need no look at the limits, and what is left for all else [bytes].
-constexpr double Small = 0x1p20;
-
-}
-
 void SetTuples(vtkAbstractArray* array, vtkIdType tuples)
 {
   const double bytes = static_cast<double>(tuples) * array->GetNumberOfComponents() * array->GetDataTypeSize();
-  if (bytes > Small && bytes + Small > LimitedMemory())
-  {
-    throw std::bad_alloc();
-  }
+  const char* name = array->GetName();
+  RequireMemory(bytes, name && *name ? "The array " + std::string(name) : "An array", "take less");
   array->SetNumberOfTuples(tuples);
 }
 

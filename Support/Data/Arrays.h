@@ -19,8 +19,8 @@ class vtkPoints;
 namespace littoral
 {
 
-/// Sets the number of tuples of an array. Throws std::bad_alloc where the limits of the process leave no memory for
-/// them: VTK itself ends the program, as distributions compile it.
+/// Sets the number of tuples of an array. Throws InvalidInput where there is no memory for them: VTK itself ends the
+/// program, as distributions compile it.
 void SetTuples(vtkAbstractArray* array, vtkIdType tuples);
 
 /// An array with a name and room for tuples, not filled.

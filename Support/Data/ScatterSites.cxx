@@ -116,10 +116,8 @@ std::vector<PlantPlace> PlacePlants(vtkPointSet* sites, vtkImageData* terrain, c
 {
   const vtkIdType count = sites->GetNumberOfPoints();
   const double bytes = sizeof(PlantPlace) + 2.0 * sizeof(Box);
-  if (count > std::numeric_limits<int>::max() || static_cast<double>(count) * bytes > AvailableMemory())
-  {
-    Refuse(count, " sites are more than this machine has memory for.");
-  }
+  Require(count > std::numeric_limits<int>::max() ? "more sites than 2147483647 are not placed." : "");
+  RequireMemory(static_cast<double>(count) * bytes, "A forest on " + std::to_string(count) + " sites", "take fewer");
   std::vector<PlantPlace> places;
   places.reserve(static_cast<std::size_t>(count));
   const SiteArrays arrays(sites, dimensions);

@@ -164,11 +164,8 @@ void ReadSeaweeds(vtkMultiBlockDataSet* plants, const SeaweedOptions& options, c
     Require(scene.SetPlants({}, {}, nullptr, options, sea));
     return;
   }
-  const double bytes = 2000.0 * static_cast<double>(bones->GetNumberOfPoints());
-  if (bytes > AvailableMemory())
-  {
-    Refuse("the plants need ", static_cast<long long>(bytes / 1e6), " MB to move; take fewer.");
-  }
+  RequireMemory(
+    2000.0 * static_cast<double>(bones->GetNumberOfPoints()), "the motion of the plants", "take fewer plants");
   ReadBones(bones, options, sea, scene);
   skins = ReadSkins(plants, scene.GetStand());
 }

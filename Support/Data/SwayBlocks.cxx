@@ -23,15 +23,11 @@ namespace
 constexpr std::size_t LeafGrain = 1024;   // leaves a task
 constexpr std::size_t VertexGrain = 4096; // vertices a task
 constexpr double BytesOfTrunk = 4000.0;   // of a trunk's skeleton, about
-constexpr double MegaByte = 1e6;
 
-void RequireMemory(double bytes)
+void RequireMemoryToSway(double bytes)
 {
-  if (bytes > AvailableMemory())
-  {
-    Refuse("The plants need ", static_cast<long long>(bytes / MegaByte),
-      " MB to sway; take fewer plants in full, fewer modes, Response Interpolated, or fewer and smaller pictures.");
-  }
+  RequireMemory(bytes, "The motion of the plants",
+    "take fewer plants in full, fewer modes, Response Interpolated, or fewer and smaller pictures");
 }
 
 /// Reads the prototypes of a scattered forest, or a plant that is its own.
@@ -123,7 +119,7 @@ void SwayBlocks::MakeScene(vtkMultiBlockDataSet* plants, const std::vector<vtkMu
   this->RequireKnownSpecies(read.size());
   const double texels =
     static_cast<double>(read.size()) * settings.Pictures * settings.TextureSize[0] * settings.TextureSize[1];
-  RequireMemory(2.0 * sizeof(Texel) * texels);
+  RequireMemoryToSway(2.0 * sizeof(Texel) * texels);
   this->Scene = std::make_unique<SwayScene>(settings, frozen, this->Table.Places, std::move(species));
   std::vector<TextureImage> pictures = PicturesOf(*this->Scene, read, wind, progress);
   std::vector<ColorSum> means(pictures.size(), ColorSum{ 1.0f, 1.0f, 1.0f });
@@ -174,7 +170,7 @@ void SwayBlocks::ReadHigh(vtkMultiBlockDataSet* plants, vtkAlgorithm* progress)
   {
     bytes += PlantSway::BytesOf(one.Branches.size(), this->Scene->GetSettings().Options);
   }
-  RequireMemory(bytes);
+  RequireMemoryToSway(bytes);
   this->AddPlants(skeletons, FindPlantIds(bones), leafAreas, progress);
 }
 
@@ -240,7 +236,7 @@ void SwayBlocks::ReadMedium(vtkMultiBlockDataSet* plants)
   }
   const double trunks =
     static_cast<double>(std::count(this->Table.Levels.begin(), this->Table.Levels.end(), PlantLevel::Medium));
-  RequireMemory(trunks * (PlantSway::BytesOf(1, this->Scene->GetSettings().Options) + BytesOfTrunk));
+  RequireMemoryToSway(trunks * (PlantSway::BytesOf(1, this->Scene->GetSettings().Options) + BytesOfTrunk));
   for (const char* name : { plant::Trunk, plant::Crown })
   {
     vtkPolyData* block = PlantPartOf(plants, plant::Medium, name);

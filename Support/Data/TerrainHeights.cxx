@@ -44,15 +44,12 @@ vtkDataArray* HeightArray(vtkImageData* image, vtkDataArray* array, vtkInformati
   return array;
 }
 
-void RequireMemory(vtkImageData* image, const CellMemory& memory)
+void RequireMemoryFor(vtkImageData* image, const CellMemory& memory)
 {
   const int* size = image->GetDimensions();
-  const double bytes = memory.Bytes * size[0] * size[1];
-  if (bytes > AvailableMemory())
-  {
-    Refuse("Terrain of ", size[0], " x ", size[1], " points: ", memory.Task, " needs all of it at once and ",
-      TextOf(bytes / 0x1p30), " GiB, more than this machine has free. Take a part of it or a coarser one.");
-  }
+  RequireMemory(memory.Bytes * size[0] * size[1],
+    "Terrain of " + std::to_string(size[0]) + " x " + std::to_string(size[1]) + " points: " + memory.Task,
+    "take a part of it or a coarser one");
 }
 
 }
@@ -62,7 +59,7 @@ GridSamples ReadHeights(
 {
   RequireRaster(image, SmallestSide);
   vtkDataArray* values = HeightArray(image, array, choice, input);
-  RequireMemory(image, memory);
+  RequireMemoryFor(image, memory);
   int size[3];
   image->GetDimensions(size);
   GridSamples heights;

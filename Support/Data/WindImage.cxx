@@ -160,11 +160,7 @@ std::shared_ptr<const FrozenWind> ReadWind(vtkImageData* image)
   const vtkSmartPointer<vtkFloatArray> velocity = ReadVelocity(image);
   const WindTimes times = ReadTimes(image);
   const FrozenWindGrid grid = GridOf(image);
-  const double bytes = WindLines::BytesOf(grid.Size);
-  if (bytes > AvailableMemory())
-  {
-    Refuse("The waves of the wind need ", static_cast<long long>(bytes / 1e6), " MB, more than this machine has free.");
-  }
+  RequireMemory(WindLines::BytesOf(grid.Size), "The waves of the wind", "take a smaller wind");
   return std::make_shared<const FrozenWind>(grid, times, velocity->GetPointer(0), SmpFor);
 }
 

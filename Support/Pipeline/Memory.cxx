@@ -2,12 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/Memory.h"
 
+#include "Numerics/InvalidInput.h"
+
 #include <vtksys/SystemInformation.hxx>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <fstream>
+#include <iomanip>
 #include <iterator>
 #include <limits>
+#include <new>
 #include <sstream>
 
 #ifndef _WIN32
@@ -32,6 +38,20 @@ double HostMemory()
   const auto total = static_cast<double>(system.GetHostMemoryTotal());
   const auto used = static_cast<double>(system.GetHostMemoryUsed());
   return total > 0.0 ? 1024.0 * (total - used) : Unlimited;
+}
+
+/// Requests of less are granted unseen [bytes].
+constexpr double Small = 0x1p20;
+
+/// Memory that is left to others, and to the sentence that tells of the want [bytes].
+constexpr double Reserve = 0x1p25;
+
+/// A number of bytes in words, as "1.2 GiB".
+std::string WordsFor(double bytes)
+{
+  std::ostringstream text;
+  text << std::setprecision(3) << (bytes < 0x1p30 ? bytes / 0x1p20 : bytes / 0x1p30);
+  return text.str() + (bytes < 0x1p30 ? " MiB" : " GiB");
 }
 
 /// The number in a file; `otherwise` if there is none, as in memory.max with its "max".
@@ -132,6 +152,30 @@ double AvailableMemory()
   std::ifstream groups("/proc/self/cgroup");
   const std::string membership{ std::istreambuf_iterator<char>(groups), std::istreambuf_iterator<char>() };
   return UsableShare * std::min({ HostMemory(), LimitedMemory(), GroupMemory(membership, "/sys/fs/cgroup") });
+}
+
+void RequireMemory(double bytes, const std::string& what, const std::string& remedy)
+{
+  const double left = bytes > Small ? AvailableMemory() : Unlimited;
+  if (!(bytes <= left))
+  {
+    Refuse(what, " needs ", WordsFor(bytes), " of memory, and ", WordsFor(left), " are free: ", remedy, ".");
+  }
+}
+
+void EndIfShortOfMemory()
+{
+  using Clock = std::chrono::steady_clock;
+  static std::atomic<Clock::rep> last{ 0 };
+  const Clock::rep now = Clock::now().time_since_epoch().count();
+  if (now - last > Clock::duration(std::chrono::milliseconds(10)).count())
+  {
+    last = now;
+    if (AvailableMemory() < Reserve)
+    {
+      throw std::bad_alloc();
+    }
+  }
 }
 
 }

@@ -51,6 +51,7 @@ bool ForBatches(std::size_t count, const std::function<bool(std::size_t done)>& 
     {
       return false;
     }
+    EndIfShortOfMemory();
     const std::size_t end = done + std::min(batch, count - done);
     // Small parts, for pieces of the same batch can take unlike times.
     const auto grain = static_cast<vtkIdType>(std::max<std::size_t>(1, (end - done) / (8 * smallest)));
@@ -108,6 +109,7 @@ Poll PollOf(vtkAlgorithm* algorithm)
     if (algorithm->GetAbortExecute() || now - last > std::chrono::milliseconds(10))
     {
       last = now;
+      EndIfShortOfMemory();
       EndIfAborted(algorithm, algorithm->GetProgress());
     }
   };
