@@ -3,6 +3,7 @@
 #include "vtkBeamTreeDeformationFilter.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/Arrays.h"
 #include "Data/Blocks.h"
 #include "Data/Inputs.h"
 #include "Data/SwayBlocks.h"
@@ -35,9 +36,7 @@ constexpr int MostPictures = 16; // a species, as pictures of more than 16384 te
 
 void AttachFrequencies(const std::vector<double>& frequencies, vtkDataObject* plants)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName("Frequency");
-  array->SetNumberOfTuples(static_cast<vtkIdType>(frequencies.size()));
+  auto array = littoral::NewArray<vtkDoubleArray>("Frequency", 1, static_cast<vtkIdType>(frequencies.size()));
   std::copy(frequencies.begin(), frequencies.end(), array->GetPointer(0));
   vtkNew<vtkFieldData> fields;
   fields->ShallowCopy(plants->GetFieldData());

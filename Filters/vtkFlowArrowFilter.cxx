@@ -134,9 +134,7 @@ vtkSmartPointer<vtkPolyData> DrawRing(const littoral::FlowRing& ring, double thi
   vtkNew<vtkPolyData> line;
   line->SetPoints(points);
   line->SetLines(lines);
-  vtkNew<vtkDoubleArray> speeds;
-  speeds->SetName("Speed");
-  speeds->SetNumberOfTuples(points->GetNumberOfPoints());
+  auto speeds = littoral::NewArray<vtkDoubleArray>("Speed", 1, points->GetNumberOfPoints());
   speeds->Fill(0.0);
   line->GetPointData()->SetScalars(speeds);
   vtkNew<vtkTubeFilter> tube;

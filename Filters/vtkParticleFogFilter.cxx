@@ -3,6 +3,7 @@
 #include "vtkParticleFogFilter.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/Arrays.h"
 #include "Data/Blocks.h"
 #include "Data/Inputs.h"
 #include "Data/SeaStateTable.h"
@@ -125,9 +126,7 @@ void CopyExtinction(const littoral::FogGrid& grid, const littoral::ParticleFog& 
   {
     return; // a rank with nothing to do
   }
-  vtkNew<vtkFloatArray> extinction;
-  extinction->SetName(littoral::sea::Extinction);
-  extinction->SetNumberOfValues(output->GetNumberOfPoints());
+  auto extinction = littoral::NewArray<vtkFloatArray>(littoral::sea::Extinction, 1, output->GetNumberOfPoints());
   vtkIdType sample = 0;
   for (int k = extent[4]; k <= extent[5]; ++k)
   {

@@ -31,6 +31,8 @@ namespace
 {
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+/// Memory of a point, with the simulated patterns that are kept [bytes].
+constexpr double BytesOfPoint = 10000.0;
 /// Polls of a verdict, for its progress.
 constexpr double MostPolls = littoral::PollsOfLaw * (littoral::NumberOfPointProcesses + littoral::NumberOfQuadratLaws);
 
@@ -188,6 +190,8 @@ int vtkPatternVerdictFilter::RequestData(
   const littoral::ObservationWindow window =
     polygon ? littoral::ReadWindow(polygon) : littoral::ReadWindow(input, this->Origin, this->Size);
   littoral::Require(littoral::WhyInvalid(points, window));
+  littoral::RequireMemory(
+    BytesOfPoint * static_cast<double>(points.size()), "The verdict on this pattern", "take a part of it");
   this->SetProgressText("Simulating patterns");
   const littoral::Poll heard = littoral::PollOf(this);
   int polls = 0;

@@ -5,6 +5,7 @@
 #include "Data/ArrayReader.h"
 #include "Data/Arrays.h"
 #include "Data/Inputs.h"
+#include "Data/Places.h"
 #include "Data/TableTexts.h"
 #include "Data/TerrainGrid.h"
 #include "Drainage/GroundWetness.h"
@@ -244,9 +245,11 @@ int vtkSitePreferenceFilter::RequestData(
   const Species species =
     table ? littoral::ReadPreferences(littoral::TextsOf(table)) : littoral::DefaultPreferences(knowsDrainage);
   const littoral::SiteGround ground = GroundOf(terrain, species);
+  littoral::RequireLengths(sites, "Sites", littoral::FarForPoints);
   const Sites arrays(sites);
   const auto count = static_cast<double>(sites->GetNumberOfPoints());
-  littoral::RequireMemory(2.0 * sizeof(KeptSite) * count, "the choice of " + littoral::TextOf(count) + " sites", "take fewer");
+  littoral::RequireMemory(
+    2.0 * sizeof(KeptSite) * count, "the choice of " + littoral::TextOf(count) + " sites", "take fewer");
   std::vector<KeptSite> kept;
   vtkInformation* output = outputVector->GetInformationObject(0);
   const littoral::PieceRange part = littoral::RequestedPart(output, sites->GetNumberOfPoints());

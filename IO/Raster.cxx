@@ -4,8 +4,10 @@
 
 #include "CoordinateSystem.h"
 #include "GdalMessages.h"
+#include "Geometry/PlaceUnits.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Memory.h"
+#include "RasterAxes.h"
 
 #include <algorithm>
 #include <cctype>
@@ -13,6 +15,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <system_error>
 #include <vector>
 
@@ -139,7 +142,8 @@ std::string HintFor(const std::string& path)
 Dataset OpenRaster(const RasterOptions& options, GdalMessages& messages)
 {
   GDALAllRegister();
-  GDALSetCacheMax64(std::min(GDALGetCacheMax64(), static_cast<GIntBig>(CacheShare * std::min(AvailableMemory(), 0x1p50))));
+  GDALSetCacheMax64(
+    std::min(GDALGetCacheMax64(), static_cast<GIntBig>(CacheShare * std::min(AvailableMemory(), 0x1p50))));
   std::error_code error;
   const bool isVirtual = options.Path.rfind("/vsi", 0) == 0;
   if (!isVirtual && !std::filesystem::exists(options.Path, error))
@@ -190,6 +194,10 @@ struct Transform
   {
     return { this->T[0] + this->T[1] * i + this->T[2] * j, this->T[3] + this->T[4] * i + this->T[5] * j };
   }
+  void Scale(double factor)
+  {
+    std::transform(this->T.begin(), this->T.end(), this->T.begin(), [=](double part) { return factor * part; });
+  }
   bool IsUpright() const { return this->T[2] == 0.0 && this->T[4] == 0.0 && this->T[1] > 0.0 && this->T[5] != 0.0; }
 };
 
@@ -198,18 +206,49 @@ std::array<double, 2> CenterOf(void* dataset)
   return Transform(dataset).At(0.5 * GDALGetRasterXSize(dataset), 0.5 * GDALGetRasterYSize(dataset));
 }
 
-/// Whether coordinates without a system are such as longitudes and latitudes have.
-bool LookLikeDegrees(void* dataset)
+/// The box of a dataset along an axis of its map.
+PlaceAxis AxisOf(void* dataset, int axis)
 {
   const Transform transform(dataset);
   const double columns = GDALGetRasterXSize(dataset);
   const double rows = GDALGetRasterYSize(dataset);
   const std::array<double, 2> ends[2] = { transform.At(0.0, 0.0), transform.At(columns, rows) };
-  const auto fits = [](const std::array<double, 2>& end) {
-    return std::abs(end[0]) <= 360.0 && std::abs(end[1]) <= 90.0 + 1e-6;
-  };
+  return { {}, {}, std::min(ends[0][axis], ends[1][axis]), std::max(ends[0][axis], ends[1][axis]) };
+}
+
+/// The name of the variable of netCDF that a dataset shows; empty for none.
+std::string VariableIn(void* dataset, int band)
+{
+  const GDALDriverH driver = GDALGetDatasetDriver(dataset);
+  const bool isNetcdf = driver && std::string(GDALGetDriverShortName(driver)) == "netCDF";
+  const char* name =
+    isNetcdf ? GDALGetMetadataItem(GDALGetRasterBand(dataset, band), "NETCDF_VARNAME", nullptr) : nullptr;
+  return name ? name : "";
+}
+
+/// What the coordinates of a dataset without a system are. Throws RasterError.
+PlaceUnit UnitOf(void* dataset, const std::optional<RasterAxes>& axes)
+{
+  const Transform transform(dataset);
+  const PlaceAxis x = axes ? axes->X : AxisOf(dataset, 0);
+  const PlaceAxis y = axes ? axes->Y : AxisOf(dataset, 1);
+  PlaceUnit unit;
+  try
+  {
+    unit = transform.IsKnown ? UnitOfPlaces(x, y, FarForFile) : unit;
+  }
+  catch (const InvalidInput& refusal)
+  {
+    throw RasterError(refusal.what());
+  }
+  // Cells this small are of degrees wherever they lie on earth.
+  const bool isOnEarth = x.Low >= -360.0 && x.High <= 360.0 && y.Low >= -90.0 - 1e-6 && y.High <= 90.0 + 1e-6;
   const double step = std::max(std::abs(transform.T[1]), std::abs(transform.T[5]));
-  return transform.IsKnown && fits(ends[0]) && fits(ends[1]) && step < 0.3;
+  if (transform.IsKnown && !unit.IsSaid && isOnEarth && step < 0.3)
+  {
+    unit.Kind = PlaceKind::Degrees;
+  }
+  return unit;
 }
 
 /// Whether a file of a coordinate system lies beside a raster.
@@ -226,6 +265,9 @@ bool HasSystemBeside(const std::string& path)
   return false;
 }
 
+/// The coordinate system of a file whose coordinates are metres of no map.
+constexpr const char* PlainMetres = "metres";
+
 constexpr const char* NameTheSystem = "; set FileCoordinateSystem to the one it has, as EPSG:32632";
 
 /// The horizontal coordinate system of a raster; empty for none.
@@ -233,12 +275,16 @@ OGRSpatialReference SystemOf(void* dataset, const RasterOptions& options, GdalMe
 {
   OGRSpatialReference system;
   system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  if (options.FileSystem == PlainMetres)
+  {
+    return system;
+  }
   if (!options.FileSystem.empty())
   {
     if (!ReadCoordinateSystem(options.FileSystem, system))
     {
       throw RasterError("FileCoordinateSystem is '" + options.FileSystem +
-        "', which is no coordinate system; it must be a code as EPSG:32632, or WKT");
+        "', which is no coordinate system; it must be a code as EPSG:32632, WKT, or metres");
     }
     DropHeights(system);
     return system;
@@ -297,16 +343,26 @@ OGRSpatialReference TargetOf(void* dataset, const OGRSpatialReference& system, c
 /// Lengths may be this much too long or too short on a map that is taken for the ground.
 constexpr double MostStretch = 0.05;
 
+/// Throws where the coordinates of a file without a system are no lengths.
+void CheckUnit(const PlaceUnit& unit)
+{
+  if (unit.Kind == PlaceKind::TurnedDegrees)
+  {
+    throw RasterError("its coordinates are degrees about a turned pole, and it does not say which; project it first");
+  }
+  if (unit.Kind == PlaceKind::Degrees)
+  {
+    throw RasterError(
+      "it names no coordinate system, and its coordinates look like degrees; set FileCoordinateSystem to "
+      "EPSG:4326 and Projection to UTM, or FileCoordinateSystem to metres if they are metres");
+  }
+}
+
 /// Throws where coordinates are no lengths.
 void CheckLengths(void* dataset, const OGRSpatialReference& system, bool isProjectedNow)
 {
   if (system.IsEmpty())
   {
-    if (LookLikeDegrees(dataset))
-    {
-      throw RasterError("it names no coordinate system, and its coordinates look like degrees; set "
-                        "FileCoordinateSystem to EPSG:4326 and Projection to UTM");
-    }
     return;
   }
   if (system.IsGeographic())
@@ -391,48 +447,11 @@ Dataset Warped(void* dataset, const OGRSpatialReference& from, const OGRSpatialR
 
 // --- Heights --------------------------------------------------------------------------------------------------------
 
-/// A unit of heights as files call it.
-struct HeightUnit
-{
-  double Metres;
-  const char* Words;
-  std::vector<const char*> Names;
-};
-
-const std::vector<HeightUnit>& HeightUnits()
-{
-  static const std::vector<HeightUnit> units = {
-    { 1.0, "metres", { "m", "metre", "meter", "metres", "meters", "metre(s)" } },
-    { 0.3048, "feet", { "ft", "foot", "feet", "international foot", "international feet" } },
-    { 1200.0 / 3937.0, "US survey feet",
-      { "us survey foot", "us survey feet", "us-ft", "ftus", "foot_us", "sft", "us_survey_foot" } },
-    { 0.01, "centimetres", { "cm", "centimetre", "centimeter", "centimetres", "centimeters" } },
-    { 0.1, "decimetres", { "dm", "decimetre", "decimeter", "decimetres", "decimeters" } },
-    { 1000.0, "kilometres", { "km", "kilometre", "kilometer", "kilometres", "kilometers" } },
-  };
-  return units;
-}
-
-/// The unit of a name; null for none.
-const HeightUnit* FindUnit(std::string name)
-{
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-  for (const HeightUnit& unit : HeightUnits())
-  {
-    const auto isName = [&](const char* known) { return name == known; };
-    if (std::any_of(unit.Names.begin(), unit.Names.end(), isName))
-    {
-      return &unit;
-    }
-  }
-  return nullptr;
-}
-
 /// The unit in which a file says its heights are: by the band, else by a vertical coordinate system; empty for none.
 std::string NamedHeightUnit(void* dataset, void* band)
 {
   const char* own = GDALGetRasterUnitType(band);
-  if (own && *own)
+  if (own && *own && std::string(own) != "unspecified") // as Idrisi calls none
   {
     return own;
   }
@@ -462,7 +481,7 @@ HeightScale ScaleOf(void* dataset, void* band, double metresPerHeight)
   if (metresPerHeight <= 0.0)
   {
     const std::string name = NamedHeightUnit(dataset, band);
-    const HeightUnit* unit = name.empty() ? HeightUnits().data() : FindUnit(name);
+    const LengthUnit* unit = FindLengthUnit(name.empty() ? "m" : name);
     if (!unit)
     {
       throw RasterError("its values are in '" + name + "', which is no unit of heights; set HeightUnit");
@@ -517,29 +536,67 @@ public:
   void Open()
   {
     this->Append(OpenRaster(this->Options, this->Messages), "it cannot be opened");
+    const PlaceUnit unit = this->PlaceByAxes();
     void* file = this->Last();
-    const OGRSpatialReference system = SystemOf(file, this->Options, this->Messages);
+    OGRSpatialReference system = SystemOf(file, this->Options, this->Messages);
+    if (system.IsEmpty() && unit.IsSaid && unit.Kind == PlaceKind::Degrees)
+    {
+      ReadCoordinateSystem("EPSG:4326", system); // as longitudes and latitudes of models are
+    }
+    const bool isAsInFile = this->Options.Projection == RasterProjection::AsInFile;
+    if (system.IsEmpty() && this->Options.FileSystem != PlainMetres &&
+      (isAsInFile || unit.Kind == PlaceKind::TurnedDegrees))
+    {
+      CheckUnit(unit);
+    }
     const OGRSpatialReference target = TargetOf(file, system, this->Options);
     this->Height = ScaleOf(file, GDALGetRasterBand(file, this->Options.Band), this->Options.MetresPerHeight);
     this->Messages.Forget();
     this->Append(OnlyBand(file, this->Options.Band), "its band cannot be read alone");
-    const Transform transform(file);
+    Transform transform(file);
+    if (transform.IsKnown && unit.IsSaid && unit.Kind == PlaceKind::Lengths)
+    {
+      transform.Scale(unit.Metres / (system.IsEmpty() ? 1.0 : system.GetLinearUnits()));
+      GDALSetGeoTransform(this->Last(), transform.T.data());
+    }
     if (!transform.IsKnown && GDALGetGCPCount(file) > 0)
     {
       throw RasterError("its place is told by ground control points alone; give it a grid first, as by gdalwarp");
     }
-    const bool isProjected = this->Options.Projection != RasterProjection::AsInFile;
-    if (!isProjected)
+    if (isAsInFile)
     {
       CheckLengths(file, system, false);
     }
-    if (isProjected || (transform.IsKnown && !transform.IsUpright()))
+    if (!isAsInFile || (transform.IsKnown && !transform.IsUpright()))
     {
       this->Append(
         Warped(this->Last(), system, target, this->Options, this->Options.UsesNoData), "it cannot be projected");
-      CheckLengths(this->Last(), target, isProjected);
+      CheckLengths(this->Last(), target, !isAsInFile);
     }
     this->Place(target);
+  }
+
+  /// What the coordinates are where the file names no system. A variable of netCDF that GDAL leaves without a place
+  /// takes it from its coordinate variables.
+  PlaceUnit PlaceByAxes()
+  {
+    if (GDALGetSpatialRef(this->Last()) || GDALGetGCPCount(this->Last()) > 0)
+    {
+      return {};
+    }
+    const std::string variable = VariableIn(this->Last(), this->Options.Band);
+    const std::optional<RasterAxes> axes = variable.empty() ? std::nullopt : AxesOf(this->Options.Path, variable);
+    if (axes && !Transform(this->Last()).IsKnown)
+    {
+      if (!axes->AreEven)
+      {
+        throw RasterError("its rows or columns are not the same distance apart; resample it on a regular grid first");
+      }
+      Dataset placed(PlacedByAxes(this->Options.Path, variable));
+      this->Chain.pop_back();
+      this->Append(std::move(placed), "its variable cannot be read alone");
+    }
+    return UnitOf(this->Last(), axes);
   }
 
   /// Sets origin and spacing of the points: centers of pixels, in metres.
@@ -646,9 +703,11 @@ bool Raster::Read(const std::array<int, 4>& window, float* heights, const Raster
       {
         const std::size_t from = static_cast<std::size_t>(row) * width + i;
         const double value = values[from];
-        const bool isHole = valid[from] == 0 || !std::isfinite(value) || (usesNoData && value == own.Options.NoData);
-        // z = scale * value + offset
-        to[i] = isHole ? NaN : static_cast<float>(own.Height.Scale * value + own.Height.Offset);
+        // z = scale * value + offset; no height is beyond 1e15, which files write for none
+        const double z = own.Height.Scale * value + own.Height.Offset;
+        const bool isHole =
+          valid[from] == 0 || !(std::abs(z) <= MaximumMagnitude) || (usesNoData && value == own.Options.NoData);
+        to[i] = isHole ? NaN : static_cast<float>(z);
       }
     }
   }

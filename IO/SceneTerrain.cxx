@@ -10,6 +10,7 @@
 #include "Terrain/GroundColor.h"
 
 #include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -129,8 +130,7 @@ vtkSmartPointer<vtkPolyData> TerrainOf(vtkImageData* image)
   const Samples samples = { ElevationsOf(image, arrays), dimensions[0], dimensions[1], { spacing[0], spacing[1] } };
   const vtkIdType count = image->GetNumberOfPoints();
   vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(count);
+  points->SetData(NewArray<vtkDoubleArray>("Points", 3, count));
   const auto normals = NewArray<vtkFloatArray>("Normals", 3, count);
   for (vtkIdType sample = 0; sample < count; ++sample)
   {

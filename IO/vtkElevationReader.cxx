@@ -200,10 +200,15 @@ int vtkElevationReader::RequestData(vtkInformation*, vtkInformationVector**, vtk
     }
     const vtkIdType count = output->GetNumberOfPoints();
     // 4 bytes a height, and 1 that hides it
-    littoral::RequireMemory(5.0 * static_cast<double>(count) + raster.WorkBytes(extent[1] - extent[0] + 1),
+    const double ofHeights = 5.0 * static_cast<double>(count);
+    const double ofWork = raster.WorkBytes(extent[1] - extent[0] + 1);
+    const char* remedy = this->Projection == AsInFile ? "read a part of it, or a coarser one"
+      : ofHeights > ofWork                            ? "set a larger ProjectedSpacing"
+                                                      : "set a smaller ProjectedSpacing";
+    littoral::RequireMemory(ofHeights + ofWork,
       "a raster of " + std::to_string(extent[1] - extent[0] + 1) + " x " + std::to_string(extent[3] - extent[2] + 1) +
         " heights",
-      this->Projection == AsInFile ? "read a part of it, or a coarser one" : "set a larger ProjectedSpacing");
+      remedy);
     auto heights = littoral::NewArray<vtkFloatArray>("Elevation", 1, count);
     this->SetProgressText("Reading heights");
     const bool isRead =

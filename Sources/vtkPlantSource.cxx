@@ -23,6 +23,9 @@ vtkInformationKeyMacro(vtkPlantSource, TEXTURE_SIZES, DataObjectMetaData);
 namespace
 {
 
+/// Memory of a texel, where it is painted and where it is put out [bytes].
+constexpr double BytesOfTexel = 32.0;
+
 void AddTextureSize(vtkDataObject* sizes, const char* block, const std::array<int, 2>& size)
 {
   vtkNew<vtkIntArray> array;
@@ -93,6 +96,8 @@ littoral::PlantLevelOptions vtkPlantSource::MakeOptions()
   options.Parallel = littoral::AbortableFor(this);
   options.OnStep = littoral::PollOf(this);
   littoral::Require(littoral::WhyInvalid(options));
+  littoral::RequireMemory(BytesOfTexel * options.TextureColumns * options.TextureRows, "A picture of the crown",
+    "take a smaller TextureSize");
   return options;
 }
 

@@ -8,6 +8,7 @@
 #include "Data/Cells.h"
 #include "Data/FlowPrimitiveData.h"
 #include "Data/Inputs.h"
+#include "Data/Places.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Pipeline.h"
 
@@ -388,6 +389,7 @@ CurrentSnapshot ReadCurrent(
     auto* leafData = vtkDataSet::SafeDownCast(leaf);
     Require(leafData ? "" : WhyOtherType(leaf, "Currents", "points or a grid (vtkDataSet)"));
     RequireFit(leaf, "Currents");
+    RequireLengths(leafData, "A current", HoldsFlowPrimitives(leafData) ? FarForPoints : FarForGrid);
     TakeDataSet(leafData, array, interpolation, primitives, grids);
   }
   return CurrentSnapshot(std::move(primitives), std::move(grids), layer);

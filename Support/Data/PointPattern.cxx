@@ -3,6 +3,7 @@
 #include "Data/PointPattern.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/Places.h"
 #include "Numerics/InvalidInput.h"
 #include "Numerics/ParameterCheck.h"
 
@@ -21,6 +22,7 @@ namespace littoral
 
 std::vector<PlanePosition> PlanePositionsOf(vtkPointSet* points)
 {
+  RequireLengths(points, "Input", FarForPoints);
   std::vector<PlanePosition> positions(static_cast<std::size_t>(points->GetNumberOfPoints()));
   for (std::size_t n = 0; n < positions.size(); ++n)
   {

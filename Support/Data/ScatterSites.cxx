@@ -3,6 +3,7 @@
 #include "Data/ScatterSites.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/Places.h"
 #include "Data/TerrainGrid.h"
 #include "Numerics/InvalidInput.h"
 #include "Numerics/ParameterCheck.h"
@@ -120,6 +121,7 @@ std::vector<PlantPlace> PlacePlants(vtkPointSet* sites, vtkImageData* terrain, c
   RequireMemory(static_cast<double>(count) * bytes, "A forest on " + std::to_string(count) + " sites", "take fewer");
   std::vector<PlantPlace> places;
   places.reserve(static_cast<std::size_t>(count));
+  RequireLengths(sites, "Input", FarForPoints);
   const SiteArrays arrays(sites, dimensions);
   const PlantDraws draws(options);
   const int species = static_cast<int>(options.Weights.size());
@@ -145,6 +147,7 @@ std::vector<PlantPlace> PlacePlants(vtkPointSet* sites, vtkImageData* terrain, c
 std::vector<PlantPlace> PlacesInLevel(vtkPointSet* sites, const DimensionArrays& dimensions,
   const std::vector<StemShape>& stems, const std::vector<PlantPlace>& places)
 {
+  RequireLengths(sites, "Input", FarForPoints);
   const SiteArrays arrays(sites, dimensions);
   std::vector<PlantPlace> level;
   for (const PlantPlace& place : arrays.HasDimensions() ? places : std::vector<PlantPlace>())

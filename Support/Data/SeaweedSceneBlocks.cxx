@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/SeaweedSceneBlocks.h"
 
+#include "Data/Arrays.h"
 #include "Data/JointBlock.h"
 #include "Data/PlantBlocks.h"
 #include "Data/PlantForm.h"
@@ -108,7 +109,7 @@ void WriteSkeleton(const SeaweedScene& scene, vtkPolyData* bones, vtkMultiBlockD
   bent->ShallowCopy(bones);
   vtkNew<vtkPoints> points;
   points->SetDataType(bones->GetPoints()->GetDataType());
-  points->SetNumberOfPoints(bones->GetNumberOfPoints());
+  SetTuples(points->GetData(), bones->GetNumberOfPoints());
   const std::vector<Vector3> nodes = scene.NodePositions();
   for (std::size_t node = 0; node < nodes.size(); ++node)
   {

@@ -3,6 +3,7 @@
 #include "Data/Survey.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/Places.h"
 #include "Numerics/InvalidInput.h"
 #include "Numerics/ParameterCheck.h"
 
@@ -23,11 +24,28 @@ namespace
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
+/// Whether values differ by more than their places are apart, as heights of metres do between places in degrees.
+bool IsSteep(vtkDataSet* data, vtkDataArray* values)
+{
+  double box[6];
+  data->GetBounds(box);
+  double range[2] = { box[4], box[5] };
+  if (values)
+  {
+    values->GetFiniteRange(range);
+  }
+  return range[1] - range[0] > std::hypot(box[1] - box[0], box[3] - box[2]);
+}
+
 }
 
 //----------------------------------------------------------------------------
 void TakeData(vtkDataSet* data, vtkDataArray* values, vtkDataArray* errors, Survey& survey)
 {
+  if (!survey.IsRaster)
+  {
+    RequireLengths(data, "Data", IsSteep(data, values) ? FarForGrid : FarForPoints);
+  }
   survey.Name = values && values->GetName() && *values->GetName() ? values->GetName() : "Elevation";
   for (vtkIdType n = 0; n < data->GetNumberOfPoints(); ++n)
   {

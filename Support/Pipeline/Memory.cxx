@@ -40,11 +40,12 @@ double HostMemory()
   return total > 0.0 ? 1024.0 * (total - used) : Unlimited;
 }
 
-/// Requests of less are granted unseen [bytes].
+/// Requests of less are granted unseen, and those of less than a large one by the limits of the process alone [bytes].
 constexpr double Small = 0x1p20;
+constexpr double Large = 0x1p24;
 
 /// Memory that is left to others, and to the sentence that tells of the want [bytes].
-constexpr double Reserve = 0x1p25;
+constexpr double Reserve = 0x1p26;
 
 /// A number of bytes in words, as "1.2 GiB".
 std::string WordsFor(double bytes)
@@ -156,7 +157,7 @@ double AvailableMemory()
 
 void RequireMemory(double bytes, const std::string& what, const std::string& remedy)
 {
-  const double left = bytes > Small ? AvailableMemory() : Unlimited;
+  const double left = bytes > Large ? AvailableMemory() : bytes > Small ? UsableShare * LimitedMemory() : Unlimited;
   if (!(bytes <= left))
   {
     Refuse(what, " needs ", WordsFor(bytes), " of memory, and ", WordsFor(left), " are free: ", remedy, ".");
@@ -168,7 +169,7 @@ void EndIfShortOfMemory()
   using Clock = std::chrono::steady_clock;
   static std::atomic<Clock::rep> last{ 0 };
   const Clock::rep now = Clock::now().time_since_epoch().count();
-  if (now - last > Clock::duration(std::chrono::milliseconds(10)).count())
+  if (now - last > Clock::duration(std::chrono::milliseconds(50)).count())
   {
     last = now;
     if (AvailableMemory() < Reserve)

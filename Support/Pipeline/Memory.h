@@ -16,13 +16,14 @@ namespace littoral
 double AvailableMemory();
 
 /**
- * Throws InvalidInput unless so many bytes can be taken: "A wind of 9 x 9 x 9 points needs 2.5 GiB of memory, and 1.2 GiB
- * are free: take fewer." Whatever is about to take memory by what a file, an input or a property says asks here first.
+ * Throws InvalidInput unless so many bytes can be taken: "A wind of 9 x 9 x 9 points needs 2.5 GiB of memory, and 1.2
+ * GiB are free: take fewer." Whatever is about to take memory by what a file, an input or a property says asks here
+ * first.
  */
 void RequireMemory(double bytes, const std::string& what, const std::string& remedy);
 
-/// Throws std::bad_alloc where next to nothing is left: for the polls of what takes its memory bit by bit. Looks at most
-/// a hundred times a second.
+/// Throws std::bad_alloc where next to nothing is left: for the polls of what takes its memory bit by bit. Looks at
+/// most twenty times a second.
 void EndIfShortOfMemory();
 
 /// Memory that the limits of the process leave of its address space and data [bytes]; infinite without a limit (ulimit

@@ -133,7 +133,7 @@ bool TestArrays()
       {
         return littoral::NewArray<vtkUnsignedCharArray>("Bytes", 4, megabytes << 18)->GetPointer(0) != nullptr;
       }
-      catch (const std::bad_alloc&)
+      catch (const littoral::InvalidInput&)
       {
         return false;
       }

@@ -149,6 +149,22 @@ case "${1:-}" in
       python3 -c 'import ast; ast.parse(open("packaging/spack/package.py").read())' || exit 1
     fi
     ;;
+  memory)
+    # Whatever takes memory by what a file, an input or a property says asks first, by RequireMemory, which alone knows
+    # what is free. Room for arrays is made by SetTuples, which asks.
+    grep -rnE '\b(AvailableMemory|HostMemory|GetAvailablePhysicalMemory)\(' --include='*.cxx' --include='*.h' Common Support \
+      Filters Sources IO paraview-plugin | grep -vE '^Support/Pipeline/Memory\.|CacheShare' |
+      fail_if_found "Memory that is not asked for by RequireMemory:"
+    grep -rnE '(->|\.)(SetNumberOfTuples|SetNumberOfValues|SetNumberOfPoints|AllocateScalars)\(' --include='*.cxx' \
+      --include='*.h' Support Filters Sources IO | grep -v '^Support/Data/Arrays\.cxx' |
+      fail_if_found "Arrays whose room is not made by SetTuples or NewArray:"
+    # Classes that put out no more than a table or a few primitives, and pass on what they get.
+    small='vtkFlowPrimitiveSource|vtkSeaStateSource|vtkFlowArrowFilter|vtkPlantWakeFilter|vtkSeaStatisticsFilter'
+    # Functions that ask for the class that calls them.
+    asks='RequireMemory|ReadHeights|WhyTooLarge|ReadSeaweeds|ReadWind|SwayBlocks'
+    grep -lE '::(RequestData|WriteData)\(' Filters/*.cxx Sources/*.cxx IO/vtk*.cxx | grep -vE "($small)\.cxx" |
+      xargs grep -LE "\b($asks)\b" | fail_if_found "Classes that do not ask for the memory that they take:"
+    ;;
   readers)
     # Inputs, arrays and table columns come from Support/Data/Inputs.h and ArrayReader.h, which check them. Arrays by index
     # are an algorithm's own, or carried along.
@@ -164,7 +180,7 @@ case "${1:-}" in
       fail_if_found "Reasons that are handed on in place of InvalidInput:"
     ;;
   *)
-    echo "usage: check.sh common-without-vtk|common-headers-only-std|common-headers-complete|common-headers-installed|rooms|names|comments|stray-files|headers-without-using|text-files|versions|recipes|readers"
+    echo "usage: check.sh common-without-vtk|common-headers-only-std|common-headers-complete|common-headers-installed|rooms|names|comments|stray-files|headers-without-using|text-files|versions|recipes|memory|readers"
     exit 2
     ;;
 esac

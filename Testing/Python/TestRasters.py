@@ -55,6 +55,23 @@ def create(name, heights, place=UTM16, code=32616, driver="GTiff", kind=gdal.GDT
     return name
 
 
+def model(name, x, y, units, names=("x", "y"), heights=None):
+    """A netCDF file as models write it: heights over coordinate variables with units, and no more."""
+    file = gdal.GetDriverByName("netCDF").CreateMultiDimensional(name)
+    root, double = file.GetRootGroup(), gdal.ExtendedDataType.Create(gdal.GDT_Float64)
+    sizes = []
+    for axis, values in ((1, y), (0, x)):
+        sizes.append(root.CreateDimension(names[axis], None, None, len(values)))
+        variable = root.CreateMDArray(names[axis], sizes[-1:], double)
+        variable.Write(np.asarray(values, float))
+        if units:
+            variable.SetUnit(units[axis])
+    made = root.CreateMDArray("z", sizes, double)
+    made.Write(hills(len(y), len(x)).astype(float) if heights is None else heights)
+    made = variable = sizes = root = file = None
+    return name
+
+
 def field(image, name):
     """The values of a field array."""
     array = image.GetFieldData().GetAbstractArray(name)
@@ -273,6 +290,21 @@ class Holes(Rasters):
         found = array_from_image(read_elevation(masked))
         self.assertTrue(np.array_equal(np.isfinite(found), np.eye(5, 6, dtype=bool)[::-1]))
 
+    def test_numbers_beyond_all_heights(self):
+        """1e300 is a hole, not infinity; so is what single precision cannot hold."""
+        heights = hills(8, 8).astype(float)
+        heights[2, 2], heights[5, 1], heights[6, 6] = 1e300, -3.4028234663852886e38, 2e15
+        name = create(self.path("large.tif"), heights, kind=gdal.GDT_Float64)
+        read = array_from_image(read_elevation(name))[::-1]
+        self.assertEqual(np.argwhere(np.isnan(read)).tolist(), [[2, 2], [5, 1], [6, 6]])
+        self.assertFalse(np.isinf(read).any())
+
+    def test_unit_of_no_name(self):
+        def set_unit(raster):
+            raster.GetRasterBand(1).SetUnitType("unspecified")
+        image = read_elevation(create(self.path("idrisi.tif"), hills(8, 8), change=set_unit))
+        self.assertIn("no unit of heights named", text(image, "ElevationSummary"))
+
     def test_nothing_but_holes(self):
         self.refuses("all of its 20 heights are missing", create(self.path("a.tif"), np.full((4, 5), np.nan)))
 
@@ -376,6 +408,54 @@ class Degrees(Rasters):
         self.assertTrue(osr.SpatialReference(text(image, "CoordinateSystem")).IsSame(system(32616)))
         self.refuses("names no coordinate system to project from", name, Projection=1)
 
+    def test_coordinates_of_models(self):
+        """What coordinate variables say is believed: lengths in their unit, degrees as of WGS 84."""
+        x, y = 500.0 + 0.5 * np.arange(30), 4000.0 + 0.25 * np.arange(20)
+        for count, (factor, units) in enumerate(((1000.0, ("km", "km")), (1.0, ("m", "m")), (1.0, None),
+                                                 (0.3048, ("feet", "feet")))):
+            for way in (1, -1):
+                image = read_elevation(model(self.path(f"{count}{way}.nc"), x, y[::way], units,
+                                             heights=np.add.outer(y[::way], x)))
+                np.testing.assert_allclose(image.GetOrigin()[:2], (500.0 * factor, 4000.0 * factor), rtol=1e-12)
+                np.testing.assert_allclose(image.GetSpacing()[:2], (0.5 * factor, 0.25 * factor), rtol=1e-9)
+                np.testing.assert_allclose(array_from_image(image), np.add.outer(y, x), rtol=1e-6)
+        # Another way to the map: coordinates in km of a system in metres.
+        name = model(self.path("map.nc"), x, y, ("km", "km"))
+        self.assertEqual(read_elevation(name, FileCoordinateSystem="EPSG:32632").GetOrigin()[:2], (500e3, 4000e3))
+        self.refuses("in 'parsec', which is no unit of lengths or angles",
+                     model(self.path("far.nc"), x, y, ("parsec", "parsec")))
+        self.refuses("not the same distance apart", model(self.path("uneven.nc"), x**2, y, ("m", "m")))
+
+        degrees = ("degrees_east", "degrees_north")
+        coarse = model(self.path("coarse.nc"), 5.0 + 0.5 * np.arange(6), 40.0 + 0.5 * np.arange(6), degrees, ("lon", "lat"))
+        past = model(self.path("past.nc"), 365.0 + 0.5 * np.arange(6), 40.0 + 0.5 * np.arange(6), degrees, ("lon", "lat"))
+        for name in (coarse, past):
+            self.refuses("its coordinates are degrees, not lengths; set Projection to UTM", name)
+        image, other = (read_elevation(name, "UTM") for name in (coarse, past))
+        self.assertIn("UTM zone 32N", text(image, "CoordinateSystem"))
+        np.testing.assert_allclose(image.GetBounds(), other.GetBounds(), rtol=1e-9)
+        east, north = metres_per_degree(41.25)
+        self.assertAlmostEqual(image.GetBounds()[1] - image.GetBounds()[0], 2.5 * east, delta=0.2 * east)
+        self.assertAlmostEqual(image.GetBounds()[3] - image.GetBounds()[2], 2.5 * north, delta=0.2 * north)
+        turned = model(self.path("turned.nc"), np.arange(9.0), np.arange(9.0), ("degrees", "degrees"), ("rlon", "rlat"))
+        self.refuses("degrees about a turned pole", turned)
+        self.refuses("degrees about a turned pole", turned, Projection=1)
+
+    def test_cells_of_a_degree(self):
+        heights = hills(9, 9)
+        for west, south, step in ((5.0, 41.0, 1.0), (-180.0, 41.0, 1.0), (5.0, 41.0, 0.25), (355.0, -60.0, 2.0)):
+            name = self.path("cells.asc")
+            with open(name, "w", encoding="ascii") as file:
+                file.write(f"ncols 9\nnrows 9\nxllcorner {west}\nyllcorner {south}\ncellsize {step}\n")
+                np.savetxt(file, heights)
+            self.refuses("look like degrees; set FileCoordinateSystem to EPSG:4326 .* or FileCoordinateSystem to metres", name)
+            image = read_elevation(name, FileCoordinateSystem="metres")
+            self.assertEqual((image.GetSpacing()[0], image.GetOrigin()[0]), (step, west + 0.5 * step))
+        with open(name, "w", encoding="ascii") as file:  # a plot of metres
+            file.write("ncols 9\nnrows 9\nxllcorner 0\nyllcorner 0\ncellsize 1\n")
+            np.savetxt(file, heights)
+        self.assertEqual(read_elevation(name).GetSpacing()[0], 1.0)
+
     def test_maps_that_stretch(self):
         web = create(self.path("web.tif"), hills(40, 40), (-9400000.0, 30.0, 0.0, 4360000.0, 0.0, -30.0), 3857)
         # At 36.4 degrees of latitude lengths are 1/cos(latitude) times too long.
@@ -451,6 +531,35 @@ class BadFiles(Rasters):
                     file.write(whole[:int(share * len(whole))])
                 with self.subTest(name=os.path.basename(name), share=share):
                     self.refuses("cut off or damaged|no whole raster", cut)
+
+    def test_sizes_beyond_memory(self):
+        """Small files that claim much, and spacings that make much of little, are refused before memory is taken."""
+        claims = self.path("claims.asc")
+        with open(claims, "w", encoding="ascii") as file:
+            file.write("ncols 100000\nnrows 100000\nxllcorner 0\nyllcorner 0\ncellsize 30\n" + "1 2 3\n" * 100)
+        self.refuses("100000 x 100000 heights needs 46.6 GiB of memory", claims)
+        sparse = self.path("sparse.tif")
+        raster = gdal.GetDriverByName("GTiff").Create(
+            sparse, 200000, 200000, 1, gdal.GDT_Float32, ["SPARSE_OK=TRUE", "TILED=YES", "BLOCKXSIZE=16384",
+                                                          "BLOCKYSIZE=16384", "BIGTIFF=YES"])
+        raster.SetGeoTransform(UTM16)
+        raster = None
+        self.refuses("200000 x 200000 heights needs .* GiB of memory.*: read a part of it", sparse)
+        virtual = self.path("virtual.vrt")
+        with open(virtual, "w", encoding="ascii") as file:
+            file.write('<VRTDataset rasterXSize="150000" rasterYSize="90000"><GeoTransform>0,1,0,0,0,-1</GeoTransform>'
+                       '<VRTRasterBand dataType="Float32" band="1"/></VRTDataset>')
+        self.refuses("150000 x 90000 heights", virtual)
+        degrees = create(self.path("degrees.tif"), hills(40, 50), (-84.0, 0.0008, 0.0, 36.0, 0.0, -0.0008), 4326)
+        self.refuses("set a larger ProjectedSpacing", degrees, Projection=1, ProjectedSpacing=0.02)
+        # One pixel from all pixels: what lies under a block is read at once.
+        wide = self.path("wide.tif")
+        raster = gdal.GetDriverByName("GTiff").Create(
+            wide, 90000, 90000, 1, gdal.GDT_Float32, ["SPARSE_OK=TRUE", "TILED=YES", "COMPRESS=DEFLATE"])
+        raster.SetGeoTransform((-84.0, 1e-5, 0.0, 36.0, 0.0, -1e-5))
+        raster.SetSpatialRef(system(4326))
+        raster = None
+        self.refuses("set a smaller ProjectedSpacing", wide, Projection=1, ProjectedSpacing=2000.0)
 
     def test_systems_that_cannot_be_read(self):
         name = create(self.path("a.tif"), hills(9, 9))

@@ -54,6 +54,31 @@ for megabytes in 4, 60, 0:
 """
 
 
+#: A raster without pixels of its own, and a program that reads it: message, points, growth of its memory [MB].
+GROUND = ('<VRTDataset rasterXSize="{side}" rasterYSize="{side}"><GeoTransform>0,1,0,0,0,-1</GeoTransform>'
+          '<VRTRasterBand dataType="Float32" band="1"/></VRTDataset>')
+READ = """
+import resource, sys
+import littoral
+from littoral import errors
+most = lambda: resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1000
+reader = littoral.vtkElevationReader()
+reader.SetFileName(sys.argv[1])
+said, before = errors.kept(reader), most()
+reader.Update()
+print(" ".join(said), reader.GetOutput().GetNumberOfPoints(), most() - before, sep="\\n")
+"""
+#: Other control groups than there are.
+GROUP = """
+mount -t tmpfs none /sys/fs/cgroup
+mkdir -p {folder}/x
+echo 1200000000 >{folder}/x/{limit}
+echo 100000000 >{folder}/x/{usage}
+mount --bind {groups} /proc/$$/cgroup
+exec {python} -c "$1" "$2"
+"""
+
+
 class Shortages(Program):
     def test_short_memory(self):
         for name, settings in LARGE.items():
@@ -66,6 +91,29 @@ class Shortages(Program):
                 self.assertGreater(ends[-1][1], 100000)
                 for end in ends:
                     self.assertIn(end, (ends[0], ends[-1]))
+
+    def test_group_of_processes(self):
+        """A control group of 1.2 GB, by its files: a raster of 2 GB is refused, one of 0.6 GB stays within what is asked."""
+        if os.geteuid() or subprocess.run(["unshare", "-m", "true"], capture_output=True, check=False).returncode:
+            self.skipTest("only root can show other control groups")
+        raster = self.path("sparse.vrt")
+        for kind, limit, usage, line in (("/memory", "memory.limit_in_bytes", "memory.usage_in_bytes", "4:memory:/x"),
+                                         ("", "memory.max", "memory.current", "0::/x")):
+            with open(self.path("cgroup"), "w", encoding="ascii") as file:
+                file.write(line + "\n")
+            for side in 20000, 10000:
+                with self.subTest(limit, side=side):
+                    with open(raster, "w", encoding="ascii") as file:
+                        file.write(GROUND.format(side=side))
+                    ran = subprocess.run(["unshare", "-m", "sh", "-ec", GROUP.format(
+                        folder="/sys/fs/cgroup" + kind, limit=limit, usage=usage, groups=self.path("cgroup"),
+                        python=sys.executable), "sh", READ, raster], capture_output=True, text=True, check=False)
+                    self.assertEqual((ran.returncode, ran.stderr), (0, ""))
+                    said, points, grown = ran.stdout.splitlines()
+                    if side == 20000:
+                        self.assertRegex(said, "20000 x 20000 heights needs 1.[0-9]+ GiB of memory, and 944 MiB are free")
+                    self.assertEqual((bool(said), int(points)), (side == 20000, 0 if side == 20000 else side**2))
+                    self.assertLess(float(grown), 60 + 5.3e-6 * int(points))
 
     def test_no_display(self):
         name = self.path("picture.png")
