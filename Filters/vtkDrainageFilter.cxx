@@ -67,6 +67,26 @@ littoral::OutletMask ChosenOutlets(vtkImageData* image)
   return outlets;
 }
 
+/// Outlets by a choice of vtkDrainageFilter.
+littoral::DrainageOutlets OutletsOf(
+  int choice, double seaLevel, vtkImageData* image, const littoral::GridSamples& heights)
+{
+  using littoral::OutletChoice;
+  switch (choice)
+  {
+    case vtkDrainageFilter::Sea:
+      return { OutletChoice::SeaLevel, seaLevel, {}, {} };
+    case vtkDrainageFilter::Chosen:
+      return { OutletChoice::Chosen, 0.0, ChosenOutlets(image), {} };
+    case vtkDrainageFilter::LowestOfBorder:
+      return { OutletChoice::Chosen, 0.0, littoral::LowestRimOutlets(heights), {} };
+    case vtkDrainageFilter::SeaAlone:
+      return { OutletChoice::Chosen, 0.0, littoral::SeaOutletsAlone(heights, seaLevel), {} };
+    default:
+      return {};
+  }
+}
+
 /// Adds the report of a carving as field data of two components.
 void AddReport(const littoral::CarvingReport& report, vtkDataObject* data)
 {
@@ -171,7 +191,7 @@ int vtkDrainageFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector
 void vtkDrainageFilter::ReadGround(vtkInformationVector** inputVector, Ground& ground)
 {
   littoral::ParameterCheck check;
-  check.Choice("Outlets", this->Outlets, { "border", "sea", "chosen" });
+  check.Choice("Outlets", this->Outlets, { "border", "sea", "chosen", "lowest of border", "sea alone" });
   check.Finite("SeaLevel", this->SeaLevel, "m");
   check.Count("StreamThreshold", this->StreamThreshold, 2, MaximumStreamThreshold);
   check.Range("HypsometricIntegral", this->HypsometricIntegral, 0.0, 1.0);
@@ -184,9 +204,7 @@ void vtkDrainageFilter::ReadGround(vtkInformationVector** inputVector, Ground& g
   auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Terrain");
   ground.Heights = littoral::ReadHeights(image, this->GetInputArrayToProcess(0, inputVector),
     this->GetInputArrayInformation(0), "Terrain", MemoryOf(image, this->Carve));
-  ground.Outlets.Choice = static_cast<littoral::OutletChoice>(this->Outlets);
-  ground.Outlets.SeaLevel = this->SeaLevel;
-  ground.Outlets.Cells = this->Outlets == Chosen ? ChosenOutlets(image) : littoral::OutletMask();
+  ground.Outlets = OutletsOf(this->Outlets, this->SeaLevel, image, ground.Heights);
   littoral::Require(littoral::WhyUndrainable(ground.Heights, ground.Outlets.Of(ground.Heights)));
   littoral::RequireRelief(ground.Heights, "Terrain");
 }
@@ -231,10 +249,11 @@ void vtkDrainageFilter::CarveGround(vtkInformationVector** inputVector, Ground& 
   const littoral::CarvingTarget goal = target ? littoral::TargetOf(place, {}, parallel)
                                               : littoral::TargetOf(ground.Heights, numbers, ground.Outlets, parallel);
   const littoral::Poll poll = littoral::PollOf(this);
-  ground.Report = littoral::CarveDrainage(ground.Heights, goal, parameters, parallel, [&](double part) {
+  const littoral::CarvingProgress progress = [&](double part) {
     this->UpdateProgress(0.1 + 0.8 * part);
     poll();
-  });
+  };
+  ground.Report = littoral::CarveAround(ground.Heights, goal, parameters, parallel, progress);
 }
 
 //----------------------------------------------------------------------------
@@ -250,7 +269,8 @@ void vtkDrainageFilter::WriteGround(vtkImageData* image, const Ground& ground, v
   for (littoral::CellIndex cell = 0; cell < count; ++cell)
   {
     elevations->SetValue(cell, ground.Heights.Values[cell]);
-    areas->SetValue(cell, ground.Cells[cell] * lattice.CellArea());
+    const bool isOutside = std::isnan(ground.Heights.Values[cell]);
+    areas->SetValue(cell, isOutside ? ground.Heights.Values[cell] : ground.Cells[cell] * lattice.CellArea());
     directions->SetValue(cell, static_cast<signed char>(lattice.DirectionTo(cell, ground.Routing.Receiver[cell])));
     orders->SetValue(cell, static_cast<unsigned char>(ground.Streams.Orders[cell]));
     depths->SetValue(cell, ground.Levels[cell] - ground.Heights.Values[cell]);

@@ -5,8 +5,9 @@
  * @brief   carve a terrain until it drains, and find its rivers
  *
  * Input 0: a vtkImageData of one layer, at least 3 x 3, with a scalar point array, the elevation [m]
- * (SetInputArrayToProcess; default the active scalars, which also stand in for an absent `Elevation`), without missing
- * values and not constant. Each value is the height of a cell. Input 1, optional: a vtkImageData of another terrain,
+ * (SetInputArrayToProcess; default the active scalars, which also stand in for an absent `Elevation`), not constant.
+ * Each value is the height of a cell. Missing values (NaN) are outside the terrain: no water comes from there, all
+ * statistics leave them out, and they stay NaN. Input 1, optional: a vtkImageData of another terrain,
  * the target, with the same array or its active scalars; its size and spacing may differ. Input 2, optional and without
  * a target alone: a vtkTable as output 0 of vtkGroundStatisticsFilter, whose first row replaces HypsometricIntegral,
  * ElevationSkewness and Concavity, each where the table has its column and a number there; KeepHypsometry does not
@@ -22,7 +23,7 @@
  * (flow accumulation times the area of a cell, the cell included), `FlowDirection` signed char (D8: the receiving
  * neighbour, 0 to 7 counter-clockwise in steps of 45 degrees, 0 along x; -1 at outlets), `StreamOrder` unsigned char
  * (Strahler's; 0 where fewer than StreamThreshold cells drain), `DepressionDepth` double [m] (below the spill
- * elevation; 0 outside of depressions). Drainage areas at the outlets sum to the area of the grid.
+ * elevation; 0 outside of depressions). Drainage areas at the outlets sum to the area of the terrain.
  *
  * Output 1: a vtkPolyData of the rivers, a polyline each from its head to its confluence with a stream of higher order,
  * or to an outlet. Cell arrays: `StreamOrder` int, `DrainageArea` double [m^2] at its lower end, `Length` double [m],
@@ -59,24 +60,30 @@ public:
   {
     Border = 0,
     Sea = 1,
-    Chosen = 2
+    Chosen = 2,
+    LowestOfBorder = 3,
+    SeaAlone = 4
   };
 
   ///@{
   /**
-   * Places where water leaves the terrain, 0 to 2; default Border, every cell at the border. Sea: also every cell at or
-   * below SeaLevel. Chosen: the cells at which the point array `Outlets` of the input is not 0, and no other.
+   * Places where water leaves the terrain, 0 to 4; default Border, every cell at the border, and beside missing
+   * heights, which are outside. Sea: also every cell at or below SeaLevel. Chosen: the cells at which the point array
+   * `Outlets` of the input is not 0, and no other. LowestOfBorder: the lowest of those of Border alone, in each
+   * connected part of the terrain, as of a catchment. SeaAlone: the cells at or below SeaLevel alone.
    */
   vtkSetMacro(Outlets, int);
   vtkGetMacro(Outlets, int);
   void SetOutletsToBorder() { this->SetOutlets(Border); }
   void SetOutletsToSea() { this->SetOutlets(Sea); }
   void SetOutletsToChosen() { this->SetOutlets(Chosen); }
+  void SetOutletsToLowestOfBorder() { this->SetOutlets(LowestOfBorder); }
+  void SetOutletsToSeaAlone() { this->SetOutlets(SeaAlone); }
   ///@}
 
   ///@{
   /**
-   * Height of the sea [m], a finite number; default 0. Used only with Outlets Sea.
+   * Height of the sea [m], a finite number; default 0. Used only with Outlets Sea and SeaAlone.
    */
   vtkSetMacro(SeaLevel, double);
   vtkGetMacro(SeaLevel, double);

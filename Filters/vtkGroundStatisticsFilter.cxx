@@ -139,8 +139,8 @@ int vtkGroundStatisticsFilter::RequestData(
   auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Input");
   const littoral::GridSamples heights = littoral::ReadHeights(
     image, this->GetInputArrayToProcess(0, inputVector), this->GetInputArrayInformation(0), "Input", Memory);
-  const littoral::OutletMask outlets = this->UseSeaLevel ? littoral::SeaOutlets(heights, this->SeaLevel)
-                                                         : littoral::BorderOutlets(heights.Width, heights.Height);
+  const littoral::OutletMask outlets =
+    this->UseSeaLevel ? littoral::SeaOutlets(heights, this->SeaLevel) : littoral::RimOutlets(heights);
   littoral::Require(littoral::WhyUndrainable(heights, outlets));
   littoral::RequireRelief(heights, "Input");
   this->SetProgressText("Measuring ground");

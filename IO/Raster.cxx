@@ -226,7 +226,7 @@ std::string VariableIn(void* dataset, int band)
   return name ? name : "";
 }
 
-/// What the coordinates of a dataset without a system are. Throws RasterError.
+/// Measure of the coordinates of a dataset without a system. Throws RasterError.
 PlaceUnit UnitOf(void* dataset, const std::optional<RasterAxes>& axes)
 {
   const Transform transform(dataset);
@@ -481,7 +481,7 @@ HeightScale ScaleOf(void* dataset, void* band, double metresPerHeight)
   if (metresPerHeight <= 0.0)
   {
     const std::string name = NamedHeightUnit(dataset, band);
-    const LengthUnit* unit = FindLengthUnit(name.empty() ? "m" : name);
+    const UnitOfLength* unit = FindUnitOfLength(name.empty() ? "m" : name);
     if (!unit)
     {
       throw RasterError("its values are in '" + name + "', which is no unit of heights; set HeightUnit");
@@ -576,7 +576,7 @@ public:
     this->Place(target);
   }
 
-  /// What the coordinates are where the file names no system. A variable of netCDF that GDAL leaves without a place
+  /// Measure of the coordinates where the file names no system. A variable of netCDF that GDAL leaves without a place
   /// takes it from its coordinate variables.
   PlaceUnit PlaceByAxes()
   {

@@ -31,6 +31,22 @@ void CopyWaves(const GridSamples& from, GridSamples& to)
   }
 }
 
+/// Cells of the coarse grid that cover a cell of a mask; an empty mask stays so.
+OutletMask CoarseMask(const OutletMask& mask, const GridSamples& ground)
+{
+  const int width = HalfOf(ground.Width);
+  const int height = HalfOf(ground.Height);
+  OutletMask coarse(mask.empty() ? 0 : static_cast<std::size_t>(width) * height, 0);
+  for (std::size_t cell = 0; cell < mask.size(); ++cell)
+  {
+    // the coarse cell in which the middle of the cell lies
+    const auto i = static_cast<std::size_t>((2 * (cell % ground.Width) + 1) * width / (2 * ground.Width));
+    const auto j = static_cast<std::size_t>((2 * (cell / ground.Width) + 1) * height / (2 * ground.Height));
+    coarse[j * width + i] = mask[cell] ? 1 : coarse[j * width + i];
+  }
+  return coarse;
+}
+
 }
 
 GridSamples CoarseGround(const GridSamples& ground, const ParallelFor& parallel)
@@ -78,20 +94,8 @@ void TakeLongWaves(GridSamples& ground, const GridSamples& coarse, const Paralle
 DrainageOutlets CoarseOutlets(const DrainageOutlets& outlets, const GridSamples& ground)
 {
   DrainageOutlets coarse = outlets;
-  if (outlets.Choice != OutletChoice::Chosen)
-  {
-    return coarse;
-  }
-  const int width = HalfOf(ground.Width);
-  const int height = HalfOf(ground.Height);
-  coarse.Cells.assign(static_cast<std::size_t>(width) * height, 0);
-  for (std::size_t cell = 0; cell < outlets.Cells.size(); ++cell)
-  {
-    // the coarse cell in which the middle of the cell lies
-    const auto i = static_cast<std::size_t>((2 * (cell % ground.Width) + 1) * width / (2 * ground.Width));
-    const auto j = static_cast<std::size_t>((2 * (cell / ground.Width) + 1) * height / (2 * ground.Height));
-    coarse.Cells[j * width + i] = outlets.Cells[cell] ? 1 : coarse.Cells[j * width + i];
-  }
+  coarse.Cells = CoarseMask(outlets.Cells, ground);
+  coarse.Outside = CoarseMask(outlets.Outside, ground);
   return coarse;
 }
 

@@ -5,6 +5,7 @@
 #include "Drainage/FloodQueue.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace littoral
 {
@@ -16,14 +17,17 @@ DepressionFlood FloodDepressions(const GridSamples& heights, const OutletMask& o
   DepressionFlood flood;
   flood.SpillElevation = heights.Values;
   flood.Backlink.assign(count, -1);
-  const auto [lowest, highest] = std::minmax_element(heights.Values.begin(), heights.Values.end());
-  FloodQueue rim(*lowest, *highest, heights.Values.size());
+  const auto [lowest, highest] = RangeOf(heights.Values);
+  FloodQueue rim(lowest, highest, heights.Values.size());
   for (CellIndex cell = 0; cell < count; ++cell)
   {
     if (outlets[cell])
     {
       flood.Backlink[cell] = cell;
-      rim.Push(cell, heights.Values[cell]);
+      if (!std::isnan(heights.Values[cell])) // else it is outside
+      {
+        rim.Push(cell, heights.Values[cell]);
+      }
     }
   }
   // What lies below the water is filled at once, in the order in which it is reached: no heap is needed for it.

@@ -496,8 +496,8 @@ private:
 
 std::string WhyNoRelief(const GridSamples& ground, const char* name)
 {
-  const auto [low, high] = std::minmax_element(ground.Values.begin(), ground.Values.end());
-  return *low < *high ? "" : std::string(name) + " has one height everywhere; there is nothing to carve.";
+  const auto [low, high] = RangeOf(ground.Values);
+  return low < high ? "" : std::string(name) + " has one height everywhere; there is nothing to carve.";
 }
 
 }
@@ -579,12 +579,13 @@ CarvingTarget TargetOf(const GridSamples& place, const DrainageOutlets& outlets,
 {
   CarvingTarget target;
   GridSamples field = place;
+  FillHoles(field);
   target.Plane = RemovePlane(field);
   target.CellArea = place.Spacing[0] * place.Spacing[1];
   target.Sides = { place.Width * place.Spacing[0], place.Height * place.Spacing[1] };
   CosineTransform(field, parallel);
   target.Spectrum = SpectrumOfCoefficients(field, parallel);
-  target.Heights = QuantilesOf(place.Values);
+  target.Heights = QuantilesOf(PresentValues(place.Values));
   target.Measures = MeasureGround(place, outlets.Of(place), parallel);
   return target;
 }
@@ -611,4 +612,31 @@ CarvingReport CarveDrainage(GridSamples& terrain, const CarvingTarget& target, c
 {
   return Carver(terrain, target, parameters, parallel, progress).Carve();
 }
+
+CarvingReport CarveAround(GridSamples& terrain, const CarvingTarget& target, const CarvingParameters& parameters,
+  const ParallelFor& parallel, const CarvingProgress& progress)
+{
+  const OutletMask outside = OutsideOf(terrain);
+  if (std::none_of(outside.begin(), outside.end(), [](std::uint8_t is) { return is != 0; }))
+  {
+    return CarveDrainage(terrain, target, parameters, parallel, progress);
+  }
+  const auto measure = [&] {
+    return MeasureGround(
+      terrain, parameters.Outlets.Of(terrain), parallel, [&] { progress(0.0); }, target.Measures.MaximumArea);
+  };
+  const GroundMeasures before = measure();
+  CarvingParameters around = parameters;
+  around.Outlets.Outside = outside;
+  FillHoles(terrain);
+  CarvingReport report = CarveDrainage(terrain, target, around, parallel, progress);
+  for (std::size_t cell = 0; cell < outside.size(); ++cell)
+  {
+    terrain.Values[cell] = outside[cell] ? std::numeric_limits<double>::quiet_NaN() : terrain.Values[cell];
+  }
+  report.Before = before;
+  report.After = measure();
+  return report;
+}
+
 }

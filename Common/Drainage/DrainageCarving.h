@@ -123,6 +123,11 @@ double Misfit(const GroundMeasures& measures, const CarvingTarget& target, const
 CarvingReport CarveDrainage(GridSamples& terrain, const CarvingTarget& target, const CarvingParameters& parameters,
   const ParallelFor& parallel = SerialFor, const CarvingProgress& progress = NoProgress);
 
+/// The same for terrain with missing heights: they are filled smoothly, carved along as what is outside, and taken out
+/// again. The report is of what is there.
+CarvingReport CarveAround(GridSamples& terrain, const CarvingTarget& target, const CarvingParameters& parameters,
+  const ParallelFor& parallel = SerialFor, const CarvingProgress& progress = NoProgress);
+
 }
 
 #endif

@@ -55,7 +55,7 @@ struct CentralMoments
   double Skew = 0.0;
 };
 
-/// z_xx + z_yy at inner cells.
+/// z_xx + z_yy at inner cells; NaN beside missing heights.
 std::vector<double> Laplacians(const GridSamples& heights, const ParallelFor& parallel)
 {
   const auto width = static_cast<std::size_t>(heights.Width - 2);
@@ -76,6 +76,35 @@ std::vector<double> Laplacians(const GridSamples& heights, const ParallelFor& pa
   });
   return curvature;
 }
+
+/// Sum of squared differences of so many pairs, and how many have both heights.
+struct PairSum
+{
+  double Squares = 0.0;
+  double Pairs = 0.0;
+
+  void Add(const double* from, const double* to, int count)
+  {
+    double sum = this->Squares;
+    for (int i = 0; i < count; ++i)
+    {
+      const double difference = to[i] - from[i];
+      sum += difference * difference;
+    }
+    if (!std::isnan(sum))
+    {
+      this->Squares = sum;
+      this->Pairs += std::max(0, count);
+      return;
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      const double difference = to[i] - from[i];
+      this->Squares += std::isnan(difference) ? 0.0 : difference * difference;
+      this->Pairs += std::isnan(difference) ? 0.0 : 1.0;
+    }
+  }
+};
 
 /// Measures the slope-area relation up to a drainage area [cells].
 void MeasureSlopeArea(const std::vector<CellIndex>& cells, const std::vector<double>& slopes, const OutletMask& outlets,
@@ -167,44 +196,32 @@ std::vector<double> SemivarianceAlongAxes(
 {
   // Sums of each row, then over the rows in order: whatever the threads.
   const auto rows = static_cast<std::size_t>(heights.Height);
-  std::vector<double> sums(rows * lags.size(), 0.0);
+  std::vector<PairSum> sums(rows * lags.size());
   parallel(rows, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row)
     {
-      const int j = static_cast<int>(row);
       const double* here = &heights.Values[row * heights.Width];
       for (std::size_t n = 0; n < lags.size(); ++n)
       {
-        double sum = 0.0;
-        for (int i = 0; i + lags[n] < heights.Width; ++i)
+        PairSum& sum = sums[row * lags.size() + n];
+        sum.Add(here, here + lags[n], heights.Width - lags[n]);
+        if (static_cast<int>(row) + lags[n] < heights.Height)
         {
-          const double difference = here[i + lags[n]] - here[i];
-          sum += difference * difference;
+          sum.Add(here, here + static_cast<std::size_t>(lags[n]) * heights.Width, heights.Width);
         }
-        if (j + lags[n] < heights.Height)
-        {
-          const double* there = here + static_cast<std::size_t>(lags[n]) * heights.Width;
-          for (int i = 0; i < heights.Width; ++i)
-          {
-            const double difference = there[i] - here[i];
-            sum += difference * difference;
-          }
-        }
-        sums[row * lags.size() + n] = sum;
       }
     }
   });
   std::vector<double> semivariance;
   for (std::size_t n = 0; n < lags.size(); ++n)
   {
-    double sum = 0.0;
+    PairSum all;
     for (std::size_t row = 0; row < rows; ++row)
     {
-      sum += sums[row * lags.size() + n];
+      all.Squares += sums[row * lags.size() + n].Squares;
+      all.Pairs += sums[row * lags.size() + n].Pairs;
     }
-    const double pairs = static_cast<double>(std::max(0, heights.Width - lags[n])) * heights.Height +
-      static_cast<double>(std::max(0, heights.Height - lags[n])) * heights.Width;
-    semivariance.push_back(pairs > 0.0 ? 0.5 * sum / pairs : 0.0);
+    semivariance.push_back(all.Pairs > 0.0 ? 0.5 * all.Squares / all.Pairs : 0.0);
   }
   return semivariance;
 }
@@ -213,15 +230,16 @@ GroundMeasures MeasureGround(const GridSamples& heights, const OutletMask& outle
   const Poll& poll, double maximumArea)
 {
   GroundMeasures measures;
-  const auto count = static_cast<double>(heights.Values.size());
-  const CentralMoments moments(heights.Values);
-  const auto [low, high] = std::minmax_element(heights.Values.begin(), heights.Values.end());
-  measures.Lowest = *low;
-  measures.Highest = *high;
+  const std::vector<double> present = PresentValues(heights.Values);
+  const auto count = static_cast<double>(present.size());
+  const CentralMoments moments(present);
+  const auto [low, high] = RangeOf(present);
+  measures.Lowest = low;
+  measures.Highest = high;
   measures.StandardDeviation = std::sqrt(moments.Variance);
-  measures.HypsometricIntegral = *high > *low ? (moments.Mean - *low) / (*high - *low) : 0.0;
+  measures.HypsometricIntegral = high > low ? (moments.Mean - low) / (high - low) : 0.0;
   measures.ElevationSkewness = moments.Skew;
-  measures.CurvatureSkewness = CentralMoments(Laplacians(heights, parallel)).Skew;
+  measures.CurvatureSkewness = CentralMoments(PresentValues(Laplacians(heights, parallel))).Skew;
   const std::vector<int> lags = SemivarianceLags(heights.Width, heights.Height);
   measures.Semivariance = SemivarianceAlongAxes(heights, lags, parallel);
   for (const int lag : lags)

@@ -21,7 +21,7 @@ struct SlopeAreaBin
   double Count = 0.0; ///< cells in the bin
 };
 
-/// Statistics that differ between fluvial terrain and a random surface.
+/// Statistics that differ between fluvial terrain and a random surface. Missing heights (NaN) are left out.
 struct GroundMeasures
 {
   double DepressionFraction = 0.0;  ///< cells in depressions over all cells

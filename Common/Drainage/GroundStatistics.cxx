@@ -86,7 +86,7 @@ std::vector<double> GradientsOf(const GridSamples& heights)
     const double y = (z[cell + row] - z[cell - row]) / (2.0 * heights.Spacing[1]);
     slopes.push_back(std::sqrt(x * x + y * y));
   });
-  return slopes;
+  return PresentValues(slopes);
 }
 
 std::vector<double> LaplaciansOf(const GridSamples& heights)
@@ -100,7 +100,7 @@ std::vector<double> LaplaciansOf(const GridSamples& heights)
     const double y = (z[cell + row] - z[cell]) - (z[cell] - z[cell - row]);
     curvatures.push_back(x / (heights.Spacing[0] * heights.Spacing[0]) + y / (heights.Spacing[1] * heights.Spacing[1]));
   });
-  return curvatures;
+  return PresentValues(curvatures);
 }
 
 std::vector<double> EvenQuantiles(std::vector<double> values, int count)

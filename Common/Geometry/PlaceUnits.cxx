@@ -55,9 +55,9 @@ bool LookLikeDegrees(const PlaceAxis& x, const PlaceAxis& y, double far)
 
 }
 
-const LengthUnit* FindLengthUnit(const std::string& name)
+const UnitOfLength* FindUnitOfLength(const std::string& name)
 {
-  static const std::vector<LengthUnit> units = {
+  static const std::vector<UnitOfLength> units = {
     { 1.0, "metres", { "m", "metre", "meter", "metres", "meters", "metre(s)" } },
     { 0.3048, "feet", { "ft", "foot", "feet", "international foot", "international feet" } },
     { 1200.0 / 3937.0, "US survey feet",
@@ -68,7 +68,7 @@ const LengthUnit* FindLengthUnit(const std::string& name)
     { 1000.0, "kilometres", { "km", "kilometre", "kilometer", "kilometres", "kilometers" } },
   };
   const std::string word = Lower(name);
-  const auto has = [&](const LengthUnit& unit) {
+  const auto has = [&](const UnitOfLength& unit) {
     return std::any_of(unit.Names.begin(), unit.Names.end(), [&](const char* known) { return word == known; });
   };
   const auto found = std::find_if(units.begin(), units.end(), has);
@@ -87,7 +87,7 @@ PlaceUnit UnitOfPlaces(const PlaceAxis& x, const PlaceAxis& y, double far)
   // Numbers without a dimension, as indices of pixels, are taken for metres.
   if (!unit.empty() && unit != "1")
   {
-    const LengthUnit* length = FindLengthUnit(unit);
+    const UnitOfLength* length = FindUnitOfLength(unit);
     if (!length)
     {
       Refuse("its coordinates are in '", unit, "', which is no unit of lengths or angles");

@@ -9,7 +9,7 @@
 namespace littoral
 {
 
-/// What is known of the coordinates of places along an axis.
+/// Coordinates of places along an axis, as far as they are known.
 struct PlaceAxis
 {
   std::string Name; ///< as a file calls it, `lon`; empty: none
@@ -25,7 +25,7 @@ enum class PlaceKind
   TurnedDegrees, ///< on a sphere whose pole lies elsewhere
 };
 
-/// What coordinates are measured in.
+/// Measure of coordinates.
 struct PlaceUnit
 {
   PlaceKind Kind = PlaceKind::Lengths;
@@ -33,21 +33,21 @@ struct PlaceUnit
   bool IsSaid = false; ///< by units or names, else guessed from the numbers
 };
 
-/// How often the size of a map goes into its distance from the origin at least, for numbers without a unit to be taken
-/// for degrees: those of a file, of a grid, and of points, which may be some of a plot around the origin.
+/// Distance of a map from the origin over its size, beyond which numbers without a unit are taken for degrees: those of
+/// a file, of a grid, and of points, which may be some of a plot around the origin.
 inline constexpr double FarForFile = 1.0;
 inline constexpr double FarForGrid = 1.5;
 inline constexpr double FarForPoints = 8.0;
 
 /**
- * What coordinates are: by their units, else by their names, else by their numbers. Numbers are degrees if they fit
+ * Measure of coordinates by their units, else by their names, else by their numbers. Numbers are degrees if they fit
  * longitudes from -360 to 540 and latitudes, and lie `far` times their own diagonal from the origin, where plots begin,
  * or around the whole earth. Throws InvalidInput for a unit that is none of lengths or angles.
  */
 PlaceUnit UnitOfPlaces(const PlaceAxis& x, const PlaceAxis& y, double far);
 
 /// A unit of length as files call it.
-struct LengthUnit
+struct UnitOfLength
 {
   double Metres;
   const char* Words; ///< for a user, "US survey feet"
@@ -55,7 +55,7 @@ struct LengthUnit
 };
 
 /// The unit of a name in any case, `km` or `US survey foot`; null if it is none.
-const LengthUnit* FindLengthUnit(const std::string& name);
+const UnitOfLength* FindUnitOfLength(const std::string& name);
 
 }
 

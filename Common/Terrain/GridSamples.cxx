@@ -4,13 +4,19 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 namespace littoral
 {
 
 namespace
 {
+
+constexpr double Missing = std::numeric_limits<double>::quiet_NaN();
+
 /// Calls visit(x, y, value) for each value that is there; x, y [m] from the grid's center.
 template <typename Samples, typename Visit>
 void ForEachValue(Samples& samples, Visit visit)
@@ -28,6 +34,66 @@ void ForEachValue(Samples& samples, Visit visit)
     }
   }
 }
+}
+
+std::vector<double> PresentValues(const std::vector<double>& values)
+{
+  std::vector<double> present;
+  present.reserve(values.size());
+  std::copy_if(values.begin(), values.end(), std::back_inserter(present), [](double v) { return !std::isnan(v); });
+  return present;
+}
+
+std::array<double, 2> RangeOf(const std::vector<double>& values)
+{
+  std::array<double, 2> range{ Missing, Missing };
+  for (const double value : values)
+  {
+    range = { std::fmin(range[0], value), std::fmax(range[1], value) };
+  }
+  return range;
+}
+
+void FillHoles(GridSamples& samples)
+{
+  const auto isHole = [](double value) { return std::isnan(value); };
+  if (std::none_of(samples.Values.begin(), samples.Values.end(), isHole) || (samples.Width == 1 && samples.Height == 1))
+  {
+    return;
+  }
+  GridSamples coarse;
+  coarse.Width = (samples.Width + 1) / 2;
+  coarse.Height = (samples.Height + 1) / 2;
+  coarse.Values.assign(static_cast<std::size_t>(coarse.Width) * coarse.Height, 0.0);
+  std::vector<double> counts(coarse.Values.size(), 0.0);
+  for (int j = 0; j < samples.Height; ++j)
+  {
+    for (int i = 0; i < samples.Width; ++i)
+    {
+      const double value = samples.At(i, j);
+      coarse.At(i / 2, j / 2) += isHole(value) ? 0.0 : value;
+      counts[static_cast<std::size_t>(j / 2) * coarse.Width + i / 2] += isHole(value) ? 0.0 : 1.0;
+    }
+  }
+  for (std::size_t cell = 0; cell < counts.size(); ++cell)
+  {
+    coarse.Values[cell] = counts[cell] > 0.0 ? coarse.Values[cell] / counts[cell] : Missing;
+  }
+  FillHoles(coarse);
+  for (int j = 0; j < samples.Height; ++j)
+  {
+    for (int i = 0; i < samples.Width; ++i)
+    {
+      if (isHole(samples.At(i, j)))
+      {
+        // bilinear: 9/16, 3/16, 3/16, 1/16 of the coarse cells about
+        const int x = std::clamp(i / 2 + (i % 2 == 0 ? -1 : 1), 0, coarse.Width - 1);
+        const int y = std::clamp(j / 2 + (j % 2 == 0 ? -1 : 1), 0, coarse.Height - 1);
+        samples.At(i, j) =
+          (9.0 * coarse.At(i / 2, j / 2) + 3.0 * (coarse.At(x, j / 2) + coarse.At(i / 2, y)) + coarse.At(x, y)) / 16.0;
+      }
+    }
+  }
 }
 
 SampleMoments Moments(const GridSamples& samples)

@@ -24,6 +24,16 @@ struct GridSamples
   double At(int i, int j) const { return this->Values[static_cast<std::size_t>(j) * this->Width + i]; }
 };
 
+/// The values that are not missing, in their order.
+std::vector<double> PresentValues(const std::vector<double>& values);
+
+/// Least and greatest of the values that are not missing; NaN without any.
+std::array<double, 2> RangeOf(const std::vector<double>& values);
+
+/// Fills missing values smoothly: cells of 2 x 2, 4 x 4, ... have the mean of what is there, and a missing value is
+/// taken from between those of the finest cells that have one. Without any value nothing is filled.
+void FillHoles(GridSamples& samples);
+
 /// Count, mean and variance of the values that are not missing.
 struct SampleMoments
 {

@@ -13,7 +13,8 @@
 #include "vtkInformation.h"
 #include "vtkPointData.h"
 
-#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace littoral
 {
@@ -69,15 +70,16 @@ GridSamples ReadHeights(
   heights.Values.resize(static_cast<std::size_t>(image->GetNumberOfPoints()));
   for (std::size_t cell = 0; cell < heights.Values.size(); ++cell)
   {
-    heights.Values[cell] = values->GetComponent(static_cast<vtkIdType>(cell), 0);
+    const double height = values->GetComponent(static_cast<vtkIdType>(cell), 0);
+    heights.Values[cell] = std::isfinite(height) ? height : std::numeric_limits<double>::quiet_NaN();
   }
   return heights;
 }
 
 void RequireRelief(const GridSamples& heights, const char* input)
 {
-  const auto [least, most] = std::minmax_element(heights.Values.begin(), heights.Values.end());
-  if (!(*least < *most))
+  const auto [least, most] = RangeOf(heights.Values);
+  if (!(least < most))
   {
     Refuse(input, " is constant: water has no way to run, and nothing is to measure.");
   }

@@ -23,9 +23,9 @@ struct CellMemory
 };
 
 /**
- * The heights [m] of an array of an image of one layer, as double numbers. Throws InvalidInput: no raster, no scalar
- * point array, too little memory. `array` is what the filter's choice found, null if nothing; `choice` tells its name;
- * `input` is the name of the port in the panel.
+ * The heights [m] of an array of an image of one layer, as double numbers; NaN where there is none. Throws
+ * InvalidInput: no raster, no scalar point array, too little memory. `array` is what the filter's choice found, null if
+ * nothing; `choice` tells its name; `input` is the name of the port in the panel.
  */
 GridSamples ReadHeights(
   vtkImageData* image, vtkDataArray* array, vtkInformation* choice, const char* input, const CellMemory& memory);

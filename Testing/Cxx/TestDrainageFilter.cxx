@@ -393,8 +393,8 @@ bool BadInput()
   const auto rough = [](int i, int j) { return static_cast<double>((i * 7919 + j * 104729) % 101); };
   const auto fine = Image(24, 20, 1, rough);
   bool good = Fails("constant", Image(20, 20, 1, [](int, int) { return 5.0; }));
-  good &= Fails("missing", Image(20, 20, 1, [](int i, int j) { return i == 3 && j == 4 ? NaN : Ramp(i, j); }));
-  good &= Fails("missing", Image(20, 20, 1, [](int, int) { return NaN; }));
+  good &= Fails("beyond", Image(20, 20, 1, [](int i, int j) { return i == 3 && j == 4 ? 1e300 : Ramp(i, j); }));
+  good &= Fails("no heights", Image(20, 20, 1, [](int, int) { return NaN; }));
   good &= Fails("20 x 1", Image(20, 1, 1, Ramp));
   good &= Fails("20 x 20 x 3", Image(20, 20, 3, Ramp));
   good &= Fails("'Depth'", fine,
@@ -419,7 +419,7 @@ bool BadInput()
     return [&image](Filter* filter) { filter->SetInputData(1, image); };
   };
   const auto flat = Image(20, 20, 1, [](int, int) { return 5.0; });
-  const auto holed = Image(20, 20, 1, [](int i, int j) { return i == 3 && j == 4 ? NaN : Ramp(i, j); });
+  const auto holed = Image(20, 20, 1, [](int i, int j) { return i == 3 && j == 4 ? 1e300 : Ramp(i, j); });
   const auto row = Image(20, 1, 1, Ramp);
   good &= Fails("target", fine, target(flat));
   good &= Fails("target", fine, target(holed));
@@ -451,6 +451,49 @@ bool BadInput()
   return good && Check(drainage->GetOutput()->GetNumberOfPoints() == 480, "nothing after a mistake was mended");
 }
 
+/// A round catchment within missing heights drains to its rim, or to its lowest place; what is outside stays NaN.
+bool HolesAreOutside()
+{
+  const auto isOutside = [](vtkIdType cell) { return std::hypot(cell % 48 - 23.0, cell / 48 - 21.0) > 17.0; };
+  const auto bowl = Image(48, 44, 1, [&](int i, int j) {
+    return isOutside(48 * j + i) ? NaN : 0.05 * std::hypot(i - 23.0, j - 4.0) + 0.3 * ((7 * i + 3 * j * j) % 5);
+  });
+  bool good = true;
+  for (const bool carves : { false, true })
+  {
+    for (const int outlets : { Filter::Border, Filter::LowestOfBorder })
+    {
+      vtkNew<Filter> drainage;
+      drainage->SetInputData(bowl);
+      drainage->SetCarve(carves);
+      drainage->SetOutlets(outlets);
+      vtkNew<ErrorCounter> errors;
+      errors->Watch(drainage);
+      drainage->Update();
+      vtkImageData* output = drainage->GetOutput();
+      good &= Check(errors->Count == 0 && output->GetNumberOfPoints() == 48 * 44, "holes are refused");
+      double atOutlets = 0.0;
+      double present = 0.0;
+      double count = 0.0;
+      for (vtkIdType cell = 0; good && cell < output->GetNumberOfPoints(); ++cell)
+      {
+        const bool isHole = std::isnan(Value(output, "Elevation", cell));
+        good &= Check(isHole == isOutside(cell), "the outside has other cells");
+        good &= Check(isHole == std::isnan(Value(output, "DrainageArea", cell)), "the outside drains");
+        const bool isOutlet = !isHole && Value(output, "FlowDirection", cell) < 0;
+        present += !isHole;
+        count += isOutlet;
+        atOutlets += isOutlet ? Value(output, "DrainageArea", cell) : 0.0;
+      }
+      const double area = bowl->GetSpacing()[0] * bowl->GetSpacing()[1];
+      good &=
+        Check(std::abs(atOutlets - present * area) < 1e-6 * atOutlets, "areas at the outlets are not the terrain's");
+      good &= Check(outlets == Filter::Border ? count > 50.0 : count == 1.0, "other outlets");
+    }
+  }
+  return good;
+}
+
 /// What the memory does not suffice for is refused, and a smaller terrain is then drained.
 bool MemoryIsAsked()
 {
@@ -466,7 +509,7 @@ bool MemoryIsAsked()
   limit.rlim_cur = static_cast<rlim_t>(1) << 20; // less than what is used
   if (before.rlim_max == RLIM_INFINITY && setrlimit(RLIMIT_DATA, &limit) == 0)
   {
-    good &= errors->ExpectOneNaming("GiB");
+    good &= errors->ExpectOneNaming("of memory");
     setrlimit(RLIMIT_DATA, &before);
     drainage->SetInputData(Image(30, 30, 1, [](int i, int j) { return Ramp(i, j) + (i * j) % 7; }));
     drainage->Update();
@@ -481,7 +524,7 @@ bool MemoryIsAsked()
 int TestDrainageFilter(int, char*[])
 {
   return CarvedGroundDrains() && TargetIsTaken() && StatisticsAreTaken() && OutletsAreChosen() &&
-      PartsAreOfOneWhole() && BadInput() && MemoryIsAsked()
+      PartsAreOfOneWhole() && HolesAreOutside() && BadInput() && MemoryIsAsked()
     ? EXIT_SUCCESS
     : EXIT_FAILURE;
 }

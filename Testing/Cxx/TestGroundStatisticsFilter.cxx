@@ -140,7 +140,7 @@ bool MemoryIsAsked()
   limit.rlim_cur = static_cast<rlim_t>(1) << 20; // less than what is used
   if (before.rlim_max == RLIM_INFINITY && setrlimit(RLIMIT_DATA, &limit) == 0)
   {
-    good &= errors->ExpectOneNaming("GiB");
+    good &= errors->ExpectOneNaming("of memory");
     setrlimit(RLIMIT_DATA, &before);
     statistics->SetInputData(Image(30, 30, 1, Ramp));
     statistics->Update();
@@ -155,9 +155,8 @@ bool BadInput()
   using Filter = vtkGroundStatisticsFilter;
   const auto good = Image(20, 20, 1, Ramp);
   bool passed = Fails("constant", Image(20, 20, 1, [](int, int) { return 5.0; }));
-  passed &= Fails("missing", Image(20, 20, 1, [](int i, int j) { return i == 3 && j == 4 ? NaN : Ramp(i, j); }));
-  passed &= Fails("missing", Image(20, 20, 1, [](int, int) { return NaN; }));
-  passed &= Fails("missing", Image(20, 20, 1, [](int i, int j) { return i == 3 ? 1.0 / 0.0 : Ramp(i, j); }));
+  passed &= Fails("no heights", Image(20, 20, 1, [](int, int) { return NaN; }));
+  passed &= Fails("beyond", Image(20, 20, 1, [](int i, int j) { return i == 3 ? 1e300 : Ramp(i, j); }));
   passed &= Fails("20 x 1", Image(20, 1, 1, Ramp));
   passed &= Fails("2 x 20", Image(2, 20, 1, Ramp));
   passed &= Fails("20 x 20 x 3", Image(20, 20, 3, Ramp));

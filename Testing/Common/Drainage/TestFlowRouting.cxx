@@ -354,9 +354,97 @@ TEST(DrainageOutlets, RefusesWhatCannotDrain)
   EXPECT_EQ(WhyUndrainable(ground, OutletMask(62, 1)), "Outlets must have one value for each height.");
   ground.At(3, 3) = std::numeric_limits<double>::quiet_NaN();
   ground.At(4, 3) = Infinite;
-  EXPECT_EQ(reason(ground), "The terrain has 2 of 63 heights missing or not finite; fill these holes first.");
+  EXPECT_EQ(reason(ground), "The terrain has 1 of 63 heights beyond all numbers of metres.");
+  ground.Values.assign(63, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(reason(ground), "The terrain has no heights.");
   EXPECT_EQ(reason(RandomGround(9, 1, { 1.0, 1.0 }, 1)),
     "The terrain has 9 by 1 heights; water needs at least 3 by 3 to flow.");
   ground = RandomGround(9, 7, { 1.0, 0.0 }, 1);
   EXPECT_EQ(reason(ground), "Spacing along y is 0 m; it must be positive and finite.");
+}
+
+TEST(FlowRouting, MissingHeightsAreOutside)
+{
+  for (int seed = 1; seed <= 6; ++seed)
+  {
+    GridSamples ground = RandomGround(33, 27, { 2.0, 1.5 }, seed);
+    for (std::size_t cell = 0; cell < ground.Values.size(); ++cell)
+    {
+      const double x = static_cast<double>(cell % 33) - 15.0;
+      const double y = static_cast<double>(cell / 33) - 13.0;
+      const bool isHole = std::hypot(x, y) > 13.0 || std::hypot(x - 4.0, y) < 3.0 || (cell * 7 + seed) % 97 == 0;
+      ground.Values[cell] = isHole ? std::numeric_limits<double>::quiet_NaN() : ground.Values[cell];
+    }
+    for (const OutletMask& outlets : { RimOutlets(ground), LowestRimOutlets(ground), SeaOutlets(ground, 0.1) })
+    {
+      ASSERT_EQ(WhyUndrainable(ground, outlets), "");
+      const FlowRouting routing = RouteFlow(ground, outlets);
+      const std::vector<CellIndex> cells = FlowAccumulation(routing);
+      ASSERT_EQ(routing.Order.size(), ground.Values.size());
+      CellIndex atOutlets = 0;
+      for (std::size_t cell = 0; cell < cells.size(); ++cell)
+      {
+        const auto receiver = static_cast<std::size_t>(routing.Receiver[cell]);
+        if (std::isnan(ground.Values[cell]))
+        {
+          EXPECT_EQ(receiver, cell);
+          EXPECT_EQ(cells[cell], 1);
+          continue;
+        }
+        EXPECT_FALSE(std::isnan(ground.Values[receiver]));
+        EXPECT_EQ(receiver == cell, outlets[cell] != 0);
+        atOutlets += outlets[cell] ? cells[cell] : 0;
+      }
+      EXPECT_EQ(atOutlets, static_cast<CellIndex>(PresentValues(ground.Values).size()));
+    }
+    // The rim: cells that have a missing neighbour, or too few.
+    const OutletMask rim = RimOutlets(ground);
+    for (std::size_t cell = 0; cell < rim.size(); ++cell)
+    {
+      const std::vector<int> around = NeighboursOf(ground, static_cast<int>(cell));
+      const bool isBeside =
+        std::any_of(around.begin(), around.end(), [&](int n) { return std::isnan(ground.Values[n]); });
+      EXPECT_EQ(rim[cell] != 0, around.size() < 8 || isBeside || std::isnan(ground.Values[cell]));
+    }
+  }
+}
+
+TEST(FlowRouting, EachPartNeedsAnOutlet)
+{
+  GridSamples ground = RandomGround(20, 12, { 1.0, 1.0 }, 3);
+  for (int j = 0; j < 12; ++j)
+  {
+    ground.At(9, j) = std::numeric_limits<double>::quiet_NaN();
+  }
+  const OutletMask lowest = LowestRimOutlets(ground);
+  EXPECT_EQ(std::count(lowest.begin(), lowest.end(), 1), 12 + 2);
+  OutletMask one = OutsideOf(ground);
+  one[0] = 1;
+  EXPECT_EQ(WhyUndrainable(ground, one),
+    "No cell is an outlet in 1 of 2 parts of the terrain; water must be able to leave each.");
+  EXPECT_EQ(WhyUndrainable(ground, SeaOutletsAlone(ground, -1e9)),
+    "No cell is an outlet in 2 of 2 parts of the terrain; water must be able to leave each.");
+}
+
+TEST(FlowRouting, HolesAreFilledSmoothly)
+{
+  const GridSamples plane = Ground(37, 30, { 1.0, 1.0 }, [](double x, double y) { return 3.0 + 0.2 * x - 0.1 * y; });
+  GridSamples holed = plane;
+  for (int j = 10; j < 15; ++j)
+  {
+    for (int i = 12; i < 20; ++i)
+    {
+      holed.At(i, j) = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  FillHoles(holed);
+  for (std::size_t cell = 0; cell < plane.Values.size(); ++cell)
+  {
+    EXPECT_NEAR(holed.Values[cell], plane.Values[cell], 0.8);
+  }
+  EXPECT_EQ(holed.At(11, 12), plane.At(11, 12));
+  GridSamples none = plane;
+  none.Values.assign(none.Values.size(), std::numeric_limits<double>::quiet_NaN());
+  FillHoles(none);
+  EXPECT_TRUE(std::isnan(none.At(3, 3)));
 }

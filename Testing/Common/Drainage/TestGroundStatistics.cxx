@@ -212,3 +212,46 @@ TEST(GroundStatistics, AnyThreads)
   EXPECT_EQ(one.Measures.RelativeFillDepth, other.Measures.RelativeFillDepth);
   EXPECT_GT(one.Measures.DepressionFraction, 0.1);
 }
+
+/// A frame of missing heights changes no statistic.
+TEST(GroundStatistics, MissingHeightsAreLeftOut)
+{
+  std::mt19937_64 engine(7);
+  std::normal_distribution<double> normal;
+  const GridSamples rough = Surface(70, 60, 2.0, 3.0, [&](double x, double) { return 0.1 * x + normal(engine); });
+  GridSamples framed = rough;
+  framed.Width = 90;
+  framed.Height = 71;
+  framed.Values.assign(static_cast<std::size_t>(framed.Width) * framed.Height, std::nan(""));
+  for (int j = 0; j < 60; ++j)
+  {
+    for (int i = 0; i < 70; ++i)
+    {
+      framed.At(i + 13, j + 4) = rough.At(i, j);
+    }
+  }
+  const GroundStatistics own = DescribeGround(rough, RimOutlets(rough), 10);
+  const GroundStatistics other = DescribeGround(framed, RimOutlets(framed), 10);
+  const auto same = [](double a, double b) { EXPECT_NEAR(a, b, 1e-12 * std::abs(a)); };
+  same(own.Measures.DepressionFraction, other.Measures.DepressionFraction);
+  same(own.Measures.RelativeFillDepth, other.Measures.RelativeFillDepth);
+  same(own.Measures.StandardDeviation, other.Measures.StandardDeviation);
+  same(own.Measures.HypsometricIntegral, other.Measures.HypsometricIntegral);
+  same(own.Measures.ElevationSkewness, other.Measures.ElevationSkewness);
+  same(own.Measures.CurvatureSkewness, other.Measures.CurvatureSkewness);
+  same(own.Measures.Concavity, other.Measures.Concavity);
+  same(own.Measures.MaximumArea, other.Measures.MaximumArea);
+  same(own.Measures.ChannelSlope, other.Measures.ChannelSlope);
+  same(own.Steepness, other.Steepness);
+  same(own.Slopes.Mean, other.Slopes.Mean);
+  same(own.Slopes.Skew, other.Slopes.Skew);
+  same(own.Curvature.StandardDeviation, other.Curvature.StandardDeviation);
+  same(own.Hack, other.Hack);
+  same(own.Horton.Length, other.Horton.Length);
+  ASSERT_EQ(own.Streams.size(), other.Streams.size());
+  for (std::size_t n = 0; n + 1 < own.Measures.Lags.size(); ++n) // the last lag is half the shorter side
+  {
+    EXPECT_EQ(own.Measures.Lags[n], other.Measures.Lags[n]);
+    same(own.Measures.Semivariance[n], other.Measures.Semivariance[n]);
+  }
+}

@@ -78,9 +78,9 @@ TEST(PlaceUnits, NumbersDecide)
 
 TEST(PlaceUnits, UnitsOfLength)
 {
-  EXPECT_EQ(FindLengthUnit("FEET")->Metres, 0.3048);
-  EXPECT_EQ(std::string(FindLengthUnit("dm")->Words), "decimetres");
-  EXPECT_EQ(FindLengthUnit("mm")->Metres, 0.001);
-  EXPECT_EQ(FindLengthUnit(""), nullptr);
-  EXPECT_EQ(FindLengthUnit("K"), nullptr);
+  EXPECT_EQ(FindUnitOfLength("FEET")->Metres, 0.3048);
+  EXPECT_EQ(std::string(FindUnitOfLength("dm")->Words), "decimetres");
+  EXPECT_EQ(FindUnitOfLength("mm")->Metres, 0.001);
+  EXPECT_EQ(FindUnitOfLength(""), nullptr);
+  EXPECT_EQ(FindUnitOfLength("K"), nullptr);
 }
