@@ -324,6 +324,7 @@ int vtkCovarianceFitFilter::RequestData(
   }
   auto* image =
     littoral::InContext("Cannot fit: ", [&] { return littoral::InputOf<vtkImageData>(inputVector[0], "Input"); });
+  littoral::InContext("Cannot fit: ", [&] { littoral::RequireUpright(image, "Input"); });
   this->CheckProperties();
   vtkDataArray* array = this->FindArray(image, inputVector);
   littoral::RequireMemory(BytesOfPoint * static_cast<double>(image->GetNumberOfPoints()),

@@ -102,9 +102,13 @@ public:
     const std::string ofSite = " of site " + std::to_string(site);
     check.Range("SiteId" + ofSite, identity, -LargestIdentity, LargestIdentity);
     const std::optional<littoral::GroundFactors> factors = ground.At(place[0], place[1]);
+    if (!factors && ground.Covers(place[0], place[1]) && check.IsGood())
+    {
+      return false; // in a hole of the terrain
+    }
     check.Require(factors.has_value(),
       "site " + std::to_string(site) + " at (" + littoral::TextOf(place[0]) + ", " + littoral::TextOf(place[1]) +
-        ") lies outside of the Terrain, or where it has no height or no drainage area.");
+        ") lies outside of the Terrain.");
     littoral::Require(check.Reason());
     kept.Ground = *factors;
     kept.Site = site;

@@ -502,6 +502,7 @@ int vtkTerrainLevelOfDetailFilter::RequestData(
   vtkImageData* image = nullptr;
   littoral::InContext("Cannot make levels: ", [&] {
     image = littoral::InputOf<vtkImageData>(inputVector[0], "Input");
+    littoral::RequireUpright(image, "Input");
     if (this->GroundColors)
     {
       littoral::RequireColorable(image, "the image");

@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReplacedFile.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <new>
 #include <system_error>
+#include <vector>
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace littoral
@@ -63,6 +66,64 @@ void RemoveLeft(const std::string& folder)
     {
       ::close(descriptor);
     }
+  }
+}
+
+/// Gives a new file the mode of the one that it replaces, and its owner as far as that is allowed.
+void KeepRights(int descriptor, const std::string& target)
+{
+  struct stat old;
+  if (::stat(target.c_str(), &old) != 0)
+  {
+    return;
+  }
+  struct stat own;
+  const bool isOther = ::fstat(descriptor, &own) == 0 && (own.st_uid != old.st_uid || own.st_gid != old.st_gid);
+  if (isOther && ::fchown(descriptor, old.st_uid, old.st_gid) != 0)
+  {
+    static_cast<void>(::fchown(descriptor, static_cast<uid_t>(-1), old.st_gid)); // its group at least
+  }
+  ::fchmod(descriptor, old.st_mode & 07777); // a change of the owner takes some bits
+}
+
+/// Number of names of a file; 0 where there is none.
+nlink_t NamesOf(const std::string& target)
+{
+  struct stat old;
+  return ::stat(target.c_str(), &old) == 0 ? old.st_nlink : 0;
+}
+
+/// Writes the bytes of a file over those of another, whose other names keep it so; its room is made before any byte is
+/// changed. Error number, 0 for none.
+int WriteOver(int from, const std::string& target)
+{
+  struct stat own;
+  const int to = ::fstat(from, &own) == 0 ? ::open(target.c_str(), O_WRONLY | O_CLOEXEC) : -1;
+  if (to < 0)
+  {
+    return errno;
+  }
+  int error = own.st_size > 0 ? ::posix_fallocate(to, 0, own.st_size) : 0;
+  std::vector<char> bytes(1 << 20);
+  off_t at = 0;
+  while (error == 0 && at < own.st_size)
+  {
+    const ssize_t some = ::pread(from, bytes.data(), bytes.size(), at);
+    const ssize_t written = some > 0 ? ::pwrite(to, bytes.data(), static_cast<std::size_t>(some), at) : some;
+    error = written > 0 ? 0 : written < 0 ? errno : EIO;
+    at += std::max<ssize_t>(written, 0);
+  }
+  error = error != 0 || (::ftruncate(to, own.st_size) == 0 && ::fsync(to) == 0) ? error : errno;
+  ::close(to);
+  return error;
+}
+
+/// Removes what GDAL and programs on it have kept of the file before: statistics, overviews, masks.
+void RemoveSideFiles(const std::string& target)
+{
+  for (const char* suffix : { ".aux.xml", ".ovr", ".msk" })
+  {
+    static_cast<void>(std::remove((target + suffix).c_str())); // mostly there is none
   }
 }
 
@@ -210,6 +271,15 @@ bool ReplacedFile::Commit()
   {
     return this->Fail(errno);
   }
+  if (NamesOf(this->Target) > 1)
+  {
+    const int error = WriteOver(this->Descriptor, this->Target);
+    if (error == 0)
+    {
+      RemoveSideFiles(this->Target);
+    }
+    return error == 0 || this->Fail(error);
+  }
   if (!this->HasName)
   {
     this->HasName = ::linkat(AT_FDCWD, this->Opened.c_str(), AT_FDCWD, this->Temporary.c_str(), AT_SYMLINK_FOLLOW) == 0;
@@ -218,11 +288,13 @@ bool ReplacedFile::Commit()
       return this->Fail(errno);
     }
   }
+  KeepRights(this->Descriptor, this->Target);
   if (std::rename(this->Temporary.c_str(), this->Target.c_str()) != 0)
   {
     return this->Fail(errno);
   }
   this->HasName = false;
+  RemoveSideFiles(this->Target);
   const int folder = ::open(FolderOf(this->Target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (folder >= 0)
   {

@@ -15,7 +15,9 @@ namespace littoral
 /**
  * A file that takes its place only when it is whole. It is written in the folder of the target, without a name where
  * the file system can do that, and else under a name of its own. Commit moves it to the target. Before that the target
- * is untouched, and the new file goes with this object. What a killed process has left goes with the next file.
+ * is untouched, and the new file goes with this object. The new file has the mode and the owner of the old one, and
+ * side files that tell of the old one go. A file of several hard links is written over in place. What a killed process
+ * has left goes with the next file.
  */
 class ReplacedFile
 {

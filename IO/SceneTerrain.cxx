@@ -6,7 +6,9 @@
 #include "Data/Arrays.h"
 #include "Data/GroundWetness.h"
 #include "Data/Inputs.h"
+#include "Data/PickedTuples.h"
 #include "Data/PlantBlocks.h"
+#include "Numerics/ParameterCheck.h"
 #include "Terrain/GroundColor.h"
 
 #include "vtkCellArray.h"
@@ -51,33 +53,79 @@ struct Samples
     return this->Heights->GetComponent(static_cast<vtkIdType>(row) * this->Columns + column, 0);
   }
 
-  /// n ~ (-dz/dx, -dz/dy, 1), of the differences between neighbors.
+  bool IsHole(int column, int row) const { return std::isnan(this->At(column, row)); }
+
+  /// n ~ (-dz/dx, -dz/dy, 1), of the differences between neighbors that are there.
   std::array<double, 3> NormalAt(int column, int row) const
   {
-    const int west = std::max(0, column - 1);
-    const int east = std::min(this->Columns - 1, column + 1);
-    const int south = std::max(0, row - 1);
-    const int north = std::min(this->Rows - 1, row + 1);
-    std::array<double, 3> normal = { { (this->At(west, row) - this->At(east, row)) / ((east - west) * this->Spacing[0]),
-      (this->At(column, south) - this->At(column, north)) / ((north - south) * this->Spacing[1]), 1.0 } };
+    const int west = column > 0 && !this->IsHole(column - 1, row) ? column - 1 : column;
+    const int east = column + 1 < this->Columns && !this->IsHole(column + 1, row) ? column + 1 : column;
+    const int south = row > 0 && !this->IsHole(column, row - 1) ? row - 1 : row;
+    const int north = row + 1 < this->Rows && !this->IsHole(column, row + 1) ? row + 1 : row;
+    const double alongX = (this->At(west, row) - this->At(east, row)) / (std::max(1, east - west) * this->Spacing[0]);
+    const double alongY =
+      (this->At(column, south) - this->At(column, north)) / (std::max(1, north - south) * this->Spacing[1]);
+    std::array<double, 3> normal = { { alongX, alongY, 1.0 } };
     vtkMath::Normalize(normal.data());
     return normal;
   }
 };
 
-vtkSmartPointer<vtkCellArray> QuadsOf(vtkIdType columns, vtkIdType rows)
+/// Quads whose corners all have a height.
+vtkSmartPointer<vtkCellArray> QuadsOf(vtkDataArray* heights, vtkIdType columns, vtkIdType rows)
 {
   auto quads = vtkSmartPointer<vtkCellArray>::New();
+  const auto isThere = [heights](vtkIdType point) { return !std::isnan(heights->GetComponent(point, 0)); };
   quads->AllocateExact((columns - 1) * (rows - 1), 4 * (columns - 1) * (rows - 1));
   for (vtkIdType row = 0; row + 1 < rows; ++row)
   {
     for (vtkIdType column = 0; column + 1 < columns; ++column)
     {
       const vtkIdType first = row * columns + column;
-      quads->InsertNextCell({ first, first + 1, first + columns + 1, first + columns });
+      if (isThere(first) && isThere(first + 1) && isThere(first + columns + 1) && isThere(first + columns))
+      {
+        quads->InsertNextCell({ first, first + 1, first + columns + 1, first + columns });
+      }
     }
   }
   return quads;
+}
+
+/// The points of polygons that have one, with their arrays, and the polygons on them.
+vtkSmartPointer<vtkPolyData> UsedPart(vtkPolyData* whole)
+{
+  std::vector<vtkIdType> places(static_cast<std::size_t>(whole->GetNumberOfPoints()), -1);
+  std::vector<vtkIdType> used;
+  vtkNew<vtkCellArray> polygons;
+  vtkIdType size = 0;
+  const vtkIdType* corners = nullptr;
+  vtkCellArray* cells = whole->GetPolys();
+  for (cells->InitTraversal(); cells->GetNextCell(size, corners);)
+  {
+    polygons->InsertNextCell(static_cast<int>(size));
+    for (vtkIdType corner = 0; corner < size; ++corner)
+    {
+      vtkIdType& place = places[static_cast<std::size_t>(corners[corner])];
+      if (place < 0)
+      {
+        place = static_cast<vtkIdType>(used.size());
+        used.push_back(corners[corner]);
+      }
+      polygons->InsertCellPoint(place);
+    }
+  }
+  const auto positions = NewArray<vtkDoubleArray>("Points", 3, static_cast<vtkIdType>(used.size()));
+  for (std::size_t point = 0; point < used.size(); ++point)
+  {
+    positions->SetTuple(static_cast<vtkIdType>(point), whole->GetPoint(used[point]));
+  }
+  vtkNew<vtkPoints> points;
+  points->SetData(positions);
+  auto part = vtkSmartPointer<vtkPolyData>::New();
+  part->SetPoints(points);
+  part->SetPolys(polygons);
+  PickTuples(whole->GetPointData(), used, part->GetPointData());
+  return part;
 }
 
 /// Colors of the ground by slope, height and, if they are there, reflectance and wetness.
@@ -87,10 +135,14 @@ vtkSmartPointer<vtkUnsignedCharArray> GroundColors(
   const vtkIdType count = normals->GetNumberOfTuples();
   auto colors = NewArray<vtkUnsignedCharArray>(plant::RGB, 3, count);
   double range[2];
-  samples.Heights->GetRange(range);
+  samples.Heights->GetFiniteRange(range);
   for (vtkIdType sample = 0; sample < count; ++sample)
   {
     GroundPlace ground;
+    if (std::isnan(samples.Heights->GetComponent(sample, 0)))
+    {
+      continue; // in a hole, which is not shown
+    }
     ground.Slope = std::acos(std::min(1.0, normals->GetComponent(sample, 2)));
     ground.Height =
       range[1] > range[0] ? (samples.Heights->GetComponent(sample, 0) - range[0]) / (range[1] - range[0]) : 0.0;
@@ -110,7 +162,16 @@ void RequireTerrain(vtkImageData* image, const std::string& owner)
   RequireFit(image, owner.c_str());
   RequireRaster(image, 2);
   const ArrayReader arrays = ArrayReader::OfPoints(image, owner);
-  arrays.NeedFinite(ElevationsOf(image, arrays));
+  RequireUpright(image, owner.c_str());
+  vtkDataArray* heights = ElevationsOf(image, arrays);
+  double range[2];
+  heights->GetFiniteRange(range);
+  Require(range[0] <= range[1] ? "" : owner + " has no heights.");
+  for (vtkIdType point = 0; point < heights->GetNumberOfTuples(); ++point)
+  {
+    const double height = heights->GetComponent(point, 0);
+    Require(std::isnan(height) || IsSensible(height) ? "" : owner + " has a height of " + TextOf(height) + " m.");
+  }
   RequireColorable(image, owner);
 }
 
@@ -144,7 +205,7 @@ vtkSmartPointer<vtkPolyData> TerrainOf(vtkImageData* image)
   }
   auto terrain = vtkSmartPointer<vtkPolyData>::New();
   terrain->SetPoints(points);
-  terrain->SetPolys(QuadsOf(samples.Columns, samples.Rows));
+  terrain->SetPolys(QuadsOf(samples.Heights, samples.Columns, samples.Rows));
   vtkPointData* own = terrain->GetPointData();
   own->SetNormals(normals);
   if (vtkDataArray* colors = arrays.Any(plant::RGB))
@@ -160,7 +221,8 @@ vtkSmartPointer<vtkPolyData> TerrainOf(vtkImageData* image)
   heights->DeepCopy(samples.Heights);
   heights->SetName(Elevation);
   own->AddArray(heights);
-  return terrain;
+  const vtkIdType whole = static_cast<vtkIdType>(samples.Columns - 1) * (samples.Rows - 1);
+  return terrain->GetNumberOfPolys() < whole ? UsedPart(terrain) : terrain;
 }
 
 }

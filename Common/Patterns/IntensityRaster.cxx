@@ -3,8 +3,8 @@
 #include "Patterns/IntensityRaster.h"
 
 #include "Numerics/ParameterCheck.h"
+#include "Terrain/GridSamples.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -21,12 +21,13 @@ long long IntensityRaster::CellOf(double x, double y) const
 
 double IntensityRaster::Mean() const
 {
-  return std::accumulate(this->Values.begin(), this->Values.end(), 0.0) / static_cast<double>(this->Values.size());
+  const std::vector<double> present = PresentValues(this->Values);
+  return std::accumulate(present.begin(), present.end(), 0.0) / static_cast<double>(present.size());
 }
 
 double IntensityRaster::Highest() const
 {
-  return *std::max_element(this->Values.begin(), this->Values.end());
+  return RangeOf(this->Values)[1];
 }
 
 std::string WhyInvalid(const IntensityRaster& raster)
@@ -43,7 +44,10 @@ std::string WhyInvalid(const IntensityRaster& raster)
     "The intensity has not one value for each cell.");
   for (std::size_t n = 0; n < raster.Values.size() && check.IsGood(); ++n)
   {
-    check.NotNegative("Intensity of the image", raster.Values[n]);
+    check.Require(std::isnan(raster.Values[n]) || raster.Values[n] >= 0.0, "Intensity of the image", raster.Values[n],
+      "", "not negative");
+    check.Require(std::isnan(raster.Values[n]) || IsSensible(raster.Values[n]), "Intensity of the image",
+      raster.Values[n], "", "finite");
   }
   check.Require(!check.IsGood() || raster.Highest() > 0.0, "The image of the intensity is 0 everywhere.");
   return check.Reason();

@@ -4,6 +4,7 @@
 #define LittoralIntensityRaster_h
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -25,7 +26,7 @@ struct IntensityRaster
   std::array<double, 2> Center{ 0.0, 0.0 };  ///< [m], of cell (0, 0)
   std::array<double, 2> Spacing{ 1.0, 1.0 }; ///< [m], positive
   std::array<int, 2> Count{ 0, 0 };
-  std::vector<double> Values; ///< not negative, x fastest
+  std::vector<double> Values; ///< not negative, x fastest; NaN: outside too
   IntensityScale Scale = IntensityScale::Relative;
 
   /// The index of the cell of a place, or -1 outside.
@@ -59,7 +60,8 @@ public:
       return 1.0;
     }
     const long long cell = this->Raster->CellOf(x, y);
-    return cell < 0 ? 0.0 : this->Raster->Values[static_cast<std::size_t>(cell)] * this->OverHighest;
+    const double value = cell < 0 ? 0.0 : this->Raster->Values[static_cast<std::size_t>(cell)];
+    return std::isnan(value) ? 0.0 : value * this->OverHighest;
   }
 
 private:

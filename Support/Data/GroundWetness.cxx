@@ -4,9 +4,12 @@
 
 #include "Data/ArrayReader.h"
 #include "Drainage/GroundWetness.h"
+#include "Terrain/GridSamples.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+
+#include <cmath>
 
 namespace littoral
 {
@@ -24,13 +27,13 @@ void RequireColorable(vtkImageData* image, const std::string& owner)
   const ArrayReader points = ArrayReader::OfPoints(image, owner);
   points.NeedFinite(points.Find("Reflectance", 1));
   vtkDataArray* area = points.Find(Area, 1);
-  points.NeedFinite(area);
-  double range[2] = { 1.0, 1.0 };
-  if (area && area->GetNumberOfTuples() > 0)
+  double least = 1.0;
+  for (vtkIdType point = 0; area && point < area->GetNumberOfTuples(); ++point)
   {
-    area->GetRange(range);
+    const double own = area->GetComponent(point, 0);
+    least = std::isnan(own) ? least : std::isfinite(own) ? std::fmin(least, own) : 0.0; // NaN: outside
   }
-  Require(range[0] > 0.0 ? "" : "DrainageArea of " + owner + " must be positive everywhere.");
+  Require(least > 0.0 ? "" : "DrainageArea of " + owner + " must be positive everywhere.");
 }
 
 //----------------------------------------------------------------------------
@@ -47,11 +50,20 @@ std::vector<double> SpreadWetness(vtkImageData* image, vtkDataArray* heights, co
     ground.Count[axis] = image->GetDimensions()[axis];
     ground.Spacing[axis] = image->GetSpacing()[axis];
   }
-  const auto valueOf = [](vtkDataArray* array) {
-    return [array](long long point) { return array->GetComponent(static_cast<vtkIdType>(point), 0); };
+  // What is outside is as dry as its own cell, on ground that goes on smoothly.
+  GridSamples filled{ ground.Count[0], ground.Count[1], { ground.Spacing[0], ground.Spacing[1] }, {} };
+  for (vtkIdType point = 0; point < heights->GetNumberOfTuples(); ++point)
+  {
+    filled.Values.push_back(heights->GetComponent(point, 0));
+  }
+  FillHoles(filled);
+  const double cell = ground.Spacing[0] * ground.Spacing[1];
+  ground.HeightOf = [&](long long point) { return filled.Values[static_cast<std::size_t>(point)]; };
+  const auto areaOf = [&](long long point) {
+    const double own = area->GetComponent(static_cast<vtkIdType>(point), 0);
+    return std::isnan(own) ? cell : own;
   };
-  ground.HeightOf = valueOf(heights);
-  return SpreadWetness(ground, valueOf(area), parallel);
+  return SpreadWetness(ground, areaOf, parallel);
 }
 
 }

@@ -8,6 +8,7 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
+#include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkRectilinearGrid.h"
@@ -128,6 +129,13 @@ std::vector<vtkPointSet*> PointSetsOf(vtkDataObject* data, const char* input)
     sets.push_back(points);
   }
   return sets;
+}
+
+void RequireUpright(vtkImageData* image, const char* input)
+{
+  Require(image->GetDirectionMatrix()->IsIdentity() ? ""
+                                                    : std::string(input) +
+        " is turned by its direction matrix; resample it on a grid along x and y, by Resample To Image.");
 }
 
 void RequireRaster(vtkImageData* image, int least)

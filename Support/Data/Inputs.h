@@ -76,6 +76,10 @@ Type* OptionalInputOf(vtkInformationVector* inputs, const char* input)
 /// spacings above 0.
 void RequireRaster(vtkImageData* image, int least);
 
+/// Throws InvalidInput if an image is turned by its direction matrix, for what takes rows to run along x and columns
+/// along y.
+void RequireUpright(vtkImageData* image, const char* input);
+
 /// All leaves of a composite that have data; else the data themselves.
 std::vector<vtkDataObject*> LeavesOf(vtkDataObject* data);
 

@@ -119,6 +119,7 @@ void ReadProcessFit(vtkTable* table, PointProcessParameters& process, Observatio
 void ReadIntensity(vtkImageData* image, vtkDataArray* values, IntensityRaster& raster)
 {
   InContext("the intensity: ", [image] { RequireRaster(image, 1); });
+  RequireUpright(image, "the intensity image");
   Require(values ? "" : "the intensity image has no point array of one component to take the intensity from.");
   int extent[6];
   image->GetExtent(extent);

@@ -3,6 +3,7 @@
 #include "Data/Survey.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/Inputs.h"
 #include "Data/Places.h"
 #include "Numerics/InvalidInput.h"
 #include "Numerics/ParameterCheck.h"
@@ -78,6 +79,7 @@ void TakeData(vtkDataSet* data, vtkDataArray* values, vtkDataArray* errors, Surv
 //----------------------------------------------------------------------------
 void TakeGrid(vtkImageData* grid, Survey& survey)
 {
+  RequireUpright(grid, "Grid");
   const int* extent = grid->GetExtent();
   survey.Window = { { extent[0], extent[2] }, { extent[1], extent[3] } };
   survey.Grid = { { grid->GetOrigin()[0], grid->GetOrigin()[1] }, { grid->GetSpacing()[0], grid->GetSpacing()[1] } };

@@ -3,6 +3,7 @@
 #include "Data/TerrainGrid.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/Inputs.h"
 #include "Numerics/InvalidInput.h"
 
 #include "vtkImageData.h"
@@ -19,6 +20,7 @@ HeightGrid MakeGrid(vtkImageData* terrain)
   {
     Refuse("the Terrain must be one layer of at least 2 x 2 points.");
   }
+  RequireUpright(terrain, "the Terrain");
   const ArrayReader points = ArrayReader::OfPoints(terrain, "the Terrain");
   vtkDataArray* heights =
     points.Has("Elevation") ? points.Find("Elevation", 1) : points.Fit(terrain->GetPointData()->GetScalars(), 1);

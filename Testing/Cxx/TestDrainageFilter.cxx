@@ -454,16 +454,18 @@ bool BadInput()
 /// A round catchment within missing heights drains to its rim, or to its lowest place; what is outside stays NaN.
 bool HolesAreOutside()
 {
-  const auto isOutside = [](vtkIdType cell) { return std::hypot(cell % 48 - 23.0, cell / 48 - 21.0) > 17.0; };
+  const auto isOutside = [](vtkIdType cell) {
+    return std::hypot(static_cast<double>(cell % 48) - 23.0, static_cast<double>(cell / 48) - 21.0) > 17.0;
+  };
   const auto bowl = Image(48, 44, 1, [&](int i, int j) {
     return isOutside(48 * j + i) ? NaN : 0.05 * std::hypot(i - 23.0, j - 4.0) + 0.3 * ((7 * i + 3 * j * j) % 5);
   });
   bool good = true;
   for (const bool carves : { false, true })
   {
-    for (const int outlets : { Filter::Border, Filter::LowestOfBorder })
+    for (const int outlets : { vtkDrainageFilter::Border, vtkDrainageFilter::LowestOfBorder })
     {
-      vtkNew<Filter> drainage;
+      vtkNew<vtkDrainageFilter> drainage;
       drainage->SetInputData(bowl);
       drainage->SetCarve(carves);
       drainage->SetOutlets(outlets);
@@ -488,7 +490,7 @@ bool HolesAreOutside()
       const double area = bowl->GetSpacing()[0] * bowl->GetSpacing()[1];
       good &=
         Check(std::abs(atOutlets - present * area) < 1e-6 * atOutlets, "areas at the outlets are not the terrain's");
-      good &= Check(outlets == Filter::Border ? count > 50.0 : count == 1.0, "other outlets");
+      good &= Check(outlets == vtkDrainageFilter::Border ? count > 50.0 : count == 1.0, "other outlets");
     }
   }
   return good;

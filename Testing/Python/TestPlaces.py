@@ -110,6 +110,30 @@ class Places(unittest.TestCase):
                 if name != "vtkPatternVerdictFilter":  # which takes seconds
                     self.takes(getattr(littoral, name)(), points_at(*metres), *others)
 
+    def test_turned_images(self):
+        """What takes rows to run along x refuses an image with a direction matrix; what does not puts out its place."""
+        turned = image_from_array(10.0 + RANDOM.random((20, 30)), (2.0, 2.0))
+        turned.SetDirectionMatrix(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+        tree = littoral.vtkReevesTreeSource()
+        tree.SetPreset(tree.Shrub)
+        tree.Update()
+        sites = points_at([-5.0, -9.0, -20.0], [5.0, 9.0, 20.0], [1.0, 2.0, 4.0])
+        for name, ports in (("vtkTerrainLevelOfDetailFilter", (turned,)), ("vtkCovarianceFitFilter", (turned,)),
+                            ("vtkConditionalTerrainFilter", (sites, turned)), ("vtkSitePreferenceFilter", (sites, turned)),
+                            ("vtkPlantScatterFilter", (sites, tree.GetOutputDataObject(0), turned)),
+                            ("vtkPointProcessSource", (None, turned))):
+            with self.subTest(name):
+                made = getattr(littoral, name)()
+                if name == "vtkConditionalTerrainFilter":
+                    made.SetModel(1)
+                messages = self.run_one(made, *ports)
+                self.assertEqual(len(messages), 1, messages)
+                self.assertRegex(messages[0], "is turned by its direction matrix; resample it")
+        drained = littoral.vtkDrainageFilter()
+        self.takes(drained, turned)
+        self.assertEqual(drained.GetOutput().GetBounds(), turned.GetBounds())
+        np.testing.assert_array_less(turned.GetBounds()[0] - 1e-9, drained.GetOutputDataObject(1).GetBounds()[0])
+
     def test_names_and_georeferences(self):
         """Arrays with the coordinates name them, whatever their numbers; a georeference ends all doubt."""
         x, y = RANDOM.uniform(0.0, 20.0, 60), RANDOM.uniform(0.0, 20.0, 60)

@@ -772,6 +772,53 @@ class Written(Rasters):
         self.assertEqual(writer.Write(), 1)
         self.assertEqual(len(messages), 5, messages)
 
+    def test_what_tells_of_the_old_file_goes(self):
+        """Statistics, overviews and masks beside a raster are those of the file that it replaces."""
+        name = self.path("again.tif")
+        write_tif(image_from_array(hills(20, 20), (10.0, 10.0)), name)
+        raster = gdal.Open(name)
+        old = raster.GetRasterBand(1).ComputeStatistics(False)
+        raster.BuildOverviews("NEAREST", [2])
+        raster = None
+        self.assertEqual(sorted(os.listdir(self.folder)), ["again.tif", "again.tif.aux.xml", "again.tif.ovr"])
+        write_tif(image_from_array(hills(30, 30) + 1000.0, (10.0, 10.0)), name)
+        self.assertEqual(os.listdir(self.folder), ["again.tif"])
+        raster = gdal.Open(name)
+        self.assertGreater(raster.GetRasterBand(1).GetStatistics(True, True)[0], old[1])
+
+    def test_mode_owner_and_links_stay(self):
+        for writes in (write_tif, write_vti):
+            with self.subTest(writes.__name__):
+                name = self.path("kept" + writes.__name__)
+                image = image_from_array(hills(9, 9), (10.0, 10.0))
+                writes(image, name)
+                with open(name, "rb") as file:
+                    whole = file.read()
+                self.assertEqual(os.stat(name).st_mode & 0o777, 0o666 & ~self.umask())
+                for mode in (0o600, 0o640, 0o444):
+                    os.chmod(name, mode)
+                    if os.geteuid() == 0:
+                        os.chown(name, 12345, 54321)
+                    owner = os.stat(name).st_uid, os.stat(name).st_gid
+                    writes(image, name)
+                    self.assertEqual(os.stat(name).st_mode & 0o777, mode)
+                    self.assertEqual((os.stat(name).st_uid, os.stat(name).st_gid), owner)
+                os.chmod(name, 0o600)
+                os.link(name, name + "2")
+                os.symlink(name, name + "3")
+                with open(name, "ab") as file:
+                    file.write(b"longer than before" * 1000)
+                writes(image, name + "3")
+                self.assertEqual((os.stat(name).st_nlink, os.path.islink(name + "3")), (2, True))
+                with open(name + "2", "rb") as file:
+                    self.assertEqual(file.read(), whole)
+
+    @staticmethod
+    def umask():
+        old = os.umask(0)
+        os.umask(old)
+        return old
+
     def test_folder_and_full_disk(self):
         image = image_from_array(RANDOM.normal(size=(400, 400)).astype(np.float32), (10.0, 10.0))
         with self.assertRaisesRegex(OSError, "No such file or directory"):

@@ -48,6 +48,9 @@ def _replace(filename, source):
     folder = os.path.dirname(target) or "."
     part = os.path.join(folder, f".littoral-{os.getpid()}-{source.fileno()}.part")
     _remove_left(folder)
+    with contextlib.suppress(FileNotFoundError):
+        if os.stat(target).st_nlink > 1:
+            return _write_over(target, source)
     try:
         with _new_file(folder, part) as file:
             fcntl.flock(file, fcntl.LOCK_EX)  # tells the new file from one that was left
@@ -57,7 +60,9 @@ def _replace(filename, source):
             if not os.path.exists(part):
                 # A directory, though not used, makes the call follow the link to the file without a name.
                 os.link(f"/proc/self/fd/{file.fileno()}", part, src_dir_fd=file.fileno(), follow_symlinks=True)
+            _keep_rights(file.fileno(), target)
             os.replace(part, target)
+            _remove_side_files(target)
     finally:
         with contextlib.suppress(FileNotFoundError):
             os.unlink(part)
@@ -65,6 +70,36 @@ def _replace(filename, source):
     with contextlib.suppress(OSError):  # some file systems cannot; the file is whole in any case
         os.fsync(descriptor)
     os.close(descriptor)
+
+
+def _write_over(target, source):
+    """Write over a file of several hard links in place; its room is made before any byte is changed."""
+    size = os.fstat(source.fileno()).st_size
+    with open(target, "r+b") as file:
+        if size:
+            os.posix_fallocate(file.fileno(), 0, size)
+        shutil.copyfileobj(source, file)
+        file.truncate()
+        file.flush()
+        os.fsync(file.fileno())
+    _remove_side_files(target)
+
+
+def _remove_side_files(target):
+    """Remove what GDAL and programs on it have kept of the file before: statistics, overviews, masks."""
+    for suffix in (".aux.xml", ".ovr", ".msk"):
+        with contextlib.suppress(FileNotFoundError):
+            os.unlink(target + suffix)
+
+
+def _keep_rights(descriptor, target):
+    """Give a new file the mode of the one that it replaces, and its owner as far as that is allowed."""
+    with contextlib.suppress(FileNotFoundError):
+        old = os.stat(target)
+        with contextlib.suppress(PermissionError):
+            os.fchown(descriptor, -1, old.st_gid)
+            os.fchown(descriptor, old.st_uid, -1)
+        os.fchmod(descriptor, stat.S_IMODE(old.st_mode))
 
 
 def _remove_left(folder):
