@@ -156,7 +156,7 @@ littoral::QuadratGrid vtkQuadratAnalysisFilter::MakeGrid(vtkPointSet* input)
       grid.Count = { this->Quadrats[0], this->Quadrats[1] };
       littoral::Require(littoral::WhyInvalid(grid));
     }
-    littoral::Require(grid.NumberOfQuadrats() < 2 ? "one quadrat cannot be analysed; take more." : "");
+    littoral::Require(grid.NumberOfQuadrats() < 2 ? "1 quadrats cannot be analysed; take more." : "");
     littoral::RequireMemory(4.0 * static_cast<double>(grid.NumberOfQuadrats()),
       "an analysis of " + std::to_string(grid.NumberOfQuadrats()) + " quadrats", "take fewer");
   });

@@ -399,7 +399,7 @@ bool BadInput()
   good &= Fails("20 x 20 x 3", Image(20, 20, 3, Ramp));
   good &= Fails("'Depth'", fine,
     [](Filter* filter) { filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Depth"); });
-  good &= Fails("Outlets is 3", fine, [](Filter* filter) { filter->SetOutlets(3); });
+  good &= Fails("Outlets is 5", fine, [](Filter* filter) { filter->SetOutlets(5); });
   good &= Fails("Outlets", fine, [](Filter* filter) { filter->SetOutletsToChosen(); });
   good &= Fails("SeaLevel", fine, [](Filter* filter) { filter->SetSeaLevel(NaN); });
   good &= Fails("StreamThreshold", fine, [](Filter* filter) { filter->SetStreamThreshold(0); });

@@ -152,8 +152,8 @@ case "${1:-}" in
   memory)
     # Whatever takes memory by what a file, an input or a property says asks first, by RequireMemory, which alone knows
     # what is free. Room for arrays is made by SetTuples, which asks.
-    grep -rnE '\b(AvailableMemory|HostMemory|GetAvailablePhysicalMemory)\(' --include='*.cxx' --include='*.h' Common Support \
-      Filters Sources IO paraview-plugin | grep -vE '^Support/Pipeline/Memory\.|CacheShare' |
+    grep -rnE '\b(AvailableMemory|HostMemory|GetAvailablePhysicalMemory)\(' --include='*.cxx' --include='*.h' \
+      Common Support Filters Sources IO paraview-plugin | grep -vE '^Support/Pipeline/Memory\.|CacheShare' |
       fail_if_found "Memory that is not asked for by RequireMemory:"
     grep -rnE '(->|\.)(SetNumberOfTuples|SetNumberOfValues|SetNumberOfPoints|AllocateScalars)\(' --include='*.cxx' \
       --include='*.h' Support Filters Sources IO | grep -v '^Support/Data/Arrays\.cxx' |

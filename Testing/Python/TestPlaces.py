@@ -54,7 +54,7 @@ class Places(unittest.TestCase):
         """Messages of an algorithm with inputs."""
         for port, data in enumerate(ports):
             if data is not None:
-                made.SetInputData(port, data) if port != 1 or not hasattr(made, "AddInputData") else made.AddInputData(1, data)
+                (made.AddInputData if port == 1 else made.SetInputData)(port, data)
         messages = errors.kept(made)
         made.Update()
         return messages

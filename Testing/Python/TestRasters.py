@@ -448,7 +448,7 @@ class Degrees(Rasters):
             with open(name, "w", encoding="ascii") as file:
                 file.write(f"ncols 9\nnrows 9\nxllcorner {west}\nyllcorner {south}\ncellsize {step}\n")
                 np.savetxt(file, heights)
-            self.refuses("look like degrees; set FileCoordinateSystem to EPSG:4326 .* or FileCoordinateSystem to metres", name)
+            self.refuses("like degrees; set FileCoordinateSystem to EPSG:4326 .* or FileCoordinateSystem to metres", name)
             image = read_elevation(name, FileCoordinateSystem="metres")
             self.assertEqual((image.GetSpacing()[0], image.GetOrigin()[0]), (step, west + 0.5 * step))
         with open(name, "w", encoding="ascii") as file:  # a plot of metres

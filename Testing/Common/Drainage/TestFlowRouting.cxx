@@ -397,8 +397,13 @@ TEST(FlowRouting, MissingHeightsAreOutside)
       }
       EXPECT_EQ(atOutlets, static_cast<CellIndex>(PresentValues(ground.Values).size()));
     }
-    // The rim: cells that have a missing neighbour, or too few.
+    // The rim: cells that have a missing neighbour, or too few. The lowest of its cells in each part are on it.
     const OutletMask rim = RimOutlets(ground);
+    const OutletMask lowest = LowestRimOutlets(ground);
+    for (std::size_t cell = 0; cell < rim.size(); ++cell)
+    {
+      EXPECT_LE(lowest[cell], rim[cell]);
+    }
     for (std::size_t cell = 0; cell < rim.size(); ++cell)
     {
       const std::vector<int> around = NeighboursOf(ground, static_cast<int>(cell));

@@ -88,7 +88,7 @@ def _write_over(target, source):
 def _remove_side_files(target):
     """Remove what GDAL and programs on it have kept of the file before: statistics, overviews, masks."""
     for suffix in (".aux.xml", ".ovr", ".msk"):
-        with contextlib.suppress(FileNotFoundError):
+        with contextlib.suppress(OSError):  # mostly there is none
             os.unlink(target + suffix)
 
 
