@@ -6,14 +6,14 @@
  *
  * Reads GeoTIFF, ESRI ASCII grids, SRTM tiles (.hgt), netCDF and all other rasters that GDAL knows. Output: a
  * vtkImageData of one layer with the float point array `Elevation` [m], x to the east and y to the north, in metres.
- * The points are the centers of the pixels. Pixels without data, or beyond 1e15, are NaN, and hidden (`vtkGhostType`) so
- * that they are holes in every picture.
+ * The points are the centers of the pixels. Pixels without data, or beyond 1e15, are NaN, and hidden (`vtkGhostType`)
+ * so that they are holes in every picture.
  *
  * Coordinates that are no lengths are never taken for metres: degrees, and maps on which lengths differ by more than 5
  * % from those on the ground (as the web's Mercator map), are refused, or projected with Projection. Feet become
  * metres. A raster whose rows do not run from west to east is resampled on a grid whose rows do. Without a named
- * coordinate system coordinates are what the unit of a netCDF file's coordinate variables says, else metres, unless they
- * look like degrees; without any coordinates a pixel is 1 m.
+ * coordinate system coordinates are what the unit of a netCDF file's coordinate variables says, else metres, unless
+ * they look like degrees; without any coordinates a pixel is 1 m.
  *
  * Field data: `CoordinateSystem` (text, WKT of the horizontal coordinate system), `CoordinateUnit` (metres per unit of
  * it) and `CoordinateOffset` (two numbers, m): map coordinates are (position + CoordinateOffset) / CoordinateUnit. All

@@ -54,7 +54,8 @@ class Places(unittest.TestCase):
         """Messages of an algorithm with inputs."""
         for port, data in enumerate(ports):
             if data is not None:
-                (made.AddInputData if port == 1 else made.SetInputData)(port, data)
+                adds = port == 1 and hasattr(made, "AddInputData")
+                (made.AddInputData if adds else made.SetInputData)(port, data)
         messages = errors.kept(made)
         made.Update()
         return messages
