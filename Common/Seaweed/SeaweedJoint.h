@@ -137,6 +137,26 @@ LITTORAL_INLINE LinkFaceOf<Real> FaceOf(const LinkBody<Real>& link, const LinkPo
   return { edge, glm::cross(pose.Axis, edge) };
 }
 
+/// A vector in axes b, n, e of a link.
+template <typename Real>
+LITTORAL_INLINE glm::vec<3, Real> InAxes(
+  const LinkFaceOf<Real>& face, const glm::vec<3, Real>& axis, const glm::vec<3, Real>& vector)
+{
+  return { glm::dot(vector, face.Edge), glm::dot(vector, face.Normal), glm::dot(vector, axis) };
+}
+
+/// Force [N] of the added mass on a strip across a link that turns at w and moves at V through the water, beside
+/// -m_b (dV/dt.b) b - m_n (dV/dt.n) n; in axes b, n, e. Water in cross flow has the momentum m_b V_c + (m_n - m_b) (V.n) n,
+/// V_c = V - (V.e) e, and takes none along the axis:
+///   f = -m_b (dV_c/dt)_c - (m_n - m_b) d/dt(V.n) n, hence f_A = m_b (V.e) w x e - (m_n - m_b) (V.w x n) n.
+template <typename Real>
+LITTORAL_INLINE glm::vec<3, Real> StripForce(
+  const LinkBody<Real>& link, const glm::vec<3, Real>& spin, const glm::vec<3, Real>& velocity)
+{
+  return { link.EdgeMass * velocity.z * spin.y,
+    (link.FaceMass - link.EdgeMass) * spin.z * velocity.x - link.FaceMass * velocity.z * spin.x, Real(0.0) };
+}
+
 /// Moments of order 0, 1 and 2 about the foot: sums of r, s r and s^2 r over points at distances s.
 template <typename Real>
 struct MomentsOf
@@ -160,6 +180,8 @@ struct LinkLoadOf
   using Vector = glm::vec<3, Real>;
   Vector Force{ Real(0.0) };  ///< [N]
   Vector Moment{ Real(0.0) }; ///< sum of forces times distances from the foot [N m]; axis x Moment is the torque
+  Vector Turning{ Real(0.0) }; ///< what the water's velocity adds to the force of the added mass (StripForce) [N], at the
+                               ///< middle; not in Force
   MomentsOf<Real> FaceDrag;   ///< resistance to motion normal to the face [N s/m], [N s], [N s m]
   MomentsOf<Real> EdgeDrag;   ///< resistance to motion along the width
   Real Friction{ 0.0 };       ///< resistance to motion along the axis [N s/m]
@@ -244,12 +266,15 @@ LITTORAL_INLINE LinkLoadOf<Real> LoadOn(const SeaweedOptions& options, const Lin
   // Friction F = rho/2 C_f A |r.e| (r.e) e
   const Real along = glm::dot(slip, e);
   load.Friction = density * Real(options.FrictionCoefficient) * link.WettedArea * Abs(along);
-  // Inertia F = (rho V + A) a, added mass A by side (Froude and Krylov, Morison)
+  // Inertia F = (rho V + A) a, added mass A by side (Froude and Krylov, Morison), and -f_A(u)
   const Real aNormal = glm::dot(water.Acceleration, face.Normal);
   const Real aEdge = glm::dot(water.Acceleration, face.Edge);
   const Vector inertia = wet *
     (link.WaterMass * water.Acceleration + (link.FaceMass * aNormal) * face.Normal +
       (link.EdgeMass * aEdge) * face.Edge);
+  const Vector turning =
+    StripForce<Real>(link, InAxes<Real>(face, e, pose.Spin), InAxes<Real>(face, e, water.Velocity));
+  load.Turning = -wet * (turning.x * face.Edge + turning.y * face.Normal);
   // Net buoyancy in the water, weight out of it, and the push of the bed
   const Real lift = wet * link.Buoyancy - (Real(1.0) - wet) * link.Weight;
   const Real depth = link.Bed - pose.Foot.z - half.z;

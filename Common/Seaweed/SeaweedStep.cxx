@@ -27,7 +27,7 @@ using Quaternion = glm::qua<SimdDouble4>;
 //
 //   (1) c   = X c_p + g (dS/dt q' + w_p x S q') + S (q' - q0')   velocity product, summed down the tree
 //   (2) I^A = I + g R                                            inertia, R: resistance of the water, f = f_0 - R v
-//   (3) -p^A = g f - g v x* I v - I c                            bias impulse
+//   (3) -p^A = g f - g (v x* I v - f_A) - I c                    bias impulse
 //   (4) U   = I^A S,  D = S^T U + g (g K + d + 2 c_f)            joint inertia
 //   (5) u   = -S^T p^A - g (K q + d q' + c_f (2 q' - q0'))       joint impulse
 //   (6) I^a = I^A - U D^-1 U^T,  p^a = p^A + U D^-1 u
@@ -36,8 +36,10 @@ using Quaternion = glm::qua<SimdDouble4>;
 //
 // Table 7.1 has accelerations and forces; here they are corrections of the velocities in the middle of the step and
 // impulses over its half. Velocity products are known before the pass to the root, so that the whole of them is in the
-// bias (3), and (6) has no term I^a c. Joints push back within the step: K, d are their stiffness and damping, c_f the
-// damping of springs that the step does not resolve.
+// bias (3), and (6) has no term I^a c. In v x* I v are the masses of the tissue; what the added mass exerts on a link
+// that turns is f_A (StripForce), with its velocity over the ground, which does no work; that with the water's is in f.
+// Joints push back within the step: K, d are their stiffness and damping, c_f the damping of springs that the step does
+// not resolve.
 
 /// Largest rotation of a joint in a step [rad], whatever drives it, so that what blows up stays finite.
 constexpr double MaximumRotation = 0.8;
@@ -266,7 +268,10 @@ public:
     link.Load = LoadOn<SimdDouble4>(this->Options, body, pose, link.Face, water);
     link.Force = link.Load.Force;
     link.Tension = glm::dot(pose.Axis, link.Load.Moment);
-    // (3) -p^A = g f - g v x* I v - I c
+    // With the water's velocity in it, a tension would depend on who observes
+    link.Load.Force += link.Load.Turning;
+    link.Load.Moment += SimdDouble4(0.5) * body.Length * link.Load.Turning;
+    // (3) -p^A = g f - g (v x* I v - f_A) - I c
     this->SetBias(body, link);
     // (2) I^A = I + g R: drag falls as the velocity is corrected
     this->SetInertia(body, this->IsImplicit ? g : SimdDouble4(0.0), link);
@@ -506,32 +511,31 @@ private:
     link.InertiaAngular.AddOuterProduct(secondB - body.AxialInertia, n);
   }
 
-  /// (3) -p^A = g f - g v x* I v - I c of the link alone.
+  /// (3) -p^A = g f - g (v x* I v - f_A) - I c of the link alone, by strips: on the part at s from the foot acts
+  /// M (a_0 + s a_1) - g (f_0 + s f_1), with the mass M of tissue and water.
   LITTORAL_INLINE void SetBias(const LinkBody<SimdDouble4>& body, LinkDynamics& link) const
   {
     const SimdDouble4 g = this->Half;
     const Vector& b = link.Face.Edge;
     const Vector& n = link.Face.Normal;
     const Vector& e = link.Pose.Axis;
-    const auto inAxes = [&](const Vector& x) { return Vector(glm::dot(x, b), glm::dot(x, n), glm::dot(x, e)); };
     const SimdDouble4 half = SimdDouble4(0.5) * body.Length;
     const SimdDouble4 third = SimdDouble4(1.0 / 3.0) * body.Length * body.Length;
     const Vector mass(body.Mass + body.EdgeMass, body.Mass + body.FaceMass, body.Mass);
-    // I (v, w) = (P, H) in axes b, n, e: momentum P and its moment H about the foot
-    const auto momentumOf = [&](const Vector& v, const Vector& w) {
-      return Vector(mass.x * (v.x + half * w.y), mass.y * (v.y - half * w.x), mass.z * v.z);
-    };
-    const auto momentOf = [&](const Vector& v, const Vector& w) {
-      return Vector(mass.y * (third * w.x - half * v.y), mass.x * (third * w.y + half * v.x), body.AxialInertia * w.z);
-    };
-    const Vector v = inAxes(link.Pose.Velocity);
-    const Vector w = inAxes(link.Pose.Spin);
-    const Vector momentum = momentumOf(v, w);
-    // v x* I v: dP/dt = I (dv/dt - w x v) + w x P,  dH/dt = ... + w x H + v x P
-    const Vector linear = inAxes(link.VelocityProductLinear) - g * glm::cross(w, v);
-    const Vector angular = inAxes(link.VelocityProductAngular);
-    const Vector force = momentumOf(linear, angular) + g * glm::cross(w, momentum);
-    const Vector torque = momentOf(linear, angular) + g * (glm::cross(w, momentOf(v, w)) + glm::cross(v, momentum));
+    const Vector v = InAxes(link.Face, e, link.Pose.Velocity);
+    const Vector w = InAxes(link.Face, e, link.Pose.Spin);
+    const Vector angular = InAxes(link.Face, e, link.VelocityProductAngular);
+    // a_0 = c_v, a_1 = c_w x e + g w x (w x e)
+    const Vector first = InAxes(link.Face, e, link.VelocityProductLinear);
+    const Vector second(angular.y + g * w.x * w.z, g * w.y * w.z - angular.x, -g * (w.x * w.x + w.y * w.y));
+    // f_0 = f_A(v), f_1 = f_A(w x e)
+    const Vector atFoot = mass * first - g * StripForce(body, w, v);
+    const Vector along = mass * second - g * StripForce(body, w, Vector(w.y, -w.x, SimdDouble4(0.0)));
+    const Vector force = atFoot + half * along;
+    const Vector moment = half * atFoot + third * along;
+    // e x moment, and J (c_w.e) e + g w x J (w.e) e
+    const SimdDouble4 axial = g * body.AxialInertia * w.z;
+    const Vector torque(axial * w.y - moment.y, moment.x - axial * w.x, body.AxialInertia * angular.z);
     link.BiasImpulseLinear = g * link.Load.Force - (force.x * b + force.y * n + force.z * e);
     link.BiasImpulseAngular = g * glm::cross(e, link.Load.Moment) - (torque.x * b + torque.y * n + torque.z * e);
   }
