@@ -146,8 +146,8 @@ LITTORAL_INLINE glm::vec<3, Real> InAxes(
 }
 
 /// Force [N] of the added mass on a strip across a link that turns at w and moves at V through the water, beside
-/// -m_b (dV/dt.b) b - m_n (dV/dt.n) n; in axes b, n, e. Water in cross flow has the momentum m_b V_c + (m_n - m_b) (V.n) n,
-/// V_c = V - (V.e) e, and takes none along the axis:
+/// -m_b (dV/dt.b) b - m_n (dV/dt.n) n; in axes b, n, e. Water in cross flow has the momentum m_b V_c + (m_n - m_b)
+/// (V.n) n, V_c = V - (V.e) e, and takes none along the axis:
 ///   f = -m_b (dV_c/dt)_c - (m_n - m_b) d/dt(V.n) n, hence f_A = m_b (V.e) w x e - (m_n - m_b) (V.w x n) n.
 template <typename Real>
 LITTORAL_INLINE glm::vec<3, Real> StripForce(
@@ -178,13 +178,13 @@ template <typename Real>
 struct LinkLoadOf
 {
   using Vector = glm::vec<3, Real>;
-  Vector Force{ Real(0.0) };  ///< [N]
-  Vector Moment{ Real(0.0) }; ///< sum of forces times distances from the foot [N m]; axis x Moment is the torque
-  Vector Turning{ Real(0.0) }; ///< what the water's velocity adds to the force of the added mass (StripForce) [N], at the
-                               ///< middle; not in Force
-  MomentsOf<Real> FaceDrag;   ///< resistance to motion normal to the face [N s/m], [N s], [N s m]
-  MomentsOf<Real> EdgeDrag;   ///< resistance to motion along the width
-  Real Friction{ 0.0 };       ///< resistance to motion along the axis [N s/m]
+  Vector Force{ Real(0.0) };   ///< [N]
+  Vector Moment{ Real(0.0) };  ///< sum of forces times distances from the foot [N m]; axis x Moment is the torque
+  Vector Turning{ Real(0.0) }; ///< what the water's velocity adds to the force of the added mass (StripForce) [N], at
+                               ///< the middle; not in Force
+  MomentsOf<Real> FaceDrag; ///< resistance to motion normal to the face [N s/m], [N s], [N s m]
+  MomentsOf<Real> EdgeDrag; ///< resistance to motion along the width
+  Real Friction{ 0.0 };     ///< resistance to motion along the axis [N s/m]
 };
 
 /// The part of a segment that is in the water, 0 to 1.

@@ -41,7 +41,7 @@ set(standard_TestPointProcesses
   PointProcesses.StraussPointsWithoutInteractionArePoisson)
 set(standard_TestProcessFits ProcessFits.SimulatedProcessesAreFoundAgain ProcessFits.SameBytesOnAnyThreads)
 set(standard_TestQuadratLaws QuadratLaws/LargeLaws.*)
-set(standard_TestSeaweedDynamics SeaweedDynamics.RodsInSpaceMoveAsLagrangesEquationsSay)
+set(standard_TestSeaweedDynamics SeaweedDynamics.RodsInSpaceMoveAsTheirEquationsSay)
 set(standard_TestSeaweedMotion
   SeaweedMotion.UndampedSegmentsKeepTheirEnergy SeaweedMotion.ConvergesWithTheSquareOfTheStep
   SeaweedMotion.ChainsOfAnyStiffnessAreStable
