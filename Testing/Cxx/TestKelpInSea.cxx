@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Minutes of a moderate sea of many directions: no tip sinks to its holdfast, no blade folds, no frond crosses
-// itself, in any of several plants and seas, at the defaults.
+// Minutes of a sea of many directions, and of currents with hardly a wave: no tip sinks to its holdfast, no frond
+// crosses itself, and no blade folds where the sea is moderate, hardly one where it is rough, at the defaults.
 #include "Check.h"
 #include "Numerics/Constants.h"
 #include "PlantChecks.h"
+#include "vtkFlowPrimitiveSource.h"
 #include "vtkSeaStateSource.h"
 #include "vtkSeaweedDeformationFilter.h"
 #include "vtkSeaweedSource.h"
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -29,11 +31,12 @@ using littoral::Vector3;
 struct Case
 {
   int Preset;
-  double Wind;        ///< [m/s]
-  double Depth;       ///< [m]
-  int Seconds;        ///< of a long film
-  int Seeds;          ///< of long films
-  double LargestBend; ///< [degrees]
+  double Wind;          ///< [m/s]
+  double Depth;         ///< [m]
+  int Seconds;          ///< of a long film
+  int Seeds;            ///< of long films
+  double MostFolded;    ///< share of the fronds' seconds
+  double Current = 0.0; ///< [m/s]
 };
 
 /// What was worst in a film.
@@ -41,6 +44,8 @@ struct Worst
 {
   double LowestTip = 1e9;     ///< over the holdfast [m]
   double LargestBend = 0.0;   ///< between neighbours of a branch [degrees]
+  int Folded = 0;             ///< times frond with a bend of more than 90 degrees
+  int Fronds = 0;             ///< times frond
   double LeastDistance = 1e9; ///< between segments that are no neighbours, of the shorter one's length
 };
 
@@ -62,6 +67,7 @@ double DistanceOf(const Vector3 a[2], const Vector3 b[2])
 void TakeBranch(const std::vector<Vector3>& nodes, double foot, Worst& worst)
 {
   worst.LowestTip = std::min(worst.LowestTip, nodes.back().z - foot);
+  double bend = 0.0; // [degrees]
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
   {
     const double length = glm::distance(nodes[i], nodes[i + 1]);
@@ -69,7 +75,7 @@ void TakeBranch(const std::vector<Vector3>& nodes, double foot, Worst& worst)
     {
       const Vector3 before = glm::normalize(nodes[i] - nodes[i - 1]);
       const double cosine = std::clamp(glm::dot(before, (nodes[i + 1] - nodes[i]) / length), -1.0, 1.0);
-      worst.LargestBend = std::max(worst.LargestBend, std::acos(cosine) * 180.0 / littoral::Pi);
+      bend = std::max(bend, std::acos(cosine) * 180.0 / littoral::Pi);
     }
     for (std::size_t j = i + 2; j + 1 < nodes.size(); ++j)
     {
@@ -77,6 +83,9 @@ void TakeBranch(const std::vector<Vector3>& nodes, double foot, Worst& worst)
       worst.LeastDistance = std::min(worst.LeastDistance, DistanceOf(&nodes[i], &nodes[j]) / shorter);
     }
   }
+  worst.LargestBend = std::max(worst.LargestBend, bend);
+  worst.Folded += bend > 90.0 ? 1 : 0;
+  ++worst.Fronds;
 }
 
 /// Branches of more than three segments: blades of a canopy hang on their floats as they like.
@@ -114,19 +123,29 @@ bool TestPlant(const Case& one, int seed, int seconds)
   vtkNew<vtkSeaweedDeformationFilter> move;
   move->SetInputConnection(weed->GetOutputPort());
   move->SetSeaStateConnection(sea->GetOutputPort());
+  vtkNew<vtkFlowPrimitiveSource> current;
+  current->SetStrength(one.Current);
+  if (one.Current > 0.0)
+  {
+    move->AddCurrentConnection(current->GetOutputPort());
+  }
   Worst worst;
   for (int second = 0; second <= seconds; ++second)
   {
     move->UpdateTimeStep(second);
     TakePicture(Part(move->GetOutputDataObject(0), "Skeleton"), worst);
   }
-  const std::string who = std::string(weed->GetPresetAsString()) + ", wind of " +
-    std::to_string(one.Wind).substr(0, 3) + " m/s, seed " + std::to_string(seed);
-  std::cout << who << ": lowest tip " << worst.LowestTip << " m over its holdfast, largest bend " << worst.LargestBend
-            << " degrees, least distance " << worst.LeastDistance << " segments" << std::endl;
-  bool good = Check(worst.LowestTip > 0.0, who + ": a tip sinks to its holdfast");
-  good = Check(worst.LargestBend < one.LargestBend, who + ": a frond folds") && good;
-  return Check(worst.LeastDistance > 0.1, who + ": a frond crosses itself") && good;
+  const double folded = static_cast<double>(worst.Folded) / worst.Fronds;
+  std::ostringstream who;
+  who << weed->GetPresetAsString() << ", wind of " << one.Wind << " m/s, current of " << one.Current << " m/s, seed "
+      << seed;
+  std::cout << who.str() << ": lowest tip " << worst.LowestTip << " m over its holdfast, largest bend "
+            << worst.LargestBend << " degrees, folded " << 100.0 * folded << " %, least distance "
+            << worst.LeastDistance << " segments" << std::endl;
+  bool good = Check(worst.LowestTip > 0.0, who.str() + ": a tip sinks to its holdfast");
+  good = Check(folded <= one.MostFolded, who.str() + ": fronds fold") && good;
+  const bool mayTouch = one.MostFolded > 0.01; // a blade that folds
+  return Check(mayTouch || worst.LeastDistance > 0.1, who.str() + ": a frond crosses itself") && good;
 }
 
 }
@@ -137,10 +156,13 @@ int TestKelpInSea(int argc, char* argv[])
   const bool isLong = argc > 1 && std::string(argv[argc - 1]) == "--long";
   bool good = true;
   for (const Case& one : {
-         Case{ vtkSeaweedSource::SugarKelp, 5.0, 6.0, 600, 3, 90.0 },
-         Case{ vtkSeaweedSource::SugarKelp, 6.0, 6.0, 600, 3, 120.0 },
-         Case{ vtkSeaweedSource::Eelgrass, 5.0, 6.0, 600, 1, 90.0 },
-         Case{ vtkSeaweedSource::GiantKelp, 6.0, 17.0, 120, 1, 90.0 },
+         Case{ vtkSeaweedSource::SugarKelp, 6.0, 6.0, 600, 3, 0.0 },
+         Case{ vtkSeaweedSource::SugarKelp, 7.0, 6.0, 600, 3, 0.005 },
+         Case{ vtkSeaweedSource::SugarKelp, 8.0, 6.0, 600, 3, 0.08 },
+         Case{ vtkSeaweedSource::SugarKelp, 2.0, 6.0, 600, 3, 0.0, 0.15 },
+         Case{ vtkSeaweedSource::SugarKelp, 2.0, 6.0, 600, 3, 0.0, 0.3 },
+         Case{ vtkSeaweedSource::Eelgrass, 5.0, 6.0, 600, 1, 0.0 },
+         Case{ vtkSeaweedSource::GiantKelp, 6.0, 17.0, 120, 1, 0.0 },
        })
   {
     for (int seed = 1; seed <= (isLong ? one.Seeds : 1); ++seed)

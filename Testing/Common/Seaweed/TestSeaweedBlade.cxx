@@ -257,7 +257,8 @@ TEST(SeaweedBlade, WavesAreFeltByTheEffectiveLength)
 {
   // Lei and Nepf (2019): l_e / l = 0.94 (Ca L)^(-1/4), L: length over the excursion of the water; by the root mean
   // square of the drag against that of the rigid blade.
-  for (const auto& wave : { std::array<double, 2>{ 300, 2.0 }, std::array<double, 2>{ 3000, 4.0 } })
+  for (const auto& wave : { std::array<double, 2>{ 10, 8.0 }, std::array<double, 2>{ 300, 2.0 },
+         std::array<double, 2>{ 3000, 4.0 }, std::array<double, 2>{ 1e4, 4.0 } })
   {
     const double cauchy = wave[0];
     const double ratio = wave[1];
