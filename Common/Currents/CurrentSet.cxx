@@ -7,6 +7,18 @@
 namespace littoral
 {
 
+namespace
+{
+
+/// The change of a velocity that is known at both ends. A grid is at rest where it ends.
+Vector3 ChangeOf(const Vector3& before, const Vector3& after)
+{
+  const Vector3 rest(0.0);
+  return before == rest || after == rest ? rest : after - before;
+}
+
+}
+
 Vector3 StepCurrents::Velocity(const Vector3& position, std::size_t moment) const
 {
   Vector3 sum = this->Steady.Velocity(position);
@@ -19,6 +31,28 @@ Vector3 StepCurrents::Velocity(const Vector3& position, std::size_t moment) cons
     sum += current.Velocity(position);
   }
   return sum;
+}
+
+Vector3 StepCurrents::Acceleration(const Vector3& position, const Vector3& velocity) const
+{
+  const bool isEven = this->Steady.IsUniform() && this->SteadyGrids.empty() && this->Changing[0].empty();
+  const double time = this->Times[2] - this->Times[1];
+  if (isEven || !(time > 0.0))
+  {
+    return Vector3(0.0);
+  }
+  const Vector3 from = position + this->Times[1] * velocity;
+  const Vector3 to = position + this->Times[2] * velocity;
+  Vector3 change = this->Steady.Velocity(to) - this->Steady.Velocity(from);
+  for (const CurrentSnapshot* current : this->SteadyGrids)
+  {
+    change += ChangeOf(current->GridVelocity(from), current->GridVelocity(to));
+  }
+  for (std::size_t i = 0; i < this->Changing[0].size(); ++i)
+  {
+    change += ChangeOf(this->Changing[1][i].Velocity(from), this->Changing[2][i].Velocity(to));
+  }
+  return change / time;
 }
 
 bool StepCurrents::Capture(const Vector3& from, Vector3& to) const
@@ -55,6 +89,12 @@ StepCurrents CurrentSet::At(const TimeGrid& grid, const std::vector<StepMoment>&
 {
   StepCurrents sum;
   sum.Changing.resize(moments.size());
+  for (const StepMoment& moment : moments)
+  {
+    const double steps =
+      static_cast<double>(moment.Step - moments.front().Step) + (moment.Share - moments.front().Share);
+    sum.Times.push_back(grid.Step * steps);
+  }
   std::vector<FlowPrimitive> steady;
   for (const CurrentSeries& current : this->Series)
   {

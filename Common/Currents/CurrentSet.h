@@ -18,9 +18,15 @@ struct StepCurrents
   FlowField Steady;                                  ///< all primitives that do not change, in one sum
   std::vector<const CurrentSnapshot*> SteadyGrids;   ///< currents that do not change and have grids
   std::vector<std::vector<CurrentMixture>> Changing; ///< by moment
+  std::vector<double> Times;                         ///< of the moments, since the first of them [s]
 
   /// Velocity at a position [m/s], at one of the moments.
   Vector3 Velocity(const Vector3& position, std::size_t moment) const;
+
+  /// Du/Dt = du/dt + (v.grad) u of the currents u [m/s2] for water that passes a position at the first of three moments
+  /// with a velocity v [m/s]: the change of u along its way from the second moment to the third. Where a grid ends on
+  /// that way, it counts as steady and even.
+  Vector3 Acceleration(const Vector3& position, const Vector3& velocity) const;
 
   /// Whether the way from one position to another touches the core of a sink as it is at the last moment; see
   /// FlowField::Capture.

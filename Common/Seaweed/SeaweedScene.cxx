@@ -107,26 +107,33 @@ void SeaweedScene::SetGoal(double time)
 }
 
 //----------------------------------------------------------------------------
-/// The moment whose loads are those of a step of a length [s], or of a picture.
-StepMoment SeaweedScene::MomentOf(double length) const
+/// The moment whose loads are those of a step of a length [s], or of a picture, and moments before and after it,
+/// between which the water is accelerated: the ends of the step.
+std::vector<StepMoment> SeaweedScene::MomentsOf(double length) const
 {
-  return { this->GetStep(), (this->Physical ? 0.5 : 1.0) * this->GetGrid().ShareOf(length) };
+  const double share = this->GetGrid().ShareOf(length);
+  const long long step = this->GetStep();
+  return { { step, (this->Physical ? 0.5 : 1.0) * share }, { step, 0.0 }, { step, this->Physical ? share : 1.0 } };
 }
 
 std::vector<StepMoment> SeaweedScene::NextMoments() const
 {
   if (!this->IsAtGoal())
   {
-    return { this->MomentOf(this->GetGrid().Step) };
+    return this->MomentsOf(this->GetGrid().Step);
   }
-  const StepMoment shown = this->MomentOf(this->GetGoal().Remainder);
-  return this->NeedsMotion && this->Physical ? std::vector<StepMoment>{ this->MomentOf(this->GetGrid().Step), shown }
-                                             : std::vector<StepMoment>{ shown };
+  std::vector<StepMoment> moments = this->MomentsOf(this->GetGoal().Remainder);
+  if (this->NeedsMotion && this->Physical)
+  {
+    const std::vector<StepMoment> whole = this->MomentsOf(this->GetGrid().Step);
+    moments.insert(moments.end(), whole.begin(), whole.end());
+  }
+  return moments;
 }
 
 StepCurrents SeaweedScene::CurrentsOver(double length) const
 {
-  return this->Currents.At(this->GetGrid(), { this->MomentOf(length) });
+  return this->Currents.At(this->GetGrid(), this->MomentsOf(length));
 }
 
 //----------------------------------------------------------------------------
@@ -194,12 +201,8 @@ void SeaweedScene::WaterAt(const WaveOrbits& orbits, const StepCurrents& current
       centers[3 * i + axis] = static_cast<float>(middles[i][axis]);
     }
   }
-  if (this->Sea.Trains.empty() || count == 0)
-  {
-    return;
-  }
-  OrbitRequest<float> request;
   const bool isDirect = this->Options.Load == SeaweedLoad::Direct;
+  OrbitRequest<float> request;
   request.Shares = shares.empty() ? nullptr : shares.data();
   request.Centers = centers.data();
   request.Velocity = isDirect ? nullptr : first.data();
@@ -207,7 +210,10 @@ void SeaweedScene::WaterAt(const WaveOrbits& orbits, const StepCurrents& current
   request.Displacement = isDirect && !this->Physical ? second.data() : nullptr;
   std::vector<float> gradient(isDirect ? 0 : 5 * count);
   request.VelocityGradient = isDirect ? nullptr : gradient.data();
-  orbits.Evaluate(request, 0, count);
+  if (!this->Sea.Trains.empty() && count > 0)
+  {
+    orbits.Evaluate(request, 0, count);
+  }
   for (std::size_t i = 0; i < count; ++i)
   {
     const Vector3 other(second[3 * i], second[3 * i + 1], second[3 * i + 2]);
@@ -217,6 +223,7 @@ void SeaweedScene::WaterAt(const WaveOrbits& orbits, const StepCurrents& current
     if (!isDirect)
     {
       one.Acceleration += ConvectiveAcceleration(one.Velocity, &gradient[5 * i]);
+      one.Acceleration += currents.Acceleration(middles[i], one.Velocity);
     }
   }
 }

@@ -78,7 +78,7 @@ public:
 
   bool IsAtGoal() const { return !this->Physical || this->Marching.IsAtGoal(); }
 
-  /// The middle of the next step; at the goal, the moments of Show() and FindMotion().
+  /// The middle and the ends of the next step; at the goal, the moments of Show() and FindMotion().
   std::vector<StepMoment> NextMoments() const;
 
   /// Whether the currents at NextMoments() are known.
@@ -127,7 +127,7 @@ private:
     std::unique_ptr<ViewFrustum> View; ///< null: no levels
   };
 
-  StepMoment MomentOf(double length) const;
+  std::vector<StepMoment> MomentsOf(double length) const;
   StepCurrents CurrentsOver(double length) const;
   void MakeBatchRanges();
   void PoseAll();

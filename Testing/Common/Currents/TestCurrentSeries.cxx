@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Currents/CurrentSet.h"
 #include "Currents/WalledVelocity.h"
+#include "Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
@@ -46,6 +47,15 @@ public:
   GridHeights Heights() const override { return { -9.0, -1.0, 1.5, 1.5 }; }
   bool IsLevelAt(double) const override { return false; }
   Vector3 Velocity(const Vector3&) const override { return { 0.3, -0.2, 0.4 }; }
+};
+
+/// A grid of the same velocity from x = 0 on.
+class HalfGrid : public VelocityGrid
+{
+public:
+  GridHeights Heights() const override { return {}; }
+  bool IsLevelAt(double) const override { return true; }
+  Vector3 Velocity(const Vector3& position) const override { return { position.x < 0.0 ? 0.0 : 0.5, 0.0, 0.0 }; }
 };
 
 std::shared_ptr<const CurrentSnapshot> SnapshotOf(double time)
@@ -263,6 +273,50 @@ TEST(CurrentSet, AddsSteadyAndChangingCurrents)
   currents.Series.resize(1);
   EXPECT_TRUE(currents.AreSteady());
   EXPECT_TRUE(currents.AreUniform());
+}
+
+TEST(CurrentSet, WaterIsAcceleratedWhereAndWhenItsVelocityChanges)
+{
+  // In a steady vortex water falls towards its axis by v^2 / r, and hangs still where it does not move.
+  FlowPrimitive vortex;
+  vortex.Type = FlowType::Vortex;
+  vortex.Axis = { 0.0, 0.0, 1.0 };
+  vortex.Center = Vector3(0.0, 0.0, -4.0);
+  CurrentSet currents;
+  currents.Series.resize(1);
+  currents.Series[0].Keep(0.0,
+    std::make_shared<CurrentSnapshot>(
+      std::vector<FlowPrimitive>{ vortex }, std::vector<std::shared_ptr<const VelocityGrid>>()));
+  const TimeGrid grid{ 2.0, 0.01 };
+  const std::vector<StepMoment> moments{ { 3, 0.5 }, { 3, 0.0 }, { 3, 1.0 } };
+  const StepCurrents steady = currents.At(grid, moments);
+  for (const double r : { 0.2, 0.7, 3.0 })
+  {
+    const Vector3 place(r, 0.0, -4.0);
+    const double speed = 0.2 / (TwoPi * r) * (1.0 - std::exp(-r * r / 0.25));
+    ExpectNear(steady.Velocity(place, 0), Vector3(0.0, speed, 0.0), 1e-15);
+    ExpectNear(steady.Acceleration(place, Vector3(0.0, speed, 0.0)), Vector3(-speed * speed / r, 0.0, 0.0), 1e-7);
+    ExpectNear(steady.Acceleration(place, Vector3(0.0)), Vector3(0.0), 1e-15);
+  }
+  // A grid of ClosedForm: du/dt + (v.grad) u, by hand.
+  currents.Series[0] = CurrentSeries();
+  currents.Series[0].Steps = { 0.0, 10.0 };
+  currents.Series[0].Keep(0.0, SnapshotOf(0.0));
+  currents.Series[0].Keep(10.0, SnapshotOf(10.0));
+  const StepCurrents changing = currents.At(grid, moments);
+  const double time = 2.035;
+  const Vector3 v(0.7, -0.3, 0.4);
+  ExpectNear(
+    changing.Acceleration(Somewhere, v), Vector3(0.5, 0.1 * Somewhere.x + 0.1 * time * v.x, -0.2 * v.z), 1e-12);
+  // Of a moment that is not in the middle: the same, as all is linear but in time and place together.
+  const StepCurrents late = currents.At(grid, { { 3, 0.9 }, { 3, 0.0 }, { 3, 1.0 } });
+  ExpectNear(late.Acceleration(Somewhere, v), changing.Acceleration(Somewhere, v), 1e-2);
+  // A grid of the same velocity everywhere that ends at x = 0 accelerates no water at its end.
+  currents.Series[0] = CurrentSeries();
+  currents.Series[0].Keep(0.0,
+    std::make_shared<CurrentSnapshot>(
+      std::vector<FlowPrimitive>(), std::vector<std::shared_ptr<const VelocityGrid>>{ std::make_shared<HalfGrid>() }));
+  ExpectNear(currents.At(grid, moments).Acceleration({ 0.001, 0.0, -4.0 }, { 0.5, 0.0, 0.0 }), Vector3(0.0), 1e-15);
 }
 
 TEST(CurrentSet, SinksCaptureAsAtTheLastMoment)

@@ -94,6 +94,36 @@ std::shared_ptr<const CurrentSnapshot> TideAt(double time)
     std::vector<FlowPrimitive>{ flow }, std::vector<std::shared_ptr<const VelocityGrid>>());
 }
 
+/// The velocities of waves as those of data.
+class WaveGrid : public VelocityGrid
+{
+public:
+  explicit WaveGrid(double time)
+    : Orbits(Waves(), WaveOrbitOptions(), time)
+  {
+  }
+  GridHeights Heights() const override { return {}; }
+  bool IsLevelAt(double) const override { return false; }
+  Vector3 Velocity(const Vector3& position) const override
+  {
+    Vector3 velocity;
+    OrbitRequest<double> request;
+    request.Centers = &position.x;
+    request.Velocity = &velocity.x;
+    this->Orbits.Evaluate(request, 0, 1);
+    return velocity;
+  }
+
+private:
+  WaveOrbits Orbits;
+};
+
+std::shared_ptr<const CurrentSnapshot> WavesAt(double time)
+{
+  return std::make_shared<CurrentSnapshot>(
+    std::vector<FlowPrimitive>(), std::vector<std::shared_ptr<const VelocityGrid>>{ std::make_shared<WaveGrid>(time) });
+}
+
 SeaweedScene SceneOf(
   const Bed& bed, bool isPhysical = true, const ParallelFor& parallel = SerialFor, const SeaweedOptions& options = {})
 {
@@ -103,7 +133,8 @@ SeaweedScene SceneOf(
 }
 
 /// Moves a scene to a time, with currents supplied as a pipeline does.
-void MoveTo(SeaweedScene& scene, double time)
+void MoveTo(
+  SeaweedScene& scene, double time, std::shared_ptr<const CurrentSnapshot> (*snapshotAt)(double time) = TideAt)
 {
   scene.SetGoal(time);
   for (int asked = 0; asked < 100000; ++asked)
@@ -120,7 +151,7 @@ void MoveTo(SeaweedScene& scene, double time)
     {
       if (const auto missing = current.MissingTime(scene.GetGrid(), scene.NextMoments()))
       {
-        current.Keep(*missing, TideAt(*missing));
+        current.Keep(*missing, snapshotAt(*missing));
       }
     }
   }
@@ -302,24 +333,56 @@ TEST(SeaweedScene, ShowsTheSameAfterFindingMotion)
   }
 }
 
-TEST(SeaweedScene, NeedsTheCurrentsOfTheMiddleOfAStep)
+TEST(SeaweedScene, NeedsTheCurrentsOfTheMiddleAndTheEndsOfAStep)
 {
   SeaweedScene scene = SceneOf(TwoPlants());
   scene.SetGoal(-0.92); // a step of 0.05 s and 0.03 s
-  ASSERT_EQ(scene.NextMoments().size(), 1u);
+  ASSERT_EQ(scene.NextMoments().size(), 3u);
   EXPECT_EQ(scene.NextMoments()[0].Step, 0);
   EXPECT_EQ(scene.NextMoments()[0].Share, 0.5);
+  EXPECT_EQ(scene.NextMoments()[1].Share, 0.0);
+  EXPECT_EQ(scene.NextMoments()[2].Share, 1.0);
   MoveTo(scene, -0.92);
   EXPECT_EQ(scene.NextMoments()[0].Step, 1);
   EXPECT_NEAR(scene.NextMoments()[0].Share, 0.3, 1e-12);
+  EXPECT_NEAR(scene.NextMoments()[2].Share, 0.6, 1e-12);
   scene.NeedsMotion = true;
-  ASSERT_EQ(scene.NextMoments().size(), 2u);
-  EXPECT_EQ(scene.NextMoments()[0].Share, 0.5);
+  ASSERT_EQ(scene.NextMoments().size(), 6u);
+  EXPECT_EQ(scene.NextMoments()[3].Share, 0.5);
   SeaweedScene procedural = SceneOf(TwoPlants(), false);
   procedural.SetGoal(-0.92);
   EXPECT_TRUE(procedural.IsAtGoal());
   EXPECT_EQ(procedural.NextMoments()[0].Step, 1);
   EXPECT_NEAR(procedural.NextMoments()[0].Share, 0.6, 1e-12);
+}
+
+TEST(SeaweedScene, WavesPushAlikeAsASeaAndAsACurrent)
+{
+  // A current of data whose velocities are those of the waves has their acceleration too.
+  Bed bed = TwoPlants();
+  for (SeaweedSegment& segment : bed.Segments)
+  {
+    segment.Width = std::max(segment.Width, 0.05); // of much added mass
+  }
+  SeaweedScene sea(Grid, {}, true);
+  ASSERT_EQ(sea.SetPlants(bed.Rest, bed.Segments, bed.Ids.data(), {}, Waves()), "");
+  SeaweedScene data(Grid, { Tide() }, true);
+  SeaState still = Waves();
+  still.Trains.clear();
+  ASSERT_EQ(data.SetPlants(bed.Rest, bed.Segments, bed.Ids.data(), {}, still), "");
+  double moved = 0.0;
+  double apart = 0.0;
+  for (int n = 1; n <= 40; ++n)
+  {
+    const double time = -1.0 + 0.1 * n;
+    const std::vector<Vector3> nodes = NodesAt(sea, time);
+    MoveTo(data, time, WavesAt);
+    data.Show({});
+    moved = std::max(moved, MaximumDistance(nodes, NodesAtRest(bed)));
+    apart = std::max(apart, MaximumDistance(nodes, data.NodePositions()));
+  }
+  EXPECT_GT(moved, 0.15);
+  EXPECT_LT(apart, 0.001 * moved);
 }
 
 TEST(SeaweedScene, SaysHowFarPlantsReachAboveTheSea)
