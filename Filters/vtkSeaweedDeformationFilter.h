@@ -157,8 +157,8 @@ public:
 
   ///@{
   /**
-   * Drag coefficient of the flow normal to a segment, 0 to 100; default 1. The reference area is that of the face, and
-   * of the edge for flow along the width.
+   * Drag coefficient of the flow normal to a blade, 0 to 100; default 1.95, that of a plate. The reference area is that
+   * of the face, and of the edge for flow along the width. Round stipes and floats have half of it.
    */
   vtkSetMacro(DragCoefficient, double);
   vtkGetMacro(DragCoefficient, double);

@@ -59,8 +59,10 @@ SeaweedLink BodyOf(const Skeleton& skeleton, int node, const SeaweedSegment& seg
   link.AxialInertia = link.Mass * (w2 + t2) / 16.0 + water * (w2 - t2) * (w2 - t2) / 32.0;
   link.Buoyancy = floats ? NetBuoyancy(segment, link.Length, options.WaterDensity) : 0.0;
   link.Weight = floats ? SegmentMass(segment, link.Length) * Gravity : 0.0;
-  link.FrontalArea = segment.Width * link.Length;
-  link.EdgeFrontalArea = segment.Thickness * link.Length;
+  // Drag coefficient of a plate, of which what is round has half (1.95 and about 1)
+  const double drag = segment.Tissue == SeaweedTissue::Blade ? link.Length : 0.5 * link.Length;
+  link.FrontalArea = drag * segment.Width;
+  link.EdgeFrontalArea = drag * segment.Thickness;
   link.WettedArea = Pi * 0.5 * (segment.Width + segment.Thickness) * link.Length;
   return link;
 }

@@ -43,7 +43,8 @@ struct SeaweedOptions
   SeaweedIntegrator Integrator = SeaweedIntegrator::Implicit;
   double WaterDensity = 1025.0;      ///< [kg/m3]
   double SeaLevel = 0.0;             ///< above it nothing floats [m]
-  double DragCoefficient = 1.0;      ///< of the flow across a segment, by the width of the side that it meets
+  double DragCoefficient = 1.95;     ///< of the flow across a blade, by the width of the side that it meets, as of a
+                                     ///< plate; round stipes and floats have half of it
   double FrictionCoefficient = 0.02; ///< of the flow along a segment, by its surface
   double AddedMassCoefficient = 1.0; ///< of the motion across a segment, by the circle around the side that it meets
   double DampingFactor = 1.0;        ///< of all damping ratios
@@ -75,8 +76,8 @@ struct LinkBody
   Real WaterMass{ 1.0 };        ///< displaced water [kg]
   Real Buoyancy{ 0.0 };         ///< in water, less weight [N]
   Real Weight{ 0.0 };           ///< in air [N]
-  Real FrontalArea{ 0.01 };     ///< frontal area of the face, width times length [m2]
-  Real EdgeFrontalArea{ 0.01 }; ///< frontal area of the edge, thickness times length [m2]
+  Real FrontalArea{ 0.01 };     ///< of a plate with the drag of the face: width times length; if round, half of it [m2]
+  Real EdgeFrontalArea{ 0.01 }; ///< the same of the edge: thickness times length; if round, half of it [m2]
   Real WettedArea{ 0.03 };      ///< wetted area [m2]
   Real Stiffness{ 1.0 };        ///< of the joint [N m/rad]
   Real Damping{ 0.0 };          ///< of the joint [N m s/rad]

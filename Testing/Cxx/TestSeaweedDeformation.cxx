@@ -733,7 +733,7 @@ bool RefusesProperties(Filter* move, ErrorCounter* errors)
   property(
     "Integrator", [move]() { move->SetIntegrator(5); }, [move]() { move->SetIntegratorToImplicit(); });
   property(
-    "DragCoefficient", [move]() { move->SetDragCoefficient(-1.0); }, [move]() { move->SetDragCoefficient(1.0); });
+    "DragCoefficient", [move]() { move->SetDragCoefficient(-1.0); }, [move]() { move->SetDragCoefficient(1.95); });
   property(
     "TimeRange", [move]() { move->SetTimeRange(1.0, 1.0); }, [move]() { move->SetTimeRange(0.0, 60.0); });
   property(

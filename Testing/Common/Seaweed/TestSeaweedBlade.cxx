@@ -109,6 +109,7 @@ struct Blade
     this->Segment.Across = { 0.0, 1.0, 0.0 };
     this->Segment.YoungModulus = bending / SecondMoment(this->Segment);
     this->Segment.Density = density;
+    this->Options.DragCoefficient = 1.0;
     this->Options.FrictionCoefficient = 0.0;
     this->Options.AddedMassCoefficient = hasAddedMass ? 1.0 : 0.0;
     const std::vector<SeaweedSegment> segments(skeleton.Nodes.size(), this->Segment);

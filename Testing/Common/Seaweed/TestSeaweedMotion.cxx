@@ -490,7 +490,9 @@ TEST(SeaweedMotion, PlantsOfAnyResolutionAndStiffnessFollowTheWater)
         tissue.Thickness = 0.002;
         tissue.Tissue = SeaweedTissue::Blade;
         tissue.Across = { 0.0, 1.0, 0.0 };
-        Plant plant(Stem(segments, 2.0, 0.2), tissue, SeaweedOptions());
+        SeaweedOptions options;
+        options.DragCoefficient = 1.0;
+        Plant plant(Stem(segments, 2.0, 0.2), tissue, options);
         double fastest = 0.0;
         const int steps = static_cast<int>(std::lround(2.5 / step));
         for (int n = 0; n < steps; ++n)
