@@ -134,6 +134,7 @@ int vtkSeaStateSource::RequestData(
   check.Require(WhyInvalid(cut));
   Require(check.Reason());
   const SeaSpectrum density(spectrum);
+  Require(WhyBroken(density, spectrum.Depth));
   const SeaState state{ TrainsOf(density, spectrum.Depth, cut), spectrum.Depth, this->SeaLevel,
     PeriodOf(density, cut) };
   Require(state.Trains.empty() ? "FrequencyRange holds no energy of the spectrum." : WhyInvalid(state));

@@ -36,6 +36,11 @@ constexpr double DeepRelativeDepth = 20.0;
 /// Below it wave numbers are beyond all measure [m].
 constexpr double ShallowestDepth = 1e-6;
 
+/// Height over depth at which waves break: of one wave (McCowan 1894), and the significant height of a surf zone, whose
+/// root mean square is 0.42 (Thornton and Guza 1982).
+constexpr double BreakingHeight = 0.78;
+constexpr double BreakingSignificantHeight = 0.59;
+
 /// Part of a wave's energy that finite depth leaves, after Kitaigorodskii.
 double DepthFactor(double frequency, double depth)
 {
@@ -104,6 +109,15 @@ std::string WhyInvalid(const SpectrumParameters& parameters)
   return check.Reason();
 }
 
+std::string WhyBroken(const SeaSpectrum& spectrum, double depth)
+{
+  const double height = (spectrum.IsRegular() ? std::sqrt(8.0) : 4.0) * std::sqrt(spectrum.TotalEnergy());
+  const double highest = (spectrum.IsRegular() ? BreakingHeight : BreakingSignificantHeight) * depth;
+  return height <= highest ? ""
+                           : "WaterDepth of " + TextOf(depth) + " m holds waves of at most " + TextOf(highest) +
+      " m: those of " + TextOf(height) + " m break.";
+}
+
 SeaSpectrum::SeaSpectrum(const SpectrumParameters& parameters)
   : Given(parameters)
 {
@@ -115,6 +129,13 @@ SeaSpectrum::SeaSpectrum(const SpectrumParameters& parameters)
   const double g = Gravity;
   if (parameters.FromWind)
   {
+    // On water of a finite depth the sea of a wind is that of TMA.
+    const bool isOld = parameters.Kind == SpectrumKind::PiersonMoskowitz;
+    if (std::isfinite(parameters.Depth) && (isOld || parameters.Kind == SpectrumKind::Jonswap))
+    {
+      this->Given.Kind = SpectrumKind::Tma;
+      this->Given.PeakEnhancement = isOld ? 1.0 : parameters.PeakEnhancement;
+    }
     const double u = parameters.WindSpeed;
     // Pierson and Moskowitz: wp = (4/5 beta)^(1/4) g/U, Hs = 4 m0^(1/2), m0 = alpha U^4 / (4 beta g^2)
     this->FormPeak = std::pow(0.8 * Beta, 0.25) * g / u;

@@ -15,9 +15,9 @@ namespace littoral
 
 enum class SpectrumKind
 {
-  PiersonMoskowitz = 0, ///< a fully developed sea on deep water
+  PiersonMoskowitz = 0, ///< a fully developed sea
   Jonswap = 1,          ///< a young sea with a higher peak
-  Tma = 2,              ///< the same on water of a finite depth
+  Tma = 2,              ///< the same with the factor of depth, also where height and period are given
   Table = 3,            ///< measured
   Regular = 4,          ///< one wave
 };
@@ -31,7 +31,7 @@ struct SpectrumParameters
   double SignificantHeight = 2.0;                         ///< of one wave from trough to crest [m], positive
   double PeakPeriod = 7.0;                                ///< [s], positive
   double PeakEnhancement = 3.3;                           ///< gamma of JONSWAP and TMA, 1 to 20
-  double Depth = std::numeric_limits<double>::infinity(); ///< of the water [m], for TMA
+  double Depth = std::numeric_limits<double>::infinity(); ///< of the water [m], for TMA and for seas of a wind
   std::vector<double> Frequencies;                        ///< of the table [Hz], increasing, not negative
   std::vector<double> Densities;                          ///< of the table [m2/Hz], not negative
 };
@@ -39,13 +39,19 @@ struct SpectrumParameters
 /// Why this is no spectrum, in words for a user; empty when it is one.
 std::string WhyInvalid(const SpectrumParameters& parameters);
 
+class SeaSpectrum;
+
+/// Why water of a depth [m] cannot hold the waves of a spectrum: they would break. Empty if it can.
+std::string WhyBroken(const SeaSpectrum& spectrum, double depth);
+
 /**
  * The density S [m2 s/rad] of the elevation's variance over angular frequency, and its integrals.
  *
  * Pierson-Moskowitz: S = A w^-5 exp(-B/w^4), from the wind by A = alpha g2, B = beta (g/U)^4, or from height and period
  * by A = 5/16 Hs2 wp^4, B = 5/4 wp^4. JONSWAP: the same times gamma^exp(-((w/wp - 1)/sigma)^2/2), scaled to the height;
  * from a wind, to the height and the period of Pierson and Moskowitz. TMA: times tanh2(kh)/(1 + 2kh/sinh 2kh), which
- * takes energy from the waves; height and period, where they are given, are those of the sea with this factor.
+ * takes energy from the waves; height and period, where they are given, are those of the sea with this factor. On water
+ * of a finite depth all seas of a wind have it, a fully developed one with gamma 1.
  *
  * Regular: all energy, H2/8 of a wave H high, at one frequency, where the density is infinite; Density is 0 elsewhere.
  */

@@ -271,6 +271,10 @@ bool CheckBadInput()
   });
   good &= SeaFails("WaterDepth", [](Sea* s) { s->SetWaterDepth(-3.0); });
   good &= SeaFails("WaterDepth", [=](Sea* s) { s->SetWaterDepth(nan); });
+  good &= SeaFails("WaterDepth of 3 m holds waves of at most 1.77 m", [](Sea* s) {
+    s->SetSeaByToHeightAndPeriod();
+    s->SetWaterDepth(3.0);
+  });
   good &= SeaFails("SeaLevel", [=](Sea* s) { s->SetSeaLevel(nan); });
   good &= SeaFails("NumberOfTrains", [](Sea* s) { s->SetNumberOfTrains(0); });
   good &= SeaFails("NumberOfTrains", [](Sea* s) { s->SetNumberOfTrains(2000000000); });

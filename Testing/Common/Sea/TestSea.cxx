@@ -579,19 +579,24 @@ TEST(Spectrum, JonswapHasItsClosedForm)
 TEST(Spectrum, TmaTakesEnergyFromWavesThatFeelTheBed)
 {
   SpectrumParameters parameters;
+  for (const SpectrumKind kind : { SpectrumKind::Tma, SpectrumKind::Jonswap, SpectrumKind::PiersonMoskowitz })
+  {
+    parameters.Kind = kind;
+    parameters.Depth = 8.0;
+    const SeaSpectrum shallow(parameters);
+    parameters.Kind = kind == SpectrumKind::Tma ? SpectrumKind::Jonswap : kind;
+    parameters.Depth = Infinity;
+    const SeaSpectrum deep(parameters);
+    for (const double w : { 0.6, 0.9, 1.4, 2.5 })
+    {
+      const double x = WaveNumber(w, 8.0) * 8.0;
+      const double factor = std::pow(std::tanh(x), 2.0) / (1.0 + 2.0 * x / std::sinh(2.0 * x));
+      EXPECT_NEAR(shallow.Density(w) / deep.Density(w), factor, 1e-9);
+    }
+    EXPECT_LT(shallow.TotalEnergy(), 0.8 * deep.TotalEnergy());
+  }
   parameters.Kind = SpectrumKind::Tma;
   parameters.Depth = 8.0;
-  const SeaSpectrum shallow(parameters);
-  parameters.Kind = SpectrumKind::Jonswap;
-  const SeaSpectrum deep(parameters);
-  for (const double w : { 0.6, 0.9, 1.4, 2.5 })
-  {
-    const double x = WaveNumber(w, 8.0) * 8.0;
-    const double factor = std::pow(std::tanh(x), 2.0) / (1.0 + 2.0 * x / std::sinh(2.0 * x));
-    EXPECT_NEAR(shallow.Density(w) / deep.Density(w), factor, 1e-9);
-  }
-  EXPECT_LT(shallow.TotalEnergy(), 0.8 * deep.TotalEnergy());
-  parameters.Kind = SpectrumKind::Tma;
   parameters.FromWind = false;
   const SeaSpectrum given(parameters);
   EXPECT_NEAR(4.0 * std::sqrt(given.Energy(0.0, Infinity)), 2.0, 1e-9);
@@ -606,6 +611,35 @@ TEST(Spectrum, TmaTakesEnergyFromWavesThatFeelTheBed)
       return SeaSpectrum(parameters).Density(1.2);
     }(),
     1e-9);
+}
+
+TEST(Spectrum, DepthHoldsTheSeaOfAWindAndBreaksHigherOnes)
+{
+  // Significant heights on 6 m of water, by quadrature of TMA elsewhere; without its factor 8.5 m at 20 m/s.
+  SpectrumParameters parameters;
+  parameters.Depth = 6.0;
+  for (const auto& known : { std::array<double, 3>{ 10.0, 1.2973, 1.2113 }, { 20.0, 2.7905, 2.5632 } })
+  {
+    parameters.WindSpeed = known[0];
+    parameters.Kind = SpectrumKind::PiersonMoskowitz;
+    EXPECT_NEAR(4.0 * std::sqrt(SeaSpectrum(parameters).TotalEnergy()), known[1], 1e-3);
+    EXPECT_EQ(WhyBroken(SeaSpectrum(parameters), 6.0), "");
+    parameters.Kind = SpectrumKind::Tma;
+    EXPECT_NEAR(4.0 * std::sqrt(SeaSpectrum(parameters).TotalEnergy()), known[2], 1e-3);
+  }
+  parameters.FromWind = false;
+  for (const SpectrumKind kind : { SpectrumKind::PiersonMoskowitz, SpectrumKind::Regular })
+  {
+    const double highest = (kind == SpectrumKind::Regular ? 0.78 : 0.59) * 6.0;
+    parameters.Kind = kind;
+    parameters.SignificantHeight = 0.99 * highest;
+    EXPECT_NEAR(SeaSpectrum(parameters).TotalEnergy(),
+      std::pow(parameters.SignificantHeight, 2) / (kind == SpectrumKind::Regular ? 8.0 : 16.0), 1e-12);
+    EXPECT_EQ(WhyBroken(SeaSpectrum(parameters), 6.0), "");
+    parameters.SignificantHeight = 1.01 * highest;
+    EXPECT_NE(WhyBroken(SeaSpectrum(parameters), 6.0).find("WaterDepth"), std::string::npos);
+    EXPECT_EQ(WhyBroken(SeaSpectrum(parameters), Infinity), "");
+  }
 }
 
 TEST(Spectrum, TableIsIntegratedExactly)
