@@ -113,9 +113,9 @@ std::string WhyBroken(const SeaSpectrum& spectrum, double depth)
 {
   const double height = (spectrum.IsRegular() ? std::sqrt(8.0) : 4.0) * std::sqrt(spectrum.TotalEnergy());
   const double highest = (spectrum.IsRegular() ? BreakingHeight : BreakingSignificantHeight) * depth;
-  return height <= highest ? ""
-                           : "WaterDepth of " + TextOf(depth) + " m holds waves of at most " + TextOf(highest) +
-      " m: those of " + TextOf(height) + " m break.";
+  return height <= (1.0 + 1e-9) * highest ? ""
+                                          : "WaterDepth of " + TextOf(depth) + " m holds waves of at most " +
+      TextOf(highest) + " m: those of " + TextOf(height) + " m break.";
 }
 
 SeaSpectrum::SeaSpectrum(const SpectrumParameters& parameters)
@@ -160,13 +160,15 @@ void SeaSpectrum::FitToHeightAndPeriod()
   }
   if (this->Given.Kind == SpectrumKind::Tma && this->Given.FromWind)
   {
-    // The wind gives the deep sea; depth then takes what it takes.
+    // The wind gives the deep sea; depth then takes what it takes, and what would break.
     this->Given.Kind = SpectrumKind::Jonswap;
     this->MakePanels();
     this->Scale *= variance / this->Energy(0.0, Infinity);
     this->Given.Kind = SpectrumKind::Tma;
     this->MakePanels();
     this->Peak = this->FindPeak();
+    const double most = std::pow(BreakingSignificantHeight * this->Given.Depth, 2.0) / 16.0;
+    this->Scale *= std::min(1.0, most / this->Energy(0.0, Infinity));
     this->Total = this->Energy(0.0, Infinity);
     return;
   }

@@ -51,7 +51,8 @@ std::string WhyBroken(const SeaSpectrum& spectrum, double depth);
  * by A = 5/16 Hs2 wp^4, B = 5/4 wp^4. JONSWAP: the same times gamma^exp(-((w/wp - 1)/sigma)^2/2), scaled to the height;
  * from a wind, to the height and the period of Pierson and Moskowitz. TMA: times tanh2(kh)/(1 + 2kh/sinh 2kh), which
  * takes energy from the waves; height and period, where they are given, are those of the sea with this factor. On water
- * of a finite depth all seas of a wind have it, a fully developed one with gamma 1.
+ * of a finite depth all seas of a wind have it, a fully developed one with gamma 1, and their significant height is at
+ * most 0.59 depths, that of a surf zone.
  *
  * Regular: all energy, H2/8 of a wave H high, at one frequency, where the density is infinite; Density is 0 elsewhere.
  */

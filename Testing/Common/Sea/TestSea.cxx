@@ -627,6 +627,11 @@ TEST(Spectrum, DepthHoldsTheSeaOfAWindAndBreaksHigherOnes)
     parameters.Kind = SpectrumKind::Tma;
     EXPECT_NEAR(4.0 * std::sqrt(SeaSpectrum(parameters).TotalEnergy()), known[2], 1e-3);
   }
+  // What a storm would raise on half a metre breaks.
+  parameters.Depth = 0.5;
+  EXPECT_NEAR(4.0 * std::sqrt(SeaSpectrum(parameters).TotalEnergy()), 0.295, 1e-12);
+  EXPECT_EQ(WhyBroken(SeaSpectrum(parameters), 0.5), "");
+  parameters.Depth = 6.0;
   parameters.FromWind = false;
   for (const SpectrumKind kind : { SpectrumKind::PiersonMoskowitz, SpectrumKind::Regular })
   {
