@@ -139,7 +139,7 @@ def write_scene(filename, frame=0):
     write_glb(
         filename, sources, camera=(EYE, FOCUS, (0.0, 0.0, 1.0), VIEW_ANGLE), sun=(*SUN, 100000.0),
         kinds={"Surface": "water", "Bed": "ground", "Particles": "particle"},
-        extras={"water": {"level": 0.0, "extinction": water.EXTINCTION, "color": [0.32, 0.74, 1.0]},
+        extras={"water": {"level": 0.0, "color": [0.32, 0.74, 1.0]},
                 "exposure": 1.0}, LevelForm=2)
 
 

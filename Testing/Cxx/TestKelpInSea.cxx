@@ -116,7 +116,10 @@ bool TestPlant(const Case& one, int seed, int seconds)
   weed->SetPreset(one.Preset);
   weed->SetSeed(seed);
   vtkNew<vtkSeaStateSource> sea;
-  sea->SetWindSpeed(one.Wind);
+  // Height and period of Pierson and Moskowitz on deep water: higher than such a wind raises here
+  sea->SetSeaByToHeightAndPeriod();
+  sea->SetSignificantWaveHeight(4.0 * one.Wind * one.Wind / 9.80665 * std::sqrt(8.1e-3 / (4.0 * 0.74)));
+  sea->SetPeakPeriod(littoral::TwoPi * one.Wind / (std::pow(0.8 * 0.74, 0.25) * 9.80665));
   sea->SetSeaLevel(one.Depth);
   sea->SetWaterDepth(one.Depth);
   sea->SetSeed(seed + 6);

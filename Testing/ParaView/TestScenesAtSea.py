@@ -5,6 +5,7 @@
 
 import numpy as np
 import quick
+from littoral.seawater import GREY_EXTINCTION
 from paraview import simple
 from states import visible
 from TestScenes import check
@@ -12,7 +13,6 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import vtkPointGaussianMapper, vtkWindowToImageFilter
 from window import apart, picture
 
-EXTINCTION = 0.085  # of Underwater [1/m]
 #: A VTK that can draw points as ellipses hands on no depth to their fragments, which then fade as at 1 m: from ParaView
 #: 5.13 and VTK 9.4 on.
 POINTS_FADE = not hasattr(vtkPointGaussianMapper, "SetAnisotropic")
@@ -49,7 +49,7 @@ def check_murk(part):
     clear = picture(view)
     depth = depths(view)
     background = 255.0 * np.array(view.Background)
-    expected = background + (clear - background) * np.exp(-EXTINCTION * depth)[..., None]
+    expected = background + (clear - background) * np.exp(-GREY_EXTINCTION * depth)[..., None]
     # Edges are mixtures of what is near and far.
     steps = np.max([np.abs(depth - np.roll(depth, step, axis)) for step in (-2, -1, 1, 2) for axis in (0, 1)], axis=0)
     shown = (depth < 0.9 * depth.max()) & (steps < 0.05 * depth)

@@ -10,6 +10,7 @@ import math
 from paraview import simple
 
 from . import views, water
+from .. import seawater
 
 
 def set_time(shown, time):
@@ -62,7 +63,7 @@ def show_particles(source, view, eye):
     """Show particles as soft spots with Radius, RGB and Alpha, faded by their distance in water from the camera."""
     shown = simple.Show(source, view, "GeometryRepresentation")
     shown.SetRepresentationType("Particles")
-    shown.Extinction, shown.Strength, shown.Eye = 0.11, 0.75, list(eye)
+    shown.Extinction, shown.Strength, shown.Eye = seawater.GREY_EXTINCTION, 0.75, list(eye)
     shown.ColorArrayName = ["POINTS", "RGB"]
     shown.MapScalars = 0
     shown.ShaderPreset = "Gaussian Blur"

@@ -11,10 +11,10 @@ their curvature focuses it, there are caustics on surfaces and shafts of light a
 
 import numpy as np
 
+from ..seawater import DOWNWARD, EXTINCTION
+
 #: Towards the sun, as seen from under the water: its azimuth from north to the east and zenith angle [degrees].
 SUN = (12.0, 24.0)
-#: Attenuation of red, green and blue [1/m]: of a ray, and of downward light.
-EXTINCTION, DOWNWARD = (0.150, 0.056, 0.046), (0.20, 0.050, 0.040)
 #: Light of the water along a long view ray up, level and down.
 UPWARD_VIEW, LEVEL_VIEW, DOWNWARD_VIEW = (0.07, 0.50, 0.68), (0.008, 0.135, 0.235), (0.002, 0.040, 0.075)
 #: Number of ripples, the longest ones, that focus light; for the others the sun is too large.

@@ -17,6 +17,8 @@ import math
 import bpy
 import numpy as np
 
+import seawater
+
 from . import versions
 from .light import SUN_PER_LUX
 from .shading import Shading
@@ -35,10 +37,11 @@ class Water:
 
     def __init__(self, about, towards, lux):
         self.level = float(about.get("level", 0.0))
-        self.extinction = np.array(about.get("extinction", (0.15, 0.056, 0.046)), float)
+        self.extinction = np.array(about.get("extinction", seawater.EXTINCTION), float)
         color = np.array(about.get("color", (0.5, 0.9, 1.0)), float)
         self.scattering = np.array(about.get("scattering", 0.45 * self.extinction.min() * color / color.max()), float)
-        self.downward = self.extinction - 0.5 * self.scattering  # what is scattered forward is not lost
+        lost = self.extinction - 0.5 * self.scattering  # what is scattered forward is not
+        self.downward = lost if "extinction" in about else np.array(seawater.DOWNWARD)
         self.towards = refracted(np.array([[0.0, 0.0, 1.0]]), np.asarray(towards, float)[None])[0]
         self.light = lux * SUN_PER_LUX
         self.caustics = None
