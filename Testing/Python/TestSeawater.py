@@ -10,18 +10,18 @@ from littoral import seawater
 from littoral.gallery import water
 
 PLUGIN = Path(__file__).resolve().parents[2] / "paraview-plugin"
-#: Absorption of pure water at 625, 550 and 475 nm [1/m]: R. M. Pope and E. S. Fry (Applied Optics 36, 1997).
-PURE = np.array((0.2834, 0.0565, 0.0114))
+WAVELENGTHS = np.array((620.0, 550.0, 480.0))  # [nm]
+#: Absorption of pure water there [1/m]: R. M. Pope and E. S. Fry (Applied Optics 36, 1997).
+PURE = np.array((0.2755, 0.0565, 0.0127))
 
 a, b, K, c = (np.array(values) for values in (
     seawater.ABSORPTION, seawater.SCATTERING, seawater.DOWNWARD, seawater.EXTINCTION))
 assert (PURE < a).all() and (a < K).all() and (K < c).all(), (PURE, a, K, c)
-np.testing.assert_allclose(c, a + b, rtol=1e-15)
-
-# Equation 3 of Solonenko and Mobley with the backscattering share and the mean cosine of type IB.
-share, cosine = 0.06, 0.98
-downward = a / cosine * np.sqrt(1.0 + b / a * ((0.451 + 2.584 * share) * cosine - (0.205 + 0.521 * share)))
-np.testing.assert_allclose(K, downward, rtol=3e-3)
+# Morel's scattering of sea water: 16.06 beta at a right angle, which falls with the power 4.32 of the wavelength.
+np.testing.assert_allclose(b, 16.06 * 4.72e-4 * (400.0 / WAVELENGTHS) ** 4.32, atol=6e-5)
+# The table of Smith and Baker for the clearest sea water, of which half of the scattering goes backwards.
+np.testing.assert_allclose(K, (0.310, 0.0648, 0.0194), atol=5e-4)
+assert abs(np.exp(-60.0 * seawater.GREY_EXTINCTION) - 0.02) < 1e-3
 
 shader = water.water_shader(water.THROUGH)
 for values in (c, K):
