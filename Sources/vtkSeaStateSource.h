@@ -66,8 +66,8 @@ public:
 
   ///@{
   /**
-   * Wave spectrum, a SpectrumType; default PiersonMoskowitz. PiersonMoskowitz: a fully developed sea in deep water.
-   * JONSWAP: a fetch-limited sea with a higher peak. TMA: JONSWAP in water of finite depth. Regular: one wave of
+   * Wave spectrum, a SpectrumType; default PiersonMoskowitz. PiersonMoskowitz: a fully developed sea. JONSWAP: a
+   * fetch-limited sea with a higher peak. TMA: JONSWAP with the factor of WaterDepth. Regular: one wave of
    * PeakPeriod along MeanDirection, with the height SignificantWaveHeight from trough to crest and a crest at the
    * origin at time 0; NumberOfTrains, FrequencyRange, Spreading, EqualSpacing and Seed are not used. Table: the
    * spectrum of the input.
@@ -85,7 +85,8 @@ public:
   /**
    * Quantities that define the height of the sea, a SeaByType; default Wind. Wind: WindSpeed. HeightAndPeriod:
    * SignificantWaveHeight and PeakPeriod. JONSWAP and Regular take height and period of the fully developed sea of the
-   * wind, TMA the deep-water sea of JONSWAP reduced by its depth factor. Not used if Spectrum is Table.
+   * wind; on water of a finite WaterDepth PiersonMoskowitz and JONSWAP are reduced by the depth factor of TMA, and to
+   * 0.59 depths at most. Not used if Spectrum is Table.
    */
   vtkSetMacro(SeaBy, int);
   vtkGetMacro(SeaBy, int);
@@ -133,7 +134,8 @@ public:
   ///@{
   /**
    * Water depth [m], at least 1e-6, or 0 for deep water; default 0. It determines the wave numbers of all spectra, and
-   * the energy of TMA.
+   * the energy of TMA and of seas by Wind. Waves that would break, a SignificantWaveHeight above 0.59 depths or a Regular
+   * wave above 0.78, are refused.
    */
   vtkSetMacro(WaterDepth, double);
   vtkGetMacro(WaterDepth, double);

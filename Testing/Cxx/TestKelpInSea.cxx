@@ -31,12 +31,13 @@ using littoral::Vector3;
 struct Case
 {
   int Preset;
-  double Wind;          ///< [m/s]
-  double Depth;         ///< [m]
-  int Seconds;          ///< of a long film
-  int Seeds;            ///< of long films
-  double MostFolded;    ///< share of the fronds' seconds
-  double Current = 0.0; ///< [m/s]
+  double Wind;           ///< [m/s]
+  double Depth;          ///< [m]
+  int Seconds;           ///< of a long film
+  int Seeds;             ///< of long films
+  double MostFolded;     ///< share of the fronds' seconds
+  double Current = 0.0;  ///< [m/s]
+  bool IsByWind = false; ///< else with the waves of that wind on deep water
 };
 
 /// What was worst in a film.
@@ -117,7 +118,8 @@ bool TestPlant(const Case& one, int seed, int seconds)
   weed->SetSeed(seed);
   vtkNew<vtkSeaStateSource> sea;
   // Height and period of Pierson and Moskowitz on deep water: higher than such a wind raises here
-  sea->SetSeaByToHeightAndPeriod();
+  sea->SetWindSpeed(one.Wind);
+  sea->SetSeaBy(one.IsByWind ? vtkSeaStateSource::Wind : vtkSeaStateSource::HeightAndPeriod);
   sea->SetSignificantWaveHeight(4.0 * one.Wind * one.Wind / 9.80665 * std::sqrt(8.1e-3 / (4.0 * 0.74)));
   sea->SetPeakPeriod(littoral::TwoPi * one.Wind / (std::pow(0.8 * 0.74, 0.25) * 9.80665));
   sea->SetSeaLevel(one.Depth);
@@ -164,6 +166,8 @@ int TestKelpInSea(int argc, char* argv[])
          Case{ vtkSeaweedSource::SugarKelp, 8.0, 6.0, 600, 3, 0.08 },
          Case{ vtkSeaweedSource::SugarKelp, 2.0, 6.0, 600, 3, 0.0, 0.15 },
          Case{ vtkSeaweedSource::SugarKelp, 2.0, 6.0, 600, 3, 0.0, 0.3 },
+         Case{ vtkSeaweedSource::SugarKelp, 8.0, 6.0, 600, 3, 0.0, 0.0, true },
+         Case{ vtkSeaweedSource::SugarKelp, 10.0, 6.0, 600, 3, 0.04, 0.0, true },
          Case{ vtkSeaweedSource::Eelgrass, 5.0, 6.0, 600, 1, 0.0 },
          Case{ vtkSeaweedSource::GiantKelp, 6.0, 17.0, 120, 1, 0.0 },
        })

@@ -324,6 +324,40 @@ TEST(SeaweedBlade, AFlowAlongTheFaceHardlyPushes)
   EXPECT_NEAR(edge / face, 0.01, 0.002);
 }
 
+TEST(SeaweedBlade, BladesHaveTheDragOfPlatesAndStipesThatOfCylinders)
+{
+  // One stiff link in a weak current at the defaults: K a = rho/2 C D L U2 L/2, K = 2 E I / L.
+  for (const bool isBlade : { true, false })
+  {
+    Skeleton skeleton;
+    skeleton.StartBranch(-1, { 0.0, 0.0, -20.0 }, 0.01);
+    skeleton.Grow({ 0.0, 0.0, -19.0 }, 0.01);
+    SeaweedSegment segment;
+    segment.Tissue = isBlade ? SeaweedTissue::Blade : SeaweedTissue::Stipe;
+    segment.Width = 0.02;
+    segment.Thickness = isBlade ? 0.004 : 0.02;
+    segment.Across = { 0.0, 1.0, 0.0 };
+    segment.Density = Density;
+    segment.YoungModulus = 50.0 / SecondMoment(segment);
+    const SeaweedMotion motion(LinksOf(skeleton, { segment, segment }, {}), {});
+    std::vector<LinkState> states = motion.AtRest();
+    std::vector<LinkPose> poses(1);
+    motion.Pose(states.data(), 0, 1, poses.data());
+    std::vector<WaterAtLink> water(motion.GetBatches().front().PaddedLinks());
+    for (WaterAtLink& one : water)
+    {
+      one.Velocity = { 0.3, 0.0, 0.0 };
+    }
+    for (int n = 0; n < 4000; ++n)
+    {
+      motion.Step(0.01, motion.GetBatches().front(), water.data(), states.data(), poses.data());
+    }
+    const double coefficient = isBlade ? 1.95 : 0.975;
+    const double bend = 0.25 * Density * coefficient * 0.02 * 0.09 / 100.0;
+    EXPECT_NEAR(std::acos(poses[0].Axis.z), bend, 1e-3 * bend) << isBlade;
+  }
+}
+
 TEST(SeaweedBlade, TheWaterMovesWithTheFaceAlone)
 {
   // One link on a spring, without drag: periods of a plate with the added mass of its sides.
