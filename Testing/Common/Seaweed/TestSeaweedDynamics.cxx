@@ -196,7 +196,7 @@ public:
       const Eigen::Vector3d change = (ahead[n].Across - behind[n].Across) / (2.0 * step);
       const Eigen::Vector3d across = change - change.dot(now[n].Axis) * now[n].Axis;
       const double normal = (ahead[n].Normal - behind[n].Normal) / (2.0 * step);
-      forces.push_back(0.5 *
+      forces.emplace_back(0.5 *
         (link.WaterMass * ToEigen(this->Water.Acceleration) - link.EdgeMass * across -
           (link.FaceMass - link.EdgeMass) * normal * now[n].Face));
     }
