@@ -6,6 +6,7 @@
 #include "Data/Inputs.h"
 #include "Data/TableTexts.h"
 #include "Data/Tables.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Plants/InventoryPlants.h"
 #include "Plants/StandInventory.h"
@@ -53,6 +54,24 @@ vtkSmartPointer<vtkStringArray> WordsOf(const char* name, const std::vector<std:
     array->InsertNextValue(word);
   }
   return array;
+}
+
+std::string Joined(const std::vector<std::string>& words)
+{
+  std::string all;
+  for (const std::string& word : words)
+  {
+    all += (all.empty() ? "" : ", ") + word;
+  }
+  return all;
+}
+
+/// Remarks on a table for its user; empty if all of it is read as it is.
+std::string RemarksOn(const littoral::StandInventory& stand)
+{
+  const std::string codes = stand.MissingCodes.empty() ? "" : "Taken as missing: " + Joined(stand.MissingCodes) + ".";
+  const std::string unread = stand.Unread.empty() ? "" : "Columns not used: " + Joined(stand.Unread) + ".";
+  return codes + (codes.empty() || unread.empty() ? "" : " ") + unread;
 }
 
 /// Adds plants as field data.
@@ -141,6 +160,7 @@ vtkStandInventoryFilter::vtkStandInventoryFilter()
   , DefaultSpecies(nullptr)
   , KeepDead(false)
   , AllowCoincident(false)
+  , AllowImplausible(false)
   , QuadraticMeanDiameter(0.0)
   , HeightVariation(0.1)
   , DiameterClasses(1)
@@ -210,6 +230,7 @@ littoral::InventoryOptions vtkStandInventoryFilter::Options() const
   options.DefaultSpecies = Word(this->DefaultSpecies);
   options.KeepDead = this->KeepDead;
   options.AllowCoincident = this->AllowCoincident;
+  options.AllowImplausible = this->AllowImplausible;
   options.QuadraticMeanDiameter = this->QuadraticMeanDiameter;
   options.HeightVariation = this->HeightVariation;
   options.Seed = this->Seed;
@@ -252,8 +273,14 @@ int vtkStandInventoryFilter::RequestData(
   AddPlants(plants.Plants, sites);
   sites->GetFieldData()->AddArray(WordsOf("Plots", stand.Plots));
   sites->GetFieldData()->AddArray(WordsOf("Unlisted", stand.Unlisted));
+  sites->GetFieldData()->AddArray(WordsOf("UnusedColumns", stand.Unread));
+  sites->GetFieldData()->AddArray(WordsOf("MissingCodes", stand.MissingCodes));
   littoral::AddField(sites, "RowsDropped", { static_cast<double>(stand.Dropped) });
   littoral::AddField(sites, "Area", { littoral::AreaOf(stand) });
+  if (const std::string remarks = RemarksOn(stand); !remarks.empty())
+  {
+    littoralWarningMacro(<< remarks);
+  }
   this->UpdateProgress(1.0);
   return 1;
 }
@@ -284,6 +311,7 @@ void vtkStandInventoryFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DefaultSpecies: " << Word(this->DefaultSpecies) << "\n";
   os << indent << "KeepDead: " << this->KeepDead << "\n";
   os << indent << "AllowCoincident: " << this->AllowCoincident << "\n";
+  os << indent << "AllowImplausible: " << this->AllowImplausible << "\n";
   os << indent << "QuadraticMeanDiameter: " << this->QuadraticMeanDiameter << "\n";
   os << indent << "HeightVariation: " << this->HeightVariation << "\n";
   os << indent << "DiameterClasses: " << this->DiameterClasses << "\n";

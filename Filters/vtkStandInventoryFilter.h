@@ -9,7 +9,8 @@
  * (ft)`: x, gx, px, easting; y, gy, py, northing; species, sp, mnemonic, latin, and genus before it; dbh, diameter,
  * d130, or of girths gbh, cbh, girth, circumference; height, ht; plot; status, dfstatus; treeid, tag. A table with gx
  * and gy, or px and py, is one of ForestGEO, whose dbh is in millimetres. Empty cells, NA, NaN, NULL and 0 are missing
- * diameters and heights.
+ * diameters and heights, and so are codes: negative nines; 999, 9999 and the like and 5005 where they are more than
+ * twice all other numbers of the column; and the largest number, if it is there twice and no tree has it.
  *
  * Input, port 1, optional: a vtkTable of species with the columns `species` (names, separated by semicolons), `kind`
  * (the plant that stands for it, as Pine, Oak, Birch or Shrub), and optionally `curve` (Curtis or Weibull), `a`, `b`,
@@ -23,8 +24,9 @@
  * `CrownDiameter` [m] (by Jucker et al. 2017, from DBH and height), `Plot` (index in Plots), `Imputed` (0 measured, 1
  * DBH imputed, 2 height imputed, 3 both) and `SpeciesName`. Field data: `Kinds`, the kinds of the plants, in the order
  * of the table of species, and `PlantDBH`, `PlantHeight` and `PlantCrownDiameter` [m], the medians of the trees that
- * each plant stands for; `Plots`; `Unlisted`, species that are not in the table of species; `RowsDropped`; `Area` [m2],
- * of the rectangles around the plots.
+ * each plant stands for; `Plots`; `Unlisted`, species that are not in the table of species; `UnusedColumns`;
+ * `MissingCodes`, as "dbh 9999"; `RowsDropped`; `Area` [m2], of the rectangles around the plots, each side wider by
+ * (n + 1) / (n - 1) for n trees. Unused columns and codes are also a warning, once.
  *
  * Missing values are functions of Seed and of the row of the tree alone. A missing height is that of the curve, scaled
  * by trees with both measures where there are at least 5, with HeightVariation. A missing diameter is that of the curve
@@ -36,8 +38,9 @@
  * is taken. Rows of dead trees are left out.
  *
  * A column that is not there, columns of which none is known but places, plots and numbers, a cell that is no
- * number, trees at the same place, dimensions that no stand has in the unit that was said, and a table without trees
- * are reported as one error.
+ * number, trees at the same place, dimensions that no stand has in the unit that was said, a tree that is too thick, too
+ * high or too slender or stands far from all others, a column that may be the diameter or the height but is not known as
+ * such, and a table without trees are reported as one error.
  *
  * @sa vtkPlantScatterFilter
  */
@@ -144,7 +147,7 @@ public:
 
   ///@{
   /**
-   * Name of the column of species; default empty, by the known names.
+   * Name of the column of species; default empty, by the known names; `-`: none.
    */
   vtkSetStringMacro(SpeciesColumn);
   vtkGetStringMacro(SpeciesColumn);
@@ -152,7 +155,7 @@ public:
 
   ///@{
   /**
-   * Name of the column of diameters at breast height; default empty, by the known names.
+   * Name of the column of diameters at breast height; default empty, by the known names; `-`: none.
    */
   vtkSetStringMacro(DiameterColumn);
   vtkGetStringMacro(DiameterColumn);
@@ -160,7 +163,7 @@ public:
 
   ///@{
   /**
-   * Name of the column of heights; default empty, by the known names.
+   * Name of the column of heights; default empty, by the known names; `-`: none.
    */
   vtkSetStringMacro(HeightColumn);
   vtkGetStringMacro(HeightColumn);
@@ -168,7 +171,7 @@ public:
 
   ///@{
   /**
-   * Name of the column of plots; default empty, by the known names.
+   * Name of the column of plots; default empty, by the known names; `-`: none.
    */
   vtkSetStringMacro(PlotColumn);
   vtkGetStringMacro(PlotColumn);
@@ -206,6 +209,16 @@ public:
   vtkSetMacro(AllowCoincident, bool);
   vtkGetMacro(AllowCoincident, bool);
   vtkBooleanMacro(AllowCoincident, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Reading of sizes and places that no stand has, and of 999 and the like as measures; default off: an error, or a
+   * missing value.
+   */
+  vtkSetMacro(AllowImplausible, bool);
+  vtkGetMacro(AllowImplausible, bool);
+  vtkBooleanMacro(AllowImplausible, bool);
   ///@}
 
   ///@{
@@ -272,6 +285,7 @@ protected:
   char* DefaultSpecies;
   bool KeepDead;
   bool AllowCoincident;
+  bool AllowImplausible;
   double QuadraticMeanDiameter;
   double HeightVariation;
   int DiameterClasses;

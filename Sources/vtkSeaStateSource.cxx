@@ -43,6 +43,21 @@ std::vector<double> ColumnOf(vtkTable* table, const char* name)
   return values;
 }
 
+/// Names of the columns of a spectrum that are not used.
+std::string UnusedColumns(vtkTable* table)
+{
+  std::string names;
+  for (vtkIdType index = 0; index < table->GetNumberOfColumns(); ++index)
+  {
+    const std::string name = table->GetColumnName(index) ? table->GetColumnName(index) : "";
+    if (!name.empty() && name != "Frequency" && name != "Density")
+    {
+      names += (names.empty() ? "" : ", ") + name;
+    }
+  }
+  return names;
+}
+
 }
 
 //----------------------------------------------------------------------------
@@ -125,7 +140,8 @@ int vtkSeaStateSource::RequestData(
   {
     return 1;
   }
-  const SpectrumParameters spectrum = this->MakeSpectrum(OptionalInputOf<vtkTable>(inputVector[0], "Input"));
+  auto* measured = OptionalInputOf<vtkTable>(inputVector[0], "Input");
+  const SpectrumParameters spectrum = this->MakeSpectrum(measured);
   const TrainParameters cut = this->MakeTrainParameters();
   ParameterCheck check;
   check.Require(WhyInvalid(spectrum));
@@ -146,6 +162,11 @@ int vtkSeaStateSource::RequestData(
   AddField(output, sea::SignificantWaveHeight, { 4.0 * std::sqrt(energy) });
   AddField(output, sea::PeakPeriod, { TwoPi / density.PeakFrequency() });
   AddField(output, sea::EnergyLeftOut, { leftOut });
+  const std::string unused = measured && this->Spectrum == Table ? UnusedColumns(measured) : std::string();
+  if (!unused.empty())
+  {
+    littoralWarningMacro("Columns of the spectrum not used: " << unused << "; set MeanDirection and Spreading.");
+  }
   if (leftOut > EnergyLeftOutInSilence)
   {
     littoralWarningMacro("FrequencyRange leaves out " << 100.0 * leftOut << " % of the energy of the spectrum.");

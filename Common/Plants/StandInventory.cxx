@@ -4,12 +4,12 @@
 
 #include "Numerics/Constants.h"
 #include "Numerics/InvalidInput.h"
+#include "Numerics/MissingCodes.h"
 #include "Numerics/ParameterCheck.h"
+#include "Plants/StandPlausibility.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <initializer_list>
 #include <iterator>
 #include <map>
 #include <set>
@@ -21,17 +21,10 @@ namespace littoral
 namespace
 {
 
-constexpr double PlotGap = 20.0; // between plots that are set in a row [m]
-// Limits of the dimensions of a stand.
-constexpr double MaximumDiameter = 12.0;     // of the thickest tree on record, 11.6 m [m]
-constexpr double MaximumHeight = 130.0;      // the tallest on record has 116 m [m]
-constexpr double ThickestMiddle = 2.5;       // median diameter [m]
-constexpr double ThinnestMiddle = 0.002;     // [m]
-constexpr double TallestMiddle = 90.0;       // median height [m]
-constexpr double LowestMiddle = 0.3;         // [m]
-constexpr double MaximumSlenderness = 400.0; // median of height over diameter
-constexpr double MinimumSlenderness = 8.0;
-constexpr double DensestStand = 20.0; // trees a square metre
+constexpr double PlotGap = 20.0;        // between plots that are set in a row [m]
+constexpr double ThickestMean = 2.5;    // quadratic mean diameter of a stand [m]
+constexpr double TallestLikely = 130.0; // height that is no code for a missing one [m]
+constexpr double DensestStand = 20.0;   // trees a square metre
 constexpr std::size_t MinimumTreesForDensity = 20;
 constexpr double FarthestPlace = 1e8; // [m]
 
@@ -45,9 +38,6 @@ constexpr UnitWord UnitWords[] = { { "m", LengthUnit::Metre }, { "metre", Length
   { "metres", LengthUnit::Metre }, { "meters", LengthUnit::Metre }, { "cm", LengthUnit::Centimetre },
   { "mm", LengthUnit::Millimetre }, { "ft", LengthUnit::Foot }, { "feet", LengthUnit::Foot },
   { "in", LengthUnit::Inch }, { "inch", LengthUnit::Inch }, { "inches", LengthUnit::Inch } };
-
-constexpr const char* UnitNames[] = { "the unit of its name", "m", "cm", "mm", "ft", "in" };
-static_assert(std::size(UnitNames) == NumberOfLengthUnits, "a name a unit");
 
 /// A name of a column in two: what it is called, and the unit behind it.
 std::pair<std::string, LengthUnit> NameAndUnit(const std::string& name)
@@ -74,54 +64,145 @@ struct FoundColumn
   LengthUnit Unit = LengthUnit::Named; ///< by its name
 };
 
-std::string NamesOf(const TextTable& table)
+std::string Joined(const std::vector<std::string>& names)
 {
-  std::string names;
-  for (const std::string& name : table.Names)
+  std::string all;
+  for (const std::string& name : names)
   {
-    names += (names.empty() ? "" : ", ") + name;
+    all += (all.empty() ? "" : ", ") + name;
   }
-  return names;
+  return all;
 }
 
-/// Finds columns by the names that are known, or by the one that is asked for.
+std::string NamesOf(const TextTable& table)
+{
+  return Joined(table.Names);
+}
+
+/// A name of a column that says no column.
+constexpr const char* NoColumn = "-";
+
+/// Kind of a column: the property that names it, the known names, and parts of names that are like these.
+struct ColumnKind
+{
+  const char* Property; ///< null: by known names alone
+  const char* Words;    ///< of what it has
+  std::vector<const char*> Known;
+  std::vector<const char*> Parts;    ///< anywhere in a name
+  std::vector<const char*> Prefixes; ///< at its begin
+};
+
+const ColumnKind Diameters{ "DiameterColumn", "diameters", { "dbh", "diameter", "diam", "dia", "d130", "d" },
+  { "dbh", "diam", "girth", "circumf", "gbh", "cbh", "bhd" }, { "dia", "dap" } };
+const ColumnKind Girths{ "DiameterColumn", "girths", { "gbh", "cbh", "girth", "circumference" }, {}, {} };
+const ColumnKind Heights{ "HeightColumn", "heights", { "height", "ht", "totalheight", "treeheight", "h" },
+  { "height", "hoehe", "h\xc3\xb6he", "hauteur", "altura" }, { "ht" } };
+
+/// Columns by the names that are known, or by the one that is asked for.
 class ColumnFinder
 {
 public:
   explicit ColumnFinder(const TextTable& table)
     : Table(table)
+    , IsRead(table.Names.size(), false)
   {
   }
 
-  FoundColumn Find(const std::string& asked, std::initializer_list<const char*> known)
+  FoundColumn Find(const std::string& asked, const ColumnKind& kind)
   {
-    for (std::size_t column = 0; !asked.empty() && column < this->Table.Names.size(); ++column)
+    const FoundColumn found = asked.empty() ? this->Known(kind) : this->Asked(asked);
+    if (found.Index >= 0)
     {
-      if (this->Table.Names[column] == asked)
+      this->IsRead[static_cast<std::size_t>(found.Index)] = true;
+    }
+    return found;
+  }
+
+  /// Refuses to go on without a column while the names of others look like it.
+  void AskFor(const ColumnKind& kind) const
+  {
+    std::string names;
+    for (const std::string& name : this->Unread())
+    {
+      names += IsLike(PlainWord(name), kind) ? (names.empty() ? "" : ", ") + name : "";
+    }
+    if (!names.empty())
+    {
+      Refuse("set ", kind.Property, ", to '", NoColumn, "' for none: ", names, " may be ", kind.Words, ".");
+    }
+  }
+
+  /// Names of columns that nothing is read from, without numbers of rows.
+  std::vector<std::string> Unread() const
+  {
+    std::vector<std::string> names;
+    for (std::size_t column = 0; column < this->IsRead.size(); ++column)
+    {
+      const std::string& name = this->Table.Names[column];
+      if (!this->IsRead[column] && !name.empty() && NameAndUnit(name).first != "id")
       {
-        return { static_cast<int>(column), NameAndUnit(asked).second };
+        names.push_back(name);
       }
     }
-    if (!asked.empty())
+    return names;
+  }
+
+private:
+  const TextTable& Table;
+  std::vector<bool> IsRead;
+
+  FoundColumn Asked(const std::string& asked) const
+  {
+    if (asked == NoColumn)
+    {
+      return {};
+    }
+    const auto found = std::find(this->Table.Names.begin(), this->Table.Names.end(), asked);
+    if (found == this->Table.Names.end())
     {
       Refuse("there is no column '", asked, "'; the table has ", NamesOf(this->Table), ".");
     }
-    for (const char* name : known)
+    return { static_cast<int>(found - this->Table.Names.begin()), NameAndUnit(asked).second };
+  }
+
+  /// The column of the first known name that there is; two of one name but of other units must be told apart.
+  FoundColumn Known(const ColumnKind& kind) const
+  {
+    for (const char* name : kind.Known)
     {
+      FoundColumn found;
       for (std::size_t column = 0; column < this->Table.Names.size(); ++column)
       {
         const auto [word, unit] = NameAndUnit(this->Table.Names[column]);
-        if (word == name)
+        if (word != name)
         {
-          return { static_cast<int>(column), unit };
+          continue;
         }
+        if (found.Index >= 0 && kind.Property)
+        {
+          Refuse("set ", kind.Property, ": both ", this->Table.Names[static_cast<std::size_t>(found.Index)], " and ",
+            this->Table.Names[column], " may be ", kind.Words, ".");
+        }
+        found = found.Index >= 0 ? found : FoundColumn{ static_cast<int>(column), unit };
+      }
+      if (found.Index >= 0)
+      {
+        return found;
       }
     }
     return {};
   }
 
-private:
-  const TextTable& Table;
+  /// Whether a plain name may be that of a kind: no height of a crown or of a measurement.
+  static bool IsLike(const std::string& name, const ColumnKind& kind)
+  {
+    const auto has = [&name](const char* part) { return name.find(part) != std::string::npos; };
+    const auto begins = [&name](const char* part) { return name.rfind(part, 0) == 0; };
+    const bool isOther = has("crown") || has("canopy") || has("base") || has("meas");
+    return !isOther &&
+      (std::any_of(kind.Parts.begin(), kind.Parts.end(), has) ||
+        std::any_of(kind.Prefixes.begin(), kind.Prefixes.end(), begins));
+  }
 };
 
 /// The columns of an inventory, and the units of its numbers.
@@ -136,65 +217,65 @@ struct Layout
   FoundColumn Plot;
   FoundColumn Status;
   FoundColumn Tree;
+  std::vector<std::string> Unread; ///< names of the others
   bool IsForestGeo = false;
   double OfDiameter = 1.0; ///< diameter over what the column of diameters has: 1 / pi of a girth
 
   Layout(const TextTable& table, const InventoryColumns& columns)
   {
     ColumnFinder finder(table);
-    this->X = finder.Find(columns.X, { "x", "gx", "px", "easting", "xcoord", "xcoordinate", "xutm", "utmx" });
-    this->Y = finder.Find(columns.Y, { "y", "gy", "py", "northing", "ycoord", "ycoordinate", "yutm", "utmy" });
-    this->Species = finder.Find(
-      columns.Species, { "species", "sp", "spp", "spcode", "mnemonic", "latin", "latinname", "scientificname" });
-    this->Genus = columns.Species.empty() ? finder.Find("", { "genus" }) : FoundColumn();
-    this->Diameter = finder.Find(columns.Diameter, { "dbh", "diameter", "diam", "d130", "d" });
-    if (this->Diameter.Index < 0)
+    this->X = finder.Find(
+      columns.X, { "XColumn", "x", { "x", "gx", "px", "easting", "xcoord", "xcoordinate", "xutm", "utmx" }, {}, {} });
+    this->Y = finder.Find(
+      columns.Y, { "YColumn", "y", { "y", "gy", "py", "northing", "ycoord", "ycoordinate", "yutm", "utmy" }, {}, {} });
+    this->Species = finder.Find(columns.Species,
+      { "SpeciesColumn", "species",
+        { "species", "sp", "spp", "spcode", "mnemonic", "latin", "latinname", "scientificname" }, {}, {} });
+    this->Genus = columns.Species.empty() ? finder.Find("", { nullptr, "genus", { "genus" }, {}, {} }) : FoundColumn();
+    this->Diameter = finder.Find(columns.Diameter, Diameters);
+    if (this->Diameter.Index < 0 && columns.Diameter.empty())
     {
-      this->Diameter = finder.Find("", { "gbh", "cbh", "girth", "circumference" });
+      this->Diameter = finder.Find("", Girths);
       this->OfDiameter = this->Diameter.Index < 0 ? 1.0 : 1.0 / Pi;
     }
-    this->Height = finder.Find(columns.Height, { "height", "ht", "totalheight", "treeheight", "h" });
-    this->Plot = finder.Find(columns.Plot, { "plot", "plotid", "plotname", "plotcode" });
-    this->Status = finder.Find("", { "status", "dfstatus" });
-    this->Tree = finder.Find("", { "treeid", "tag", "treetag" });
+    this->Height = finder.Find(columns.Height, Heights);
+    this->Plot =
+      finder.Find(columns.Plot, { "PlotColumn", "plots", { "plot", "plotid", "plotname", "plotcode" }, {}, {} });
+    this->Status = finder.Find("", { nullptr, "status", { "status", "dfstatus" }, {}, {} });
+    this->Tree = finder.Find("", { nullptr, "trees", { "treeid", "tag", "treetag" }, {}, {} });
     this->IsForestGeo = (table.ColumnOf("gx") >= 0 && table.ColumnOf("gy") >= 0) ||
       (table.ColumnOf("px") >= 0 && table.ColumnOf("py") >= 0);
+    this->Unread = finder.Unread();
+    this->Check(table, columns, finder);
+  }
+
+private:
+  void Check(const TextTable& table, const InventoryColumns& columns, const ColumnFinder& finder) const
+  {
     if (this->X.Index < 0 || this->Y.Index < 0)
     {
       Refuse("there are no columns x and y, or gx and gy; the table has ", NamesOf(table),
         ". Name the columns of the places.");
     }
-    const std::string strange = this->HasTrees() ? std::string() : this->StrangeNames(table);
-    if (!strange.empty())
+    if (this->Diameter.Index < 0 && columns.Diameter.empty())
     {
-      Refuse("none of ", strange,
+      finder.AskFor(Diameters);
+    }
+    if (this->Height.Index < 0 && columns.Height.empty())
+    {
+      finder.AskFor(Heights);
+    }
+    if (!this->HasTrees() && !this->Unread.empty())
+    {
+      Refuse("none of ", Joined(this->Unread),
         " is known as a species, a diameter or a height. Name the columns that are, or leave all of them out.");
     }
   }
 
-private:
   /// Whether anything but places is known of the trees.
   bool HasTrees() const
   {
     return this->Species.Index >= 0 || this->Genus.Index >= 0 || this->Diameter.Index >= 0 || this->Height.Index >= 0;
-  }
-
-  /// Names of columns that nothing is read from.
-  std::string StrangeNames(const TextTable& table) const
-  {
-    const std::array<int, 5> read{ this->X.Index, this->Y.Index, this->Plot.Index, this->Status.Index,
-      this->Tree.Index };
-    std::string names;
-    for (int column = 0; column < static_cast<int>(table.Names.size()); ++column)
-    {
-      const std::string& name = table.Names[static_cast<std::size_t>(column)];
-      const bool isNumber = name.empty() || NameAndUnit(name).first == "id"; // of the row
-      if (!isNumber && std::find(read.begin(), read.end(), column) == read.end())
-      {
-        names += (names.empty() ? "" : ", ") + name;
-      }
-    }
-    return names;
   }
 };
 
@@ -230,84 +311,6 @@ double LengthIn(const TextTable& table, const FoundColumn& column, std::size_t r
       word.find(',') == std::string::npos ? "." : "; a decimal comma must be a point.");
   }
   return metres * number;
-}
-
-/// A measure that is 0 was not taken; below 0 it is wrong.
-double Measure(double length, const char* name, std::size_t row)
-{
-  if (length < 0.0)
-  {
-    Refuse(name, " of row ", row + 1, " is ", TextOf(length), " m; it must be positive.");
-  }
-  return length > 0.0 ? length : std::numeric_limits<double>::quiet_NaN();
-}
-
-double Median(std::vector<double> numbers)
-{
-  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
-  std::nth_element(numbers.begin(), middle, numbers.end());
-  return *middle;
-}
-
-/// The numbers of trees that are known.
-template <typename ValueOf>
-std::vector<double> Known(const std::vector<StandTree>& trees, const ValueOf& valueOf)
-{
-  std::vector<double> known;
-  for (const StandTree& tree : trees)
-  {
-    const double value = valueOf(tree);
-    if (std::isfinite(value))
-    {
-      known.push_back(value);
-    }
-  }
-  return known;
-}
-
-/// Refuses lengths that must be in another unit than told.
-void RequirePlausible(const char* name, const char* property, LengthUnit unit, const std::vector<double>& known,
-  double lowest, double highest, double largest)
-{
-  if (known.empty())
-  {
-    return;
-  }
-  const double middle = Median(known);
-  const double most = *std::max_element(known.begin(), known.end());
-  if (middle >= lowest && middle <= highest && most <= largest)
-  {
-    return;
-  }
-  const int told = static_cast<int>(unit);
-  std::string others;
-  for (int other = 1; other < NumberOfLengthUnits; ++other)
-  {
-    const double factor = MetresOf(static_cast<LengthUnit>(other)) / MetresOf(unit);
-    const bool fits = factor * middle >= lowest && factor * middle <= highest && factor * most <= largest;
-    others += fits ? (others.empty() ? " " : " or ") + std::string(UnitNames[other]) : "";
-  }
-  Refuse(name, " in ", UnitNames[told], " would have a median of ", TextOf(middle), " m and a maximum of ",
-    TextOf(most), " m, which is no stand of trees; set ", property, others.empty() ? "." : ", to" + others + ".");
-}
-
-void RequirePlausible(const StandInventory& stand, LengthUnit diameters, LengthUnit heights)
-{
-  RequirePlausible("DBH", "DiameterUnit", diameters,
-    Known(stand.Trees, [](const StandTree& tree) { return tree.Diameter; }), ThinnestMiddle, ThickestMiddle,
-    MaximumDiameter);
-  RequirePlausible("height", "HeightUnit", heights,
-    Known(stand.Trees, [](const StandTree& tree) { return tree.Height; }), LowestMiddle, TallestMiddle, MaximumHeight);
-  const std::vector<double> slenderness =
-    Known(stand.Trees, [](const StandTree& tree) { return tree.Height / tree.Diameter; });
-  const double middle = slenderness.empty() ? MinimumSlenderness : Median(slenderness);
-  if (middle < MinimumSlenderness || middle > MaximumSlenderness)
-  {
-    Refuse("half of the trees are ", middle < MinimumSlenderness ? "less" : "more", " than ",
-      TextOf(std::floor(middle)), " times as high as thick; the units of DBH (", UnitNames[static_cast<int>(diameters)],
-      ") and height (", UnitNames[static_cast<int>(heights)],
-      ") do not fit each other: set DiameterUnit or HeightUnit.");
-  }
 }
 
 /// The rectangle around some trees.
@@ -433,6 +436,8 @@ public:
     , Diameters(UnitOf(options.DiameterUnit, this->Columns.Diameter,
         this->Columns.IsForestGeo ? LengthUnit::Millimetre : LengthUnit::Centimetre))
     , Heights(UnitOf(options.HeightUnit, this->Columns.Height, LengthUnit::Metre))
+    , DiameterCodes(this->CodesIn(this->Columns.Diameter, LargestLikely(this->NumbersIn(this->Columns.Diameter))))
+    , HeightCodes(this->CodesIn(this->Columns.Height, TallestLikely / MetresOf(this->Heights)))
   {
   }
 
@@ -453,9 +458,8 @@ public:
     }
     tree.X = this->PlaceIn(this->Columns.X, row);
     tree.Y = this->PlaceIn(this->Columns.Y, row);
-    const double unit = this->Columns.OfDiameter * MetresOf(this->Diameters);
-    tree.Diameter = Measure(LengthIn(this->Table, this->Columns.Diameter, row, unit), "DBH", row);
-    tree.Height = Measure(LengthIn(this->Table, this->Columns.Height, row, MetresOf(this->Heights)), "Height", row);
+    tree.Diameter = this->MeasureIn(this->Columns.Diameter, this->DiameterCodes, this->MetresOfDiameter(), "DBH", row);
+    tree.Height = this->MeasureIn(this->Columns.Height, this->HeightCodes, MetresOf(this->Heights), "Height", row);
     tree.Name = this->NameIn(row);
     tree.Species = this->Species.RowOf(tree.Name, this->Options.DefaultSpecies);
     if (!tree.Name.empty() && !this->Species.Has(tree.Name) && this->Met.insert(tree.Name).second)
@@ -479,8 +483,65 @@ private:
   Layout Columns;
   LengthUnit Diameters;
   LengthUnit Heights;
+  std::set<double> DiameterCodes; ///< for missing values, as written in the table
+  std::set<double> HeightCodes;
   std::map<std::string, int> Plots;
   std::set<std::string> Met;
+
+  double MetresOfDiameter() const { return this->Columns.OfDiameter * MetresOf(this->Diameters); }
+
+  /// Numbers of a column, without words.
+  std::vector<double> NumbersIn(const FoundColumn& column) const
+  {
+    std::vector<double> numbers;
+    for (std::size_t row = 0; column.Index >= 0 && row < this->Table.NumberOfRows(); ++row)
+    {
+      double number = 0.0;
+      if (ReadNumber(CellOf(this->Table, column, row), number))
+      {
+        numbers.push_back(number);
+      }
+    }
+    return numbers;
+  }
+
+  /// Largest likely diameter of a tree of a column, in the unit of the column.
+  double LargestLikely(std::vector<double> numbers) const
+  {
+    for (double& number : numbers)
+    {
+      number *= this->MetresOfDiameter();
+    }
+    return LargestLikelyDiameter(std::move(numbers)) / this->MetresOfDiameter();
+  }
+
+  /// Codes for missing values in a column, of which the stand keeps the names.
+  std::set<double> CodesIn(const FoundColumn& column, double largestLikely)
+  {
+    std::set<double> codes = MissingCodes(this->NumbersIn(column), largestLikely);
+    if (this->Options.AllowImplausible)
+    {
+      codes.erase(codes.upper_bound(0.0), codes.end());
+    }
+    for (const double code : codes)
+    {
+      this->Stand.MissingCodes.push_back(this->Table.Names[column.Index] + " " + TextOf(code));
+    }
+    return codes;
+  }
+
+  /// A positive length [m]; NaN where it was not measured, which 0 and codes say too.
+  double MeasureIn(
+    const FoundColumn& column, const std::set<double>& codes, double metres, const char* name, std::size_t row) const
+  {
+    const double number = LengthIn(this->Table, column, row, 1.0);
+    const bool isMissing = !(number != 0.0) || codes.count(number) > 0;
+    if (!isMissing && number < 0.0)
+    {
+      Refuse(name, " of row ", row + 1, " is ", TextOf(metres * number), " m; it must be positive.");
+    }
+    return isMissing ? std::numeric_limits<double>::quiet_NaN() : metres * number;
+  }
 
   /// The species, with its genus where that has a column of its own.
   std::string NameIn(std::size_t row) const
@@ -511,7 +572,7 @@ std::string WhyInvalid(const InventoryOptions& options, const StandSpeciesTable&
   check.Choice("DiameterUnit", static_cast<int>(options.DiameterUnit), NumberOfLengthUnits);
   check.Choice("HeightUnit", static_cast<int>(options.HeightUnit), NumberOfLengthUnits);
   check.Positive("CoordinateScale", options.CoordinateScale);
-  check.NotNegative("QuadraticMeanDiameter", options.QuadraticMeanDiameter, "m", ThickestMiddle);
+  check.NotNegative("QuadraticMeanDiameter", options.QuadraticMeanDiameter, "m", ThickestMean);
   check.Range("HeightVariation", options.HeightVariation, 0.0, 0.4);
   check.Count("DiameterClasses", options.DiameterClasses, 1, MaximumDiameterClasses);
   check.Require(species.Has(options.DefaultSpecies),
@@ -528,7 +589,14 @@ double MetresOf(LengthUnit unit)
   return metres[static_cast<int>(unit)];
 }
 
-double AreaOf(const StandInventory& stand)
+const char* NameOf(LengthUnit unit)
+{
+  constexpr const char* names[] = { "the unit of its name", "m", "cm", "mm", "ft", "in" };
+  static_assert(std::size(names) == NumberOfLengthUnits, "a name a unit");
+  return names[static_cast<int>(unit)];
+}
+
+double AreaOf(const StandInventory& stand, double narrowest)
 {
   const std::vector<Rectangle> plots = RectanglesOf(stand);
   std::vector<double> trees(plots.size(), 0.0);
@@ -539,11 +607,11 @@ double AreaOf(const StandInventory& stand)
   double area = 0.0;
   for (std::size_t plot = 0; plot < plots.size(); ++plot)
   {
-    // A side of n^(1/2) spacings, of which the outermost trees are one fewer apart.
-    const double wider = 1.0 + 1.0 / std::max(1.0, std::sqrt(trees[plot]));
+    // E of a side of n random places is (n - 1) / (n + 1) of the plot's.
+    const double wider = (trees[plot] + 1.0) / std::max(1.0, trees[plot] - 1.0);
     const double width = wider * (plots[plot].High[0] - plots[plot].Low[0]);
     const double depth = wider * (plots[plot].High[1] - plots[plot].Low[1]);
-    const double least = 1e-3 * std::max({ width, depth, 1.0 });
+    const double least = narrowest * std::max({ width, depth, 1.0 });
     area += trees[plot] > 0.0 ? std::max(width, least) * std::max(depth, least) : 0.0;
   }
   return area;
@@ -564,10 +632,15 @@ StandInventory ReadInventory(const TextTable& table, const StandSpeciesTable& sp
     Refuse("none of the ", table.NumberOfRows(), " rows is a living tree",
       options.Plot.empty() ? "." : " of the plot '" + options.Plot + "'.");
   }
+  stand.Unread = rows.GetColumns().Unread;
   const int tree = rows.GetColumns().Tree.Index;
   JoinStems(tree < 0 ? std::vector<std::string>() : table.Columns[tree], options.AllowCoincident, stand);
-  RequirePlausible(stand, rows.GetDiameterUnit(), rows.GetHeightUnit());
   RequireRoom(stand);
+  RequirePlausible(stand, rows.GetDiameterUnit(), rows.GetHeightUnit(), options);
+  if (!options.AllowImplausible)
+  {
+    RequireNear(stand);
+  }
   SetApart(stand);
   return stand;
 }

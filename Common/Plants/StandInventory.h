@@ -5,7 +5,6 @@
 
 #include "Plants/StandSpecies.h"
 
-#include <array>
 #include <limits>
 #include <string>
 #include <vector>
@@ -29,7 +28,10 @@ inline constexpr int NumberOfLengthUnits = 6;
 /// A unit in metres; 0 for Named.
 double MetresOf(LengthUnit unit);
 
-/// Names of the columns of an inventory; empty: by the names that are known.
+/// A unit as in "DBH in cm".
+const char* NameOf(LengthUnit unit);
+
+/// Names of the columns of an inventory; empty: by the names that are known; "-": there is none.
 struct InventoryColumns
 {
   std::string X;
@@ -50,10 +52,11 @@ struct InventoryOptions
   LengthUnit CoordinateUnit = LengthUnit::Named; ///< usually metres
   LengthUnit DiameterUnit = LengthUnit::Named;   ///< usually centimetres; millimetres in a table of ForestGEO
   LengthUnit HeightUnit = LengthUnit::Named;     ///< usually metres
-  double CoordinateScale = 1.0; ///< factor of x and y beside their unit, positive, for plots on a unit square
-  std::string Plot;             ///< the only plot that is read; empty: all
-  bool KeepDead = false;        ///< keeps trees whose status is not alive
-  bool AllowCoincident = false; ///< allows trees at the same place
+  double CoordinateScale = 1.0;  ///< factor of x and y beside their unit, positive, for plots on a unit square
+  std::string Plot;              ///< the only plot that is read; empty: all
+  bool KeepDead = false;         ///< keeps trees whose status is not alive
+  bool AllowCoincident = false;  ///< allows trees at the same place
+  bool AllowImplausible = false; ///< takes every positive number for a measure, see RequirePlausible()
   std::string DefaultSpecies = "hardwood"; ///< species of the table that stands for those that are not in it
   double QuadraticMeanDiameter = 0.0;      ///< of a stand without diameters [m], 0 to 2.5; 0: by its density
   double HeightVariation = 0.1;            ///< relative standard deviation of imputed heights, 0 to 0.4
@@ -80,9 +83,11 @@ struct StandTree
 struct StandInventory
 {
   std::vector<StandTree> Trees;
-  std::vector<std::string> Plots;    ///< names, in the order of the table
-  std::vector<std::string> Unlisted; ///< species that are not in the table of species
-  long long Dropped = 0;             ///< rows of dead trees, of other plots, of stems beside the main one
+  std::vector<std::string> Plots;        ///< names, in the order of the table
+  std::vector<std::string> Unlisted;     ///< species that are not in the table of species
+  std::vector<std::string> Unread;       ///< columns that nothing is read from
+  std::vector<std::string> MissingCodes; ///< numbers that stand for missing values, as "dbh 9999"
+  long long Dropped = 0;                 ///< rows of dead trees, of other plots, of stems beside the main one
 };
 
 /**
@@ -102,8 +107,9 @@ StandInventory ReadInventory(const TextTable& table, const StandSpeciesTable& sp
  */
 void CompleteStand(const StandSpeciesTable& species, const InventoryOptions& options, StandInventory& stand);
 
-/// Area of the plots of a stand [m2]: of their bounding rectangles, each a mean spacing wider.
-double AreaOf(const StandInventory& stand);
+/// Area of the plots of a stand [m2]: of the rectangles around n trees, each side (n + 1) / (n - 1) of its length,
+/// which is that of the plot on average if the trees stand at random; no side is below `narrowest` of the other.
+double AreaOf(const StandInventory& stand, double narrowest = 1e-3);
 
 }
 

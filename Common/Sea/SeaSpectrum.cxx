@@ -3,6 +3,7 @@
 #include "Sea/SeaSpectrum.h"
 
 #include "Numerics/Constants.h"
+#include "Numerics/MissingCodes.h"
 #include "Numerics/ParameterCheck.h"
 #include "Sea/Dispersion.h"
 
@@ -10,6 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <set>
+#include <sstream>
 
 namespace littoral
 {
@@ -40,6 +44,9 @@ constexpr double ShallowestDepth = 1e-6;
 /// root mean square is 0.42 (Thornton and Guza 1982).
 constexpr double BreakingHeight = 0.78;
 constexpr double BreakingSignificantHeight = 0.59;
+
+/// Significant wave height that no table exceeds; the highest that was measured is about 20 m [m].
+constexpr double HighestMeasuredSea = 30.0;
 
 /// Part of a wave's energy that finite depth leaves, after Kitaigorodskii.
 double DepthFactor(double frequency, double depth)
@@ -72,6 +79,25 @@ std::string WhyInvalidTable(const SpectrumParameters& parameters)
     {
       return "Density in row " + std::to_string(row) + " of the spectrum is negative or no number.";
     }
+  }
+  // Buoys of NDBC write 999.00 where nothing was measured.
+  const std::set<double> codes = MissingCodes(density, Infinity);
+  const auto code = std::find_if(density.begin(), density.end(), [&](double value) { return codes.count(value) > 0; });
+  if (code != density.end())
+  {
+    return "leave out row " + std::to_string(code - density.begin()) + " of the spectrum: Density " + TextOf(*code) +
+      " is a code for a missing value.";
+  }
+  double energy = 0.0; // of the surface elevation, m0 [m2]
+  for (std::size_t row = 1; row < hertz.size(); ++row)
+  {
+    energy += 0.5 * (density[row] + density[row - 1]) * (hertz[row] - hertz[row - 1]);
+  }
+  if (const double height = 4.0 * std::sqrt(energy); height > HighestMeasuredSea)
+  {
+    std::ostringstream words;
+    words << "Density of the spectrum makes a significant wave height of " << height << " m; it must be in m2/Hz.";
+    return words.str();
   }
   const auto highest = std::max_element(density.begin(), density.end());
   return *highest > 0.0 && hertz[highest - density.begin()] > 0.0

@@ -553,6 +553,23 @@ bool CheckEnergyLeftOut()
       good &= Check(std::isinf(Field(sea, "Period")), "a sea at random frequencies has a period");
     }
   }
+  // Directions of a measured spectrum are not used, and this is told.
+  vtkNew<vtkTable> table = Spectrum({ 0.05, 0.1, 0.3 }, { 0.0, 2.0, 0.0 });
+  vtkNew<vtkDoubleArray> directions;
+  directions->SetName("Direction");
+  directions->SetNumberOfTuples(3);
+  directions->FillComponent(0, 200.0);
+  table->AddColumn(directions);
+  vtkNew<Sea> measured;
+  measured->SetSpectrum(Sea::Table);
+  measured->SetInputData(table);
+  vtkNew<ErrorCounter> messages;
+  messages->Watch(measured);
+  messages->WatchWarnings();
+  measured->Update();
+  good &=
+    Check(messages->Warnings == 1 && messages->LastWarning.find("not used: Direction; set Mean") != std::string::npos,
+      "directions of a spectrum are ignored in silence");
   return good;
 }
 

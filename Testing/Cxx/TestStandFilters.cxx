@@ -120,6 +120,34 @@ bool Inventory()
   return good;
 }
 
+/// Columns that are not used and codes for missing values are told, once.
+bool Remarks()
+{
+  vtkNew<vtkTable> table;
+  FillInventory(table);
+  vtkNew<vtkStandInventoryFilter> stand;
+  stand->SetInputData(0, table);
+  vtkNew<ErrorCounter> messages;
+  messages->Watch(stand);
+  messages->WatchWarnings();
+  stand->Update();
+  bool good = Check(messages->Warnings == 0, "a remark on a table that is used as it is");
+  table->SetValueByName(3, "dbh", -999.0);
+  AddNumbers(table, "agb", { 1.0, 2.0, 3.0, 4.0, 5.0 });
+  table->Modified();
+  stand->Update();
+  stand->UpdatePiece(1, 2, 0);
+  const char* const words = "Taken as missing: dbh -999. Columns not used: agb.";
+  good &= Check(messages->Warnings == 1 && messages->LastWarning.find(words) != std::string::npos, words);
+  for (const char* name : { "UnusedColumns", "MissingCodes" })
+  {
+    auto* names = vtkStringArray::SafeDownCast(stand->GetOutput()->GetFieldData()->GetAbstractArray(name));
+    good &= Check(names && names->GetNumberOfValues() == 1, name);
+  }
+  stand->UpdatePiece(0, 1, 0);
+  return good & Check(Of(stand->GetOutput(), "Imputed")->GetTuple1(3) == 3.0, "a code is no diameter");
+}
+
 /// Parts of a stand are the stand.
 bool Pieces()
 {
@@ -367,6 +395,7 @@ bool BadPreferences()
 int TestStandFilters(int, char*[])
 {
   bool good = Inventory();
+  good &= Remarks();
   good &= Pieces();
   good &= BadInventories();
   good &= Preferences();

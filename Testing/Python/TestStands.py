@@ -146,7 +146,7 @@ rows = ["x,y,species,dbh,height"]
 for k in range(24):
     species = ("longleaf pine", "white oak", "birch")[k % 3]
     dbh = np.exp(rng.uniform(np.log(1.5), np.log(90.0)))
-    rows.append(f"{6 * (k % 6)},{7 * (k // 6)},{species},{dbh:.2f},{'' if k % 4 else round(2.0 + 9.0 * dbh**0.3, 1)}")
+    rows.append(f"{6 * (k % 6)},{7 * (k // 6)},{species},{dbh:.2f},{'' if k % 4 else round(1.4 + 22.0 * (1.0 - np.exp(-dbh / 25.0)), 1)}")
 mixed = stand.read_inventory(written("\n".join(rows)))
 sites, plants = stand.prototypes(mixed, classes=2)
 assert len(plants) == 6 and sorted(set(stand.numbers(sites, "Species"))) == list(range(6))

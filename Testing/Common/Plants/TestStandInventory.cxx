@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Numerics/InvalidInput.h"
+#include "Numerics/RandomStream.h"
 #include "Plants/InventoryPlants.h"
 #include "Plants/StandInventory.h"
+#include "Plants/StandPlausibility.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <numeric>
 #include <string>
@@ -36,9 +39,10 @@ std::string WhyNot(const std::string& text, const InventoryOptions& options = {}
   return WhyRefused([&] { Read(text, options); });
 }
 
-bool Says(const std::string& reason, const char* words)
+testing::AssertionResult Says(const std::string& reason, const char* words)
 {
-  return reason.find(words) != std::string::npos;
+  return (reason.find(words) != std::string::npos ? testing::AssertionSuccess() : testing::AssertionFailure())
+    << reason;
 }
 
 /// Trees on a square of places 4 m apart, with the rest of the row.
@@ -307,8 +311,8 @@ TEST(StandInventory, DrawsBySeedAndRow)
   }
   EXPECT_GT(differences, 390);
   // A stand without any measure: its quadratic mean is Reineke's of 1 tree on 16 m2, cut to 0.05 m or more.
-  const double wanted = DiameterOfDensity(1e4 / 16.0);
-  EXPECT_NEAR(AreaOf(one), 400 * 16.0, 40.0);
+  const double wanted = DiameterOfDensity(1e4 * 400.0 / AreaOf(one));
+  EXPECT_NEAR(AreaOf(one), std::pow(76.0 * 401.0 / 399.0, 2), 1e-9);
   const double square = std::accumulate(one.Trees.begin(), one.Trees.end(), 0.0,
     [](double sum, const StandTree& tree) { return sum + tree.Diameter * tree.Diameter; });
   EXPECT_NEAR(std::sqrt(square / 400.0) / wanted, 1.0, 0.05);
@@ -404,6 +408,127 @@ TEST(StandInventory, OneMessageEach)
   options = {};
   options.HeightVariation = 0.5;
   EXPECT_TRUE(Says(WhyNot("x,y\n1,2\n", options), "HeightVariation"));
+}
+
+// A column 1 cm thick that clamps at the foot buckles where J of order -1/3 has its first zero, 1.86635: H^3 = 9 / 4
+// j^2 E D^2 / (16 density g), with McMahon's (1973) wood, 1.7e6 m of E / (density g).
+TEST(StandPlausibility, NoTreeIsSlendererThanBuckles)
+{
+  const double critical = std::cbrt(9.0 / 4.0 * 1.86635 * 1.86635 * 1.7e6 * 0.01 * 0.01 / 16.0);
+  EXPECT_TRUE(CanStand(0.01, 1.37 + 0.99 * critical));
+  EXPECT_FALSE(CanStand(0.01, 1.37 + 1.02 * critical));
+  EXPECT_TRUE(CanStand(7.7, 84.0)) << "General Sherman";
+  EXPECT_TRUE(CanStand(0.05, 12.0));
+  EXPECT_FALSE(CanStand(5.005, 4.0));
+  EXPECT_TRUE(CanStand(0.3, std::nan("")) && CanStand(std::nan(""), 30.0));
+}
+
+TEST(StandPlausibility, CodesForMissingValuesAreNoMeasures)
+{
+  const auto measured = [](const std::string& word, const InventoryOptions& options = {}) {
+    const std::string more = word + ",15\n90,2," + word + ",16\n";
+    const StandInventory stand =
+      ReadInventory(ReadLines(Grid(6, "x,y,dbh_mm,height", ",312,18") + "80,2," + more), Species(), options);
+    EXPECT_EQ(stand.MissingCodes.size(), std::isfinite(stand.Trees[36].Diameter) ? 0u : 1u) << word;
+    return stand.Trees[36].Diameter;
+  };
+  for (const char* code : { "999", "9999", "99999", "999.9", "5005", "-9", "-999", "-9999.0", "6400" })
+  {
+    EXPECT_TRUE(std::isnan(measured(code))) << code;
+  }
+  EXPECT_DOUBLE_EQ(measured("599"), 0.599);
+  EXPECT_DOUBLE_EQ(measured("1001"), 1.001);
+  InventoryOptions options;
+  options.AllowImplausible = true;
+  EXPECT_DOUBLE_EQ(measured("999", options), 0.999);
+  EXPECT_TRUE(std::isnan(measured("-999", options)));
+  // A tree of 99.9 cm among trees of 60 cm, heights of 99.9 m, and all of a column.
+  EXPECT_DOUBLE_EQ(Read(Grid(5, "x,y,dbh", ",60") + "30,2,99.9\n").Trees[25].Diameter, 0.999);
+  EXPECT_TRUE(Read(Grid(5, "x,y,dbh,height", ",30,20") + "30,2,30,99.9\n").Trees[25].ImputedHeight);
+  EXPECT_TRUE(Read("x,y,dbh\n1,2,-9999\n5,2,-9999\n").Trees[0].ImputedDiameter);
+}
+
+// Trees that cannot be, in a stand that can; the advice for one that cannot is not refused in its turn.
+TEST(StandPlausibility, OneMessageForWhatNoStandHas)
+{
+  const std::string pines = Grid(6, "x,y,dbh_mm,height", ",312,18");
+  EXPECT_EQ(WhyNot(pines), "");
+  EXPECT_TRUE(
+    Says(WhyNot(pines + "80,2,5004,20\n"), "the tree of row 37 would be 5.004 m thick and 20 m high; correct it"));
+  EXPECT_EQ(WhyNot(pines + "80,2,2900,20\n"), "");
+  EXPECT_TRUE(Says(WhyNot(pines + "80,2,12,20\n80,8,12,20\n"), "the tree of row 37, like 1 more, would be"));
+  InventoryOptions options;
+  options.AllowImplausible = true;
+  EXPECT_EQ(WhyNot(pines + "80,2,5004,20\n", options), "");
+  EXPECT_TRUE(Says(WhyNot(pines + "80,2,50040,20\n", options), "at most 12 m"));
+  // Metres taken for centimetres: trunks of 1.6 to 3.7 mm.
+  EXPECT_TRUE(Says(WhyNot(Grid(6, "x,y,dbh", ",0.25")), "set DiameterUnit, to m or ft or in."));
+  // Without heights 3120 mm may be 31 cm; at 18 m they may not be 3 cm.
+  EXPECT_TRUE(Says(WhyNot(Grid(6, "x,y,dbh,height", ",312,18")), "set DiameterUnit, to mm."));
+  EXPECT_TRUE(Says(WhyNot(Grid(6, "x,y,dbh,height", ",31,1800")), "set HeightUnit, to cm."));
+  // 36 trees of 1.2 m on 20 x 20 m: 1017 m2 a hectare, where millimetres would have 0.1.
+  EXPECT_TRUE(
+    Says(WhyNot(Grid(6, "x,y,dbh", ",120")), "m2 a hectare, which is no stand of trees; set DiameterUnit, to mm."));
+  EXPECT_TRUE(
+    Says(WhyNot(pines + "80,2,30,80\n80,8,30,80\n80,14,30,80\n86,8,30,80\n86,14,30,80\n"), "cannot be; check"));
+}
+
+TEST(StandPlausibility, ATreeMistypedByKilometres)
+{
+  std::string text = Grid(6, "x,y", "");
+  EXPECT_EQ(WhyNot(text + "60,3\n"), "");
+  EXPECT_TRUE(Says(WhyNot(text + "2003,3\n"), "the tree of row 37 stands 1983 m along x from the others"));
+  EXPECT_TRUE(Says(
+    WhyNot(text + "3,-3000\n"), "the tree of row 37 stands 3000 m along y from the others, which are within 20 m"));
+  InventoryOptions options;
+  options.AllowImplausible = true;
+  EXPECT_EQ(WhyNot(text + "2003,3\n", options), "");
+  EXPECT_EQ(WhyNot("x,y\n0,0\n1,1\n2,900\n"), ""); // too few to tell
+}
+
+// Random trees on 100 x 60 m: the mean area is that of the plot.
+TEST(StandInventory, AreaOfRandomTreesIsThatOfTheirPlot)
+{
+  for (const int count : { 5, 40 })
+  {
+    double mean = 0.0;
+    constexpr int stands = 4000;
+    for (int one = 0; one < stands; ++one)
+    {
+      const RandomStream random(one, RandomPurpose::StandDiameters);
+      StandInventory stand;
+      stand.Plots = { "" };
+      for (int tree = 0; tree < count; ++tree)
+      {
+        const auto place = random.UniformPair(static_cast<std::uint64_t>(tree), 0);
+        stand.Trees.emplace_back();
+        stand.Trees.back().X = 100.0 * place[0];
+        stand.Trees.back().Y = 60.0 * place[1];
+      }
+      mean += AreaOf(stand) / stands;
+    }
+    EXPECT_NEAR(mean / 6000.0, 1.0, 0.04) << count;
+  }
+}
+
+TEST(StandInventory, NoColumnIsIgnoredInSilence)
+{
+  const StandInventory inches = Read("x,y,DIA (in),HT (ft)\n1,2,10,50\n5,2,8,45\n");
+  EXPECT_NEAR(inches.Trees[0].Diameter, 0.254, 1e-12);
+  EXPECT_NEAR(inches.Trees[0].Height, 15.24, 1e-12);
+  EXPECT_TRUE(
+    Says(WhyNot("x,y,dbh1,dbh2,ht\n1,2,10,11,9\n"), "set DiameterColumn, to '-' for none: dbh1, dbh2 may be"));
+  EXPECT_TRUE(Says(WhyNot("x,y,dbh_furlong\n1,2,10\n"), "set DiameterColumn, to '-' for none: dbh_furlong may be"));
+  EXPECT_TRUE(Says(WhyNot("x,y,BHD,Art\n1,2,10,Eiche\n"), "set DiameterColumn"));
+  EXPECT_TRUE(Says(WhyNot("x,y,dbh,Height2019\n1,2,10,8\n"), "set HeightColumn, to '-' for none: Height2019 may be"));
+  EXPECT_TRUE(Says(WhyNot("x,y,dbh_mm,dbh (cm)\n1,2,100,10\n"), "set DiameterColumn: both dbh_mm and dbh (cm) may be"));
+  InventoryOptions options;
+  options.Columns.Diameter = "-";
+  EXPECT_TRUE(Read("x,y,dbh1,ht\n1,2,10,9\n", options).Trees[0].ImputedDiameter);
+  options.Columns.Diameter = "dbh1";
+  EXPECT_DOUBLE_EQ(Read("x,y,dbh1,dbh2\n1,2,10,12\n", options).Trees[0].Diameter, 0.1);
+  const StandInventory rest = Read("id,x,y,quadrat,dbh,agb,crown base height,status\n1,1,2,7,10,3,2,A\n");
+  EXPECT_EQ(rest.Unread, (std::vector<std::string>{ "quadrat", "agb", "crown base height" }));
 }
 
 TEST(StandSpecies, TablesOfUsers)

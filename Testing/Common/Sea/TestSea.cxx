@@ -666,6 +666,21 @@ TEST(Spectrum, TableIsIntegratedExactly)
   EXPECT_NE(WhyInvalid(parameters).find("Frequency"), std::string::npos);
 }
 
+// The data buoys' 999.00 for a band that was not measured, of which three made a sea of 18 m; densities in cm2/Hz.
+TEST(Spectrum, CodesForMissingDensitiesAreNoWaves)
+{
+  SpectrumParameters parameters;
+  parameters.Kind = SpectrumKind::Table;
+  parameters.Frequencies = { 0.02, 0.0325, 0.0375, 0.1, 0.2, 0.5 };
+  parameters.Densities = { 0.0, 999.0, 999.0, 4.0, 1.0, 0.0 };
+  EXPECT_EQ(WhyInvalid(parameters), "leave out row 1 of the spectrum: Density 999 is a code for a missing value.");
+  parameters.Densities = { 0.0, 0.0, 0.0, 40000.0, 10000.0, 0.0 };
+  EXPECT_EQ(WhyInvalid(parameters),
+    "Density of the spectrum makes a significant wave height of 289.828 m; it must be in m2/Hz."); // 4 m0^(1/2)
+  parameters.Densities = { 0.0, 0.0, 0.0, 400.0, 100.0, 0.0 };
+  EXPECT_EQ(WhyInvalid(parameters), "");
+}
+
 TEST(Spectrum, WithoutSpreadingAllTrainsGoOneWay)
 {
   TrainParameters cut;
