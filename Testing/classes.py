@@ -250,6 +250,8 @@ ROWS = [
         mistakes=[Mistake("PatternVerdict", lambda pv: dict(Input=pv.PointSource()), "at least 5")],
         shown={"PatternVerdict": lambda pv: dict(Input=pv.PointProcess(Size=[150, 150]))}),
     # Stands ----------------------------------------------------------------------------------------------------------
+    Row("vtkTextTableReader", "Stands",
+        small={"SetFileName": (str(HERE / "Fuzz" / "plot.csv"),)}),
     Row("vtkStandInventoryFilter", "Stands",
         fed_by=[SEA],
         small={"SetXColumn": ("Direction",), "SetYColumn": ("Phase",), "SetHeightColumn": ("Phase",)},

@@ -254,6 +254,10 @@ private:
   {
     if (this->X.Index < 0 || this->Y.Index < 0)
     {
+      if (table.Names.size() == 1 && table.Names.front().find_first_of(";\t,") != std::string::npos)
+      {
+        Refuse("open the file as Text Table: its only column is '", table.Names.front(), "'.");
+      }
       Refuse("there are no columns x and y, or gx and gy; the table has ", NamesOf(table),
         ". Name the columns of the places.");
     }
@@ -308,7 +312,7 @@ double LengthIn(const TextTable& table, const FoundColumn& column, std::size_t r
   if (column.Index >= 0 && !ReadNumber(word, number))
   {
     Refuse("row ", row + 1, " has '", word, "' for ", table.Names[column.Index], ", which is no number",
-      word.find(',') == std::string::npos ? "." : "; a decimal comma must be a point.");
+      word.find(',') == std::string::npos ? "." : ", or two; write it without a comma.");
   }
   return metres * number;
 }

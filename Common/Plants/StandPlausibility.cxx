@@ -27,6 +27,7 @@ constexpr double LargestWithoutOthers = 3.0; // diameter that needs no other thi
 constexpr double TimesUpperDecile = 4.0;
 constexpr double LowestBreast = 1.37;   // [m]
 constexpr double BucklingHeight = 95.0; // 0.792 (E / (density g))^(1/3) of wood, for a diameter of 1 m [m]
+constexpr double TimesBuckling = 3.0;   // that a height may be, as suppressed and leaning trees are, and bad measures
 // Limits of a stand.
 constexpr double ThickestMiddle = 2.5;       // median diameter [m]
 constexpr double ThinnestMiddle = 0.005;     // [m]
@@ -284,7 +285,8 @@ double LargestLikelyDiameter(std::vector<double> diameters)
 
 bool CanStand(double diameter, double height)
 {
-  return !(height < diameter) && !(height - LowestBreast > BucklingHeight * std::cbrt(diameter * diameter));
+  return !(height < diameter) &&
+    !(height - LowestBreast > TimesBuckling * BucklingHeight * std::cbrt(diameter * diameter));
 }
 
 void RequirePlausible(

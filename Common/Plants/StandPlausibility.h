@@ -15,7 +15,8 @@ namespace littoral
 double LargestLikelyDiameter(std::vector<double> diameters);
 
 /// Whether a tree can have a diameter at breast height and a height [m], of which each may be NaN: it is higher than
-/// thick, and does not buckle under its own weight, H - 1.37 m < 95 m^(1/3) D^(2/3) (McMahon 1973).
+/// thick, and at most three times as high as a trunk that buckles under its own weight: H - 1.37 m < 3 x 95 m^(1/3)
+/// D^(2/3) (McMahon 1973).
 bool CanStand(double diameter, double height);
 
 /**

@@ -18,26 +18,6 @@ namespace littoral
 namespace
 {
 
-bool IsSpace(char letter)
-{
-  return letter == ' ' || letter == '\t' || letter == '\r' || letter == '"';
-}
-
-std::string Trimmed(const std::string& word)
-{
-  std::size_t begin = 0;
-  std::size_t end = word.size();
-  while (begin < end && IsSpace(word[begin]))
-  {
-    ++begin;
-  }
-  while (end > begin && IsSpace(word[end - 1]))
-  {
-    --end;
-  }
-  return word.substr(begin, end - begin);
-}
-
 std::vector<std::string> Split(const std::string& line, char separator)
 {
   std::vector<std::string> words;
@@ -99,76 +79,8 @@ HeightCurve ReadCurve(const TextTable& table, const SpeciesColumns& columns, std
 
 }
 
-int TextTable::ColumnOf(const std::string& name) const
-{
-  const std::string wanted = PlainWord(name);
-  for (std::size_t column = 0; column < this->Names.size(); ++column)
-  {
-    if (PlainWord(this->Names[column]) == wanted)
-    {
-      return static_cast<int>(column);
-    }
-  }
-  return -1;
-}
-
-TextTable ReadLines(const std::string& text)
-{
-  TextTable table;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);)
-  {
-    const std::vector<std::string> words = Split(line, ',');
-    if (Trimmed(line).empty())
-    {
-      continue;
-    }
-    if (table.Names.empty())
-    {
-      table.Names = words;
-      table.Columns.resize(words.size());
-      continue;
-    }
-    for (std::size_t column = 0; column < table.Columns.size(); ++column)
-    {
-      table.Columns[column].push_back(column < words.size() ? words[column] : "");
-    }
-  }
-  return table;
-}
-
-std::string PlainWord(const std::string& word)
-{
-  std::string plain;
-  for (const char letter : word)
-  {
-    const char small = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-    const bool isBeyondAscii = (static_cast<unsigned char>(small) & 0x80u) != 0;
-    if ((small >= 'a' && small <= 'z') || (small >= '0' && small <= '9') || isBeyondAscii)
-    {
-      plain += small;
-    }
-  }
-  return plain;
-}
-
-bool ReadNumber(const std::string& word, double& number)
-{
-  const std::string trimmed = Trimmed(word);
-  const std::string plain = PlainWord(trimmed);
-  number = std::numeric_limits<double>::quiet_NaN();
-  if (plain.empty() || plain == "na" || plain == "nan" || plain == "null" || plain == "none")
-  {
-    return plain != "" || trimmed.size() <= 1;
-  }
-  const char* end = trimmed.data() + trimmed.size();
-  const char* begin = trimmed.data() + (trimmed.front() == '+' ? 1 : 0);
-  const auto [stop, error] = std::from_chars(begin, end, number);
-  return error == std::errc() && stop == end;
-}
-
 StandSpeciesTable::StandSpeciesTable()
-  : StandSpeciesTable(ReadLines(StandSpeciesText))
+  : StandSpeciesTable(ReadTable(StandSpeciesText))
 {
 }
 

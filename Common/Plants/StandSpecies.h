@@ -3,35 +3,15 @@
 #ifndef LittoralStandSpecies_h
 #define LittoralStandSpecies_h
 
+#include "Numerics/TextTable.h"
 #include "Plants/StandAllometry.h"
 
-#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
 
 namespace littoral
 {
-
-/// Table of texts: columns with names, all of as many rows.
-struct TextTable
-{
-  std::vector<std::string> Names;
-  std::vector<std::vector<std::string>> Columns;
-
-  std::size_t NumberOfRows() const { return this->Columns.empty() ? 0 : this->Columns.front().size(); }
-  /// A column by its name in any case and punctuation; -1 if there is none.
-  int ColumnOf(const std::string& name) const;
-};
-
-/// Comma-separated values without quotes; lines of spaces are left out.
-TextTable ReadLines(const std::string& text);
-
-/// Small letters and digits of a word: "Height (m)" is "heightm".
-std::string PlainWord(const std::string& word);
-
-/// A number of a table. False if the word is none; an absent one (empty, NA, NaN, NULL, a point or a dash) is NaN.
-bool ReadNumber(const std::string& word, double& number);
 
 /// A species of trees.
 struct StandSpecies

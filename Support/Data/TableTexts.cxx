@@ -12,6 +12,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <string>
 
 namespace littoral
 {
@@ -26,6 +27,10 @@ std::string TextOfNumber(double number)
     return {};
   }
   char text[64];
+  if (number == std::floor(number) && std::abs(number) < 1e15)
+  {
+    return std::to_string(static_cast<long long>(number)); // a name of a plot, and not 1e+05
+  }
   return { text, std::to_chars(text, text + sizeof(text), number).ptr }; // the shortest that is read back the same
 }
 
@@ -69,6 +74,7 @@ TextTable TextsOf(vtkTable* table)
       words.push_back(TextAt(column, row));
     }
   }
+  PlainNumbers(texts);
   return texts;
 }
 

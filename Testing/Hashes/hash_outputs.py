@@ -214,6 +214,11 @@ def print_raster():
             print_outputs(make("vtkElevationReader", SetFileName=(name,)), f"vtkElevationReader {compression}")
 
 
+def print_table():
+    """Hashes of a table that the reader reads."""
+    print_outputs(make("vtkTextTableReader", **classes.BY_NAME["vtkTextTableReader"].small), "vtkTextTableReader")
+
+
 def main(wanted):
     """All classes, or those that are named."""
     for row in CASES:
@@ -228,6 +233,7 @@ def main(wanted):
         print_volume()
         print_scene()
         print_raster()
+        print_table()
 
 
 if __name__ == "__main__":

@@ -24,9 +24,9 @@ def written(text, name="plot.csv", encoding="utf-8"):
 
 
 def refused(words, text, **settings):
-    """A ValueError of one sentence."""
+    """A ValueError of one sentence on a text or a table."""
     try:
-        stand.read_inventory(written(text), **settings)
+        stand.read_inventory(written(text) if isinstance(text, str) else text, **settings)
     except ValueError as error:
         assert words in str(error), f"{error} instead of {words}"
         return
@@ -113,6 +113,11 @@ assert np.allclose(stand.numbers(trees, "DBH"), (0.3048, 0.2032)) and np.isclose
 same = stand.read_inventory(written('"x","y","marks"\n"1","2","12"\n"4","2","8"\n'), columns={"dbh": "marks"},
                             units={"dbh": "in", "place": "ft"}, Seed=3)
 assert (stand.numbers(trees, "Height") == stand.numbers(same, "Height")).all()
+plain = "x;y;species;dbh\n3,5;4,25;H\u00eatre;25,4\n8;14,2;\"Quercus robur\";35\n"
+for text, encoding in ((plain, "utf-8"), ("sep=;\n" + plain, "latin-1"), (plain.replace(";", "\t"), "utf-16")):
+    trees = stand.read_inventory(written(text, encoding=encoding))
+    assert trees.GetPoint(0)[:2] == (3.5, 4.25) and np.allclose(stand.numbers(trees, "DBH"), (0.254, 0.35))
+    assert stand.words(trees, "Unlisted") == ["H\u00eatre"], encoding
 
 # Species of the user: a dictionary, and a table -------------------------------------------------------------------------
 ash = "x,y,sp,dbh\n1,2,FREX,30\n9,2,Quercus alba,30\n"
@@ -134,6 +139,10 @@ refused("rows 1 and 2 stand at the same place", "x,y\n1,2\n1,2\n")
 refused("set DiameterUnit, to cm or mm or in", "x,y,dbh\n1,2,31\n4,2,28\n", units={"dbh": "m"})
 refused("row 3 has 3 cells", "x,y\n1,2\n1,2,3\n")
 refused("the file has no rows", "\n")
+refused("close the quote of row 2", 'x,y,species,dbh\n1,2,"oak,30\n4,2,oak,30\n9,2,oak,30\n')
+refused("two are named dbh", "x,y,dbh,dbh\n1,2,30,17\n")
+refused("set DiameterColumn, to '-' for none: dbh_furlong", "x,y,dbh_furlong\n1,2,30\n")
+refused("open the file as Text Table", stand.table_of_words(["x;y;dbh"], [["1;2;30"]]))
 try:
     stand.read_inventory(os.path.join(FOLDER, "absent.csv"))
     raise AssertionError("a file that is not there was read")

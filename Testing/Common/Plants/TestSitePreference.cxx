@@ -24,7 +24,7 @@ constexpr int Classes = 10;
 
 std::vector<SpeciesPreference> Read(const char* text)
 {
-  return ReadPreferences(ReadLines(text));
+  return ReadPreferences(ReadTable(text));
 }
 
 std::string WhyNot(const char* text)

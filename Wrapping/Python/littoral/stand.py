@@ -12,7 +12,6 @@ Lengths are in metres, x is east, y north, z up.
 
 import csv
 import os
-import re
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
@@ -20,7 +19,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
 
 from . import errors
 from .LittoralFilters import vtkPlantScatterFilter, vtkStandInventoryFilter
-from .LittoralSources import vtkReevesTreeSource
+from .LittoralSources import vtkReevesTreeSource, vtkTextTableReader
 from .properties import set_properties
 
 #: Littoral's table of species, to be copied and edited: species, kind, curve, a, b, c.
@@ -32,25 +31,22 @@ PRESETS = {"Pine": 1, "Oak": 2, "Birch": 3, "Shrub": 4}
 
 
 def read_table(path):
-    """Comma-, semicolon- or tab-separated values as a vtkTable of words. Between semicolons and tabs, the comma of `3,5`
-    is a decimal one. Raises OSError and ValueError."""
-    with open(path, newline="", encoding="utf-8-sig", errors="replace") as file:
-        head = file.readline()
-        file.seek(0)
-        separator = max(",;\t", key=head.count)
-        rows = [row for row in csv.reader(file, delimiter=separator) if any(cell.strip() for cell in row)]
-    if not rows:
-        raise ValueError(f"{path}: the file has no rows")
-    wrong = next((k for k, row in enumerate(rows, 1) if len(row) > len(rows[0])), None)
-    if wrong:
-        raise ValueError(f"{path}: row {wrong} has {len(rows[wrong - 1])} cells, and the first row has {len(rows[0])}")
-    if separator != ",":
-        rows[1:] = [[re.sub(r"^\s*([-+]?\d*),(\d+)\s*$", r"\1.\2", cell) for cell in row] for row in rows[1:]]
-    return table_of_words(rows[0], ([row[k] if k < len(row) else "" for row in rows[1:]] for k in range(len(rows[0]))))
+    """The vtkTable of a file of separated values, as vtkTextTableReader reads it. Raises OSError and ValueError."""
+    with open(path, "rb"):
+        pass
+    reader = vtkTextTableReader()
+    reader.SetFileName(os.fspath(path))
+    messages = errors.kept(reader)
+    reader.Update()
+    if messages:
+        raise ValueError(messages[0])
+    table = vtkTable()
+    table.ShallowCopy(reader.GetOutput())
+    return table
 
 
 def table_of_words(names, columns):
-    """Columns of words or numbers as a vtkTable of words, as read_table() makes it."""
+    """Columns of words or numbers as a vtkTable of words."""
     table = vtkTable()
     for name, words in zip(names, columns):
         column = vtkStringArray()

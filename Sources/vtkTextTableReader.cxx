@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTextTableReader.h"
+
+#include "Data/Tables.h"
+#include "Numerics/InvalidInput.h"
+#include "Numerics/TextTable.h"
+#include "Pipeline/Memory.h"
+#include "Pipeline/Pipeline.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <system_error>
+#include <vector>
+
+vtkStandardNewMacro(vtkTextTableReader);
+
+namespace
+{
+
+constexpr double BytesPerByte = 60.0; // of a table in memory, for short words, over those of its file
+
+std::string BytesOf(const std::string& path)
+{
+  std::error_code none;
+  const auto size = static_cast<double>(std::filesystem::file_size(path, none));
+  if (!none && BytesPerByte * size > littoral::AvailableMemory())
+  {
+    littoral::Refuse("take a smaller file: its ", size, " bytes need ", BytesPerByte * size, " bytes of memory.");
+  }
+  littoral::Require(std::filesystem::is_directory(path, none) ? "it is a folder." : "");
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+  if (!file)
+  {
+    littoral::Refuse(errno ? std::strerror(errno) : "it cannot be read", ".");
+  }
+  return bytes;
+}
+
+/// Whether a word has zeros before its digits, as the names of plots do.
+bool HasLeadingZeros(const std::string& word)
+{
+  return word.size() > 1 && word[0] == '0' && std::isdigit(static_cast<unsigned char>(word[1]));
+}
+
+/// Numbers of a column; empty if there are words in it, or nothing.
+std::vector<double> NumbersOf(const std::vector<std::string>& words)
+{
+  std::vector<double> numbers;
+  bool isAny = false;
+  for (const std::string& word : words)
+  {
+    double number = 0.0;
+    if (HasLeadingZeros(word) || !littoral::ReadNumber(word, number))
+    {
+      return {};
+    }
+    isAny |= !std::isnan(number);
+    numbers.push_back(number);
+  }
+  return isAny ? numbers : std::vector<double>();
+}
+
+}
+
+//----------------------------------------------------------------------------
+vtkTextTableReader::vtkTextTableReader()
+  : FileName(nullptr)
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//----------------------------------------------------------------------------
+vtkTextTableReader::~vtkTextTableReader()
+{
+  this->SetFileName(nullptr);
+}
+
+//----------------------------------------------------------------------------
+int vtkTextTableReader::RequestData(vtkInformation* request, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  if (littoral::AsksForLaterPiece(request, outputVector))
+  {
+    return 1;
+  }
+  const std::string path = this->FileName ? this->FileName : "";
+  littoral::Require(path.empty() ? "a table: FileName is empty." : "");
+  const littoral::TextTable texts = littoral::InContext(
+    std::filesystem::path(path).filename().string() + ": ", [&path] { return littoral::ReadTable(BytesOf(path)); });
+  vtkTable* output = vtkTable::GetData(outputVector);
+  for (std::size_t column = 0; column < texts.Names.size(); ++column)
+  {
+    const std::vector<std::string>& words = texts.Columns[column];
+    const std::vector<double> numbers = NumbersOf(words);
+    if (numbers.empty())
+    {
+      littoral::AddColumn(output, texts.Names[column].c_str(), words, [](const std::string& word) { return word; });
+    }
+    else
+    {
+      littoral::AddColumn(output, texts.Names[column].c_str(), numbers, [](double number) { return number; });
+    }
+  }
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkTextTableReader::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(
+    this, request, outputs, "Cannot read ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
+//----------------------------------------------------------------------------
+void vtkTextTableReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}
