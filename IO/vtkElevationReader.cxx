@@ -104,8 +104,7 @@ int vtkElevationReader::CanReadFile(const char* name)
 //----------------------------------------------------------------------------
 void vtkElevationReader::Refuse(const std::string& reason)
 {
-  const std::string file = this->FileName && *this->FileName ? this->FileName : "a raster";
-  littoral::FailedBy(this, "Cannot read " + file + ": " + reason + (reason.back() == '.' ? "" : "."));
+  littoral::FailedBy(this, littoral::FileMessage("read", this->FileName ? this->FileName : "", "a raster", reason));
 }
 
 //----------------------------------------------------------------------------

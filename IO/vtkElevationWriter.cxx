@@ -115,8 +115,7 @@ int vtkElevationWriter::Write()
 //----------------------------------------------------------------------------
 void vtkElevationWriter::Refuse(const std::string& reason)
 {
-  const std::string file = this->FileName && *this->FileName ? std::string("the file ") + this->FileName : "a raster";
-  vtkErrorMacro("Cannot write " << file << ": " << reason << (reason.back() == '.' ? "" : "."));
+  vtkErrorMacro(<< littoral::FileMessage("write", this->FileName ? this->FileName : "", "a raster", reason));
 }
 
 //----------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #include "vtkGLTFSceneWriter.h"
 
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "SceneFile.h"
 #include "SceneInput.h"
@@ -242,8 +243,7 @@ littoral::SceneOptions vtkGLTFSceneWriter::GetOptions() const
 //----------------------------------------------------------------------------
 void vtkGLTFSceneWriter::Refuse(const std::string& reason)
 {
-  const std::string file = this->FileName && *this->FileName ? std::string("the file ") + this->FileName : "a scene";
-  vtkErrorMacro("Cannot write " << file << ": " << reason << (reason.back() == '.' ? "" : "."));
+  vtkErrorMacro(<< littoral::FileMessage("write", this->FileName ? this->FileName : "", "a scene", reason));
 }
 
 //----------------------------------------------------------------------------

@@ -218,8 +218,8 @@ void vtkVDBVolumeWriter::Refuse(const std::string& reason)
 {
   if (littoral::IsFirstRank(this->Controller))
   {
-    vtkErrorMacro("Cannot write " << (this->HasFileName() ? "the file " + this->StepFileName() : "a volume") << ": "
-                                  << reason << (reason.back() == '.' ? "" : "."));
+    vtkErrorMacro(<< littoral::FileMessage(
+                    "write", this->HasFileName() ? this->StepFileName() : "", "a volume", reason));
   }
 }
 

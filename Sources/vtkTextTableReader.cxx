@@ -6,6 +6,7 @@
 #include "Numerics/InvalidInput.h"
 #include "Numerics/TextTable.h"
 #include "Pipeline/Memory.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkDoubleArray.h"
@@ -50,6 +51,19 @@ std::string BytesOf(const std::string& path)
     littoral::Refuse(errno ? std::strerror(errno) : "it cannot be read", ".");
   }
   return bytes;
+}
+
+littoral::TextTable TableOf(const std::string& path)
+{
+  try
+  {
+    littoral::Require(path.empty() ? "FileName is empty" : "");
+    return littoral::ReadTable(BytesOf(path));
+  }
+  catch (const littoral::InvalidInput& refusal)
+  {
+    throw littoral::InvalidInput(littoral::FileMessage("read", path, "a table", refusal.what()));
+  }
 }
 
 /// Whether a word has zeros before its digits, as the names of plots do.
@@ -99,9 +113,7 @@ int vtkTextTableReader::RequestData(vtkInformation* request, vtkInformationVecto
     return 1;
   }
   const std::string path = this->FileName ? this->FileName : "";
-  littoral::Require(path.empty() ? "a table: FileName is empty." : "");
-  const littoral::TextTable texts = littoral::InContext(
-    std::filesystem::path(path).filename().string() + ": ", [&path] { return littoral::ReadTable(BytesOf(path)); });
+  const littoral::TextTable texts = TableOf(path);
   vtkTable* output = vtkTable::GetData(outputVector);
   for (std::size_t column = 0; column < texts.Names.size(); ++column)
   {

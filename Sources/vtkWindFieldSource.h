@@ -228,7 +228,9 @@ public:
 
   ///@{
   /**
-   * Scaling of each component and layer to exactly the variance of its spectrum; default off.
+   * Scaling of each component and layer to the variance of its spectrum over all frequencies, so that the standard
+   * deviation is TurbulenceIntensity times ReferenceSpeed in a field of any length; default off. The spectrum then lies
+   * above the model's by what the field has no frequencies for: by 11 % in 10 minutes at 23 m/s and steps of 0.5 s.
    */
   vtkSetMacro(NormalizeVariance, bool);
   vtkGetMacro(NormalizeVariance, bool);

@@ -128,7 +128,7 @@ public:
     }
     if (!names.empty())
     {
-      Refuse("set ", kind.Property, ", to '", NoColumn, "' for none: ", names, " may be ", kind.Words, ".");
+      Refuse("set ", kind.Property, ": ", names, " may be ", kind.Words, ".");
     }
   }
 

@@ -452,12 +452,12 @@ void WindField::FinishPlanes()
   {
     return;
   }
-  // Algorithm 3, step 5. The variance of a periodic line is the sum over its Fourier coefficients.
-  const int length = this->Grid.Count[0];
+  // Algorithm 3, step 5, with the integral of S over all f in place of the sum over those of the field: sigma = I U.
+  // The variance of a periodic line is the sum over its Fourier coefficients.
   const int layers = this->Grid.Count[2];
   const std::size_t lines = this->Grid.NumberOfLines();
   std::vector<double> has(layers, 0.0);
-  std::vector<double> wants(layers, 0.0);
+  const double wants = Variance(this->Model, this->Component);
   for (int frequency = 1; frequency <= this->Grid.Waves(); ++frequency)
   {
     const std::size_t plane = static_cast<std::size_t>(frequency) * lines;
@@ -469,19 +469,9 @@ void WindField::FinishPlanes()
       has[line % layers] += 2.0 * (re * re + im * im) / this->Grid.Count[1];
     }
   }
-  // That of the spectrum goes up to half the sampling frequency, where half a band is left.
-  for (int frequency = 1; frequency <= length / 2; ++frequency)
-  {
-    const double band = (2 * frequency == length ? 0.5 : 1.0) / this->Grid.Period();
-    for (int layer = 0; layer < layers; ++layer)
-    {
-      wants[layer] +=
-        band * SpectralDensity(this->Model, this->Component, frequency / this->Grid.Period(), this->Grid.Height(layer));
-    }
-  }
   for (int layer = 0; layer < layers; ++layer)
   {
-    this->LayerFactor[layer] = has[layer] > 0.0 ? static_cast<float>(std::sqrt(wants[layer] / has[layer])) : 1.0f;
+    this->LayerFactor[layer] = has[layer] > 0.0 ? static_cast<float>(std::sqrt(wants / has[layer])) : 1.0f;
   }
 }
 

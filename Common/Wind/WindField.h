@@ -43,7 +43,7 @@ enum class WindPhases
 struct WindSynthesis
 {
   WindPhases Phases = WindPhases::Uniform;
-  bool NormalizeVariance = false; ///< give each component and layer exactly the variance of its spectrum
+  bool NormalizeVariance = false; ///< scale each component and layer to Variance(), of all frequencies
   int Seed = 1;
 };
 

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 
 namespace littoral
 {
@@ -213,6 +214,29 @@ int FailedBy(vtkAlgorithm* algorithm, const std::string& message)
     vtkErrorWithObjectMacro(algorithm, << message);
   }
   return FailedRequest(algorithm);
+}
+
+std::string FileMessage(const std::string& verb, const std::string& path, const std::string& what, std::string reason)
+{
+  const std::filesystem::path file(path);
+  const std::string name = path.empty() ? what : file.filename().string();
+  const std::string folder = file.has_parent_path() ? file.parent_path().string() + "/" : "";
+  for (std::size_t at = 0; !folder.empty() && (at = reason.find(folder)) != std::string::npos;)
+  {
+    reason.erase(at, folder.size());
+  }
+  reason.erase(reason.find_last_not_of('.') + 1);
+  for (const char* action : { "set ", "choose ", "give " })
+  {
+    const std::size_t cut = reason.rfind(std::string("; ") + action);
+    if (cut != std::string::npos)
+    {
+      std::string remedy = reason.substr(cut + 2);
+      remedy.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(remedy.front())));
+      return remedy + ": cannot " + verb + " " + name + ", " + reason.substr(0, cut) + ".";
+    }
+  }
+  return "Cannot " + verb + " " + name + ": " + reason + ".";
 }
 
 int FailedInformation(vtkAlgorithm* algorithm, vtkInformationVector* outputs)

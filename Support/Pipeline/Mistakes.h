@@ -51,6 +51,14 @@ private:
 /// Reports a mistake of an algorithm, which may have an output, by one vtkErrorMacro, and returns FailedRequest().
 int FailedBy(vtkAlgorithm* algorithm, const std::string& message);
 
+/**
+ * Sentence about a file that cannot be read or written (`verb`), named without its folder; `what` stands for one without
+ * a name. What a user can do about it ("; set ...", "; choose ...", "; give ...", at the end of the reason) comes first,
+ * since ParaView's list of messages shows the first 75 characters: "Set Projection to UTM: cannot read srtm.hgt, its
+ * coordinates are degrees."
+ */
+std::string FileMessage(const std::string& verb, const std::string& path, const std::string& what, std::string reason);
+
 /// Carries the printed messages over a modification since the time `before` that mends nothing, such as another view.
 void KeepMistakes(vtkAlgorithm* algorithm, vtkMTimeType before);
 

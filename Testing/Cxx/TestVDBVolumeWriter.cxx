@@ -603,11 +603,12 @@ const BadCase BadCases[] = {
     [](vtkImageData* image, Writer*) { image->SetOrigin(std::numeric_limits<double>::infinity(), 0.0, 0.0); } },
   { "Tolerance", [](vtkImageData*, Writer* writer) { writer->SetTolerance(-1.0); } },
   { "Tolerance", [](vtkImageData*, Writer* writer) { writer->SetTolerance(std::nan("")); } },
-  { "nowhere/x.vdb: No such file or directory",
+  { "Cannot write x.vdb: No such file or directory",
     [](vtkImageData*, Writer* writer) { writer->SetFileName(InFolder("nowhere/x.vdb").c_str()); } },
-  { "Cannot write the file /proc/x.vdb", [](vtkImageData*, Writer* writer) { writer->SetFileName("/proc/x.vdb"); } },
+  { "Cannot write x.vdb", [](vtkImageData*, Writer* writer) { writer->SetFileName("/proc/x.vdb"); } },
   { "Is a directory", [](vtkImageData*, Writer* writer) { writer->SetFileName(folder.string().c_str()); } },
-  { "/dev/null: it is not a regular file", [](vtkImageData*, Writer* writer) { writer->SetFileName("/dev/null"); } },
+  { "Cannot write null: it is not a regular file",
+    [](vtkImageData*, Writer* writer) { writer->SetFileName("/dev/null"); } },
 };
 
 bool CheckBadInput()

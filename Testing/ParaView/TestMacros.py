@@ -44,6 +44,10 @@ for name, (rows, measured) in TABLES.items():
             out.write(rows)
         table = simple.CSVReader(FileName=[file])
         table.UpdatePipeline()
+        chosen = simple.StandInventory(Inventory=table)  # columns are chosen from the table's
+        columns = chosen.GetProperty("DiameterColumn").Available
+        assert set(columns) == {"", *rows.split("\n")[0].split(",")}, columns
+        simple.Delete(chosen)
         simple.SetActiveSource(table)
         run("forest_from_inventory.py")
         stand = servermanager.Fetch(simple.FindSource("Stand"))

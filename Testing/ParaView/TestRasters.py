@@ -68,7 +68,7 @@ with tempfile.TemporaryDirectory() as folder:
     # Without a choice of mine degrees are no metres; the zone is one choice away.
     degrees = simple.OpenDataFile(raster(folder, 4326))
     text = complaints(degrees.UpdatePipeline)
-    assert text.count("coordinates are degrees, not lengths; set Projection to UTM") == 1, text
+    assert text.count("its coordinates are degrees, not lengths") == 1, text
     degrees.Projection = "UTM"
     assert complaints(degrees.UpdatePipeline) == ""
     west, east = degrees.GetDataInformation().GetBounds()[:2]

@@ -141,7 +141,7 @@ refused("row 3 has 3 cells", "x,y\n1,2\n1,2,3\n")
 refused("the file has no rows", "\n")
 refused("close the quote of row 2", 'x,y,species,dbh\n1,2,"oak,30\n4,2,oak,30\n9,2,oak,30\n')
 refused("two are named dbh", "x,y,dbh,dbh\n1,2,30,17\n")
-refused("set DiameterColumn, to '-' for none: dbh_furlong", "x,y,dbh_furlong\n1,2,30\n")
+refused("set DiameterColumn: dbh_furlong", "x,y,dbh_furlong\n1,2,30\n")
 refused("open the file as Text Table", stand.table_of_words(["x;y;dbh"], [["1;2;30"]]))
 try:
     stand.read_inventory(os.path.join(FOLDER, "absent.csv"))

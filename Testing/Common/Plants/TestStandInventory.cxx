@@ -516,11 +516,10 @@ TEST(StandInventory, NoColumnIsIgnoredInSilence)
   const StandInventory inches = Read("x,y,DIA (in),HT (ft)\n1,2,10,50\n5,2,8,45\n");
   EXPECT_NEAR(inches.Trees[0].Diameter, 0.254, 1e-12);
   EXPECT_NEAR(inches.Trees[0].Height, 15.24, 1e-12);
-  EXPECT_TRUE(
-    Says(WhyNot("x,y,dbh1,dbh2,ht\n1,2,10,11,9\n"), "set DiameterColumn, to '-' for none: dbh1, dbh2 may be"));
-  EXPECT_TRUE(Says(WhyNot("x,y,dbh_furlong\n1,2,10\n"), "set DiameterColumn, to '-' for none: dbh_furlong may be"));
+  EXPECT_TRUE(Says(WhyNot("x,y,dbh1,dbh2,ht\n1,2,10,11,9\n"), "set DiameterColumn: dbh1, dbh2 may be"));
+  EXPECT_TRUE(Says(WhyNot("x,y,dbh_furlong\n1,2,10\n"), "set DiameterColumn: dbh_furlong may be"));
   EXPECT_TRUE(Says(WhyNot("x,y,BHD,Art\n1,2,10,Eiche\n"), "set DiameterColumn"));
-  EXPECT_TRUE(Says(WhyNot("x,y,dbh,Height2019\n1,2,10,8\n"), "set HeightColumn, to '-' for none: Height2019 may be"));
+  EXPECT_TRUE(Says(WhyNot("x,y,dbh,Height2019\n1,2,10,8\n"), "set HeightColumn: Height2019 may be"));
   EXPECT_TRUE(Says(WhyNot("x,y,dbh_mm,dbh (cm)\n1,2,100,10\n"), "set DiameterColumn: both dbh_mm and dbh (cm) may be"));
   InventoryOptions options;
   options.Columns.Diameter = "-";

@@ -16,6 +16,7 @@
 #include <iostream>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace littoral;
@@ -367,32 +368,92 @@ TEST(WindField, AgreesWithCholesky)
   }
 }
 
-TEST(WindField, NormalizedVarianceIsTheSumOfTheSpectrum)
+// Numbers of the guide: what a minute has no frequencies for, and the error of coherence and the divergence of a box.
+TEST(WindField, NumbersOfTheDefaultField)
 {
-  const WindGrid grid = GridOf(1000, 8, 4);
+  const WindGrid grid;
+  const auto missing = [&grid](int component, double height) {
+    double sum = 0.0;
+    for (int frequency = 1; frequency <= grid.Waves(); ++frequency)
+    {
+      sum += SpectralDensity({}, component, frequency / grid.Period(), height) / grid.Period();
+    }
+    return 100.0 * (1.0 - std::sqrt(sum / Variance({}, component)));
+  };
+  const double percent[2][3] = { { 13.0, 6.0, 6.0 }, { 29.0, 10.0, 5.0 } };
+  for (int component = 0; component < 3; ++component)
+  {
+    EXPECT_NEAR(missing(component, 10.0), percent[0][component], 0.5);
+    EXPECT_NEAR(missing(component, 47.0), percent[1][component], 0.5);
+  }
+  WindField wind({}, grid, {});
+  const std::vector<float> field = wind.Make();
+  EXPECT_NEAR(wind.GetCoherenceError(), 0.0153, 0.0001);
+  const auto at = [&](int i, int j, int k, int component) {
+    const std::size_t line = static_cast<std::size_t>(k) * grid.Count[1] + j;
+    return static_cast<double>(field[3 * (line * grid.Count[0] + i) + component]);
+  };
+  std::array<double, 4> squares{}; // of gradients along, across and up, and of their sum
+  for (int k = 0; k + 1 < grid.Count[2]; ++k)
+  {
+    for (int j = 0; j + 1 < grid.Count[1]; ++j)
+    {
+      for (int i = 0; i + 1 < grid.Count[0]; ++i)
+      {
+        const double gradients[] = { at(i + 1, j, k, 0) - at(i, j, k, 0), (at(i, j + 1, k, 1) - at(i, j, k, 1)) / 4.0,
+          (at(i, j, k + 1, 2) - at(i, j, k, 2)) / 2.0 };
+        const double sum = gradients[0] + gradients[1] + gradients[2];
+        const double values[] = { gradients[0], gradients[1], gradients[2], sum };
+        for (std::size_t n = 0; n < 4; ++n)
+        {
+          squares[n] += values[n] * values[n] / (23.0 * 63.0 * 599.0);
+        }
+      }
+    }
+  }
+  const double roots[] = { 0.46, 0.24, 0.37, 0.64 };
+  for (std::size_t n = 0; n < 4; ++n)
+  {
+    EXPECT_NEAR(std::sqrt(squares[n]), roots[n], 0.006);
+  }
+}
+
+// IEC Kaimal: 0.15, 0.8 x 0.15 and 0.5 x 0.15 of the mean; eqs. 9.a and 9.b: 6 and 15 x 1.5 / 9.5 u*^2, as integrals
+// from 0.
+TEST(WindField, NormalizedVarianceIsThatOfAllFrequencies)
+{
+  WindModel iec;
+  iec.Spectrum = WindSpectrumModel::IecKaimal;
+  iec.ReferenceSpeed = 23.0;
+  iec.TurbulenceIntensity = 0.15;
+  const double friction = 0.4 * 10.0 / std::log(10.0 / 0.03);
+  const std::pair<WindModel, std::array<double, 2>> asked[] = { { iec, { 0.15 * 23.0, 0.12 * 23.0 } },
+    { WindModel(), { std::sqrt(6.0) * friction, std::sqrt(15.0 * 1.5 / 9.5) * friction } } };
   WindSynthesis synthesis;
   synthesis.NormalizeVariance = true;
-  for (WindPhases phases : { WindPhases::Uniform, WindPhases::GaussianAmplitudes })
+  for (const auto& [model, deviations] : asked)
   {
-    synthesis.Phases = phases;
-    const std::vector<float> field = Wind(grid, synthesis);
-    for (int layer = 0; layer < 4; ++layer)
+    for (const int length : { 60, 1000 })
     {
-      for (int component = 0; component < 3; ++component)
+      for (WindPhases phases : { WindPhases::Uniform, WindPhases::GaussianAmplitudes })
       {
-        double wants = 0.0;
-        for (int frequency = 1; frequency <= 500; ++frequency)
+        synthesis.Phases = phases;
+        const WindGrid grid = GridOf(length, 8, 4);
+        const std::vector<float> field = WindField(model, grid, synthesis).Make();
+        for (std::size_t layer = 0; layer < 4; ++layer)
         {
-          wants += (frequency == 500 ? 0.5 : 1.0) / grid.Period() *
-            SpectralDensity({}, component, frequency / grid.Period(), grid.Height(layer));
+          for (std::size_t component = 0; component < 2; ++component)
+          {
+            const std::size_t samples = 8 * static_cast<std::size_t>(length);
+            const double mean = component == 0 ? MeanSpeed(model, grid.Height(static_cast<int>(layer))) : 0.0;
+            double has = 0.0;
+            for (std::size_t n = 0; n < samples; ++n)
+            {
+              has += std::pow(field[(layer * samples + n) * 3 + component] - mean, 2.0) / static_cast<double>(samples);
+            }
+            EXPECT_NEAR(std::sqrt(has) / deviations[component], 1.0, 1e-5) << length << " " << layer;
+          }
         }
-        const double mean = component == 0 ? MeanSpeed({}, grid.Height(layer)) : 0.0;
-        double has = 0.0;
-        for (std::size_t n = 0; n < 8000; ++n)
-        {
-          has += std::pow(field[(layer * std::size_t{ 8000 } + n) * 3 + component] - mean, 2.0) / 8000.0;
-        }
-        EXPECT_NEAR(has / wants, 1.0, 1e-5);
       }
     }
   }

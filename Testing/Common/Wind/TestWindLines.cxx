@@ -29,6 +29,33 @@ double VarianceOfWaves(const WindGrid& grid, int component, double height)
   return sum;
 }
 
+/// A field whose layers have the variance of their waves by the spectrum.
+std::vector<float> WindOfItsWaves(const WindGrid& grid)
+{
+  std::vector<float> field = Wind(grid, {});
+  const std::size_t samples = static_cast<std::size_t>(grid.Count[0]) * static_cast<std::size_t>(grid.Count[1]);
+  for (int layer = 0; layer < grid.Count[2]; ++layer)
+  {
+    float* const values = &field[3 * samples * static_cast<std::size_t>(layer)];
+    for (int component = 0; component < 3; ++component)
+    {
+      const double mean = component == 0 ? MeanSpeed({}, grid.Height(layer)) : 0.0;
+      double has = 0.0;
+      for (std::size_t n = 0; n < samples; ++n)
+      {
+        has += std::pow(values[3 * n + component] - mean, 2) / static_cast<double>(samples);
+      }
+      const double factor = std::sqrt(VarianceOfWaves(grid, component, grid.Height(layer)) / has);
+      for (std::size_t n = 0; n < samples; ++n)
+      {
+        float& value = values[3 * n + component];
+        value = static_cast<float>(mean + factor * (value - mean));
+      }
+    }
+  }
+  return field;
+}
+
 /// Variances at 16 places between lines over the spectrum's, and that of waves of 1 to 5 Hz half-way.
 struct BetweenLines
 {
@@ -149,9 +176,7 @@ TEST(WindLines, VarianceAndSpectrumBetweenLines)
     grid.LateralSpacing = spacing;
     grid.VerticalSpacing = 0.5 * spacing;
     grid.BottomHeight = 4.0;
-    WindSynthesis synthesis;
-    synthesis.NormalizeVariance = true;
-    const std::vector<float> field = Wind(grid, synthesis);
+    const std::vector<float> field = WindOfItsWaves(grid);
     const WindLines lines(field.data(), grid.Count);
     const BetweenLines between = SamplesBetween(lines, grid);
     const std::array<double, 3> ofLines = FastWavesOfLines(field, grid);
@@ -175,9 +200,7 @@ TEST(WindLines, MeanAndVarianceBetweenTheLowestLayers)
   // to 3.3 % too small.
   WindGrid grid;
   grid.Count = { 600, 65, 2 };
-  WindSynthesis synthesis;
-  synthesis.NormalizeVariance = true;
-  const std::vector<float> field = Wind(grid, synthesis);
+  const std::vector<float> field = WindOfItsWaves(grid);
   const WindLines lines(field.data(), grid.Count);
   std::vector<Vector3> series(600);
   double worst = 0.0;

@@ -136,8 +136,7 @@ def read_raster(filename, projection=None, **settings):
     messages = errors.kept(reader)
     reader.Update()
     if messages:
-        prefix = f"Cannot read {reader.GetFileName()}: "
-        raise ValueError(f"{filename}: {messages[0].removeprefix(prefix)}")
+        raise ValueError(messages[0])
     return reader.GetOutput()
 
 
