@@ -76,7 +76,8 @@ littoral::PlantPrototype vtkReevesTreeSource::Grow(const littoral::PlantLevelOpt
   p.Seed = this->Seed;
   littoral::Require(littoral::WhyInvalid(p));
   littoral::PlantPrototype prototype = littoral::LevelsOf(littoral::GrowReevesTree(p, options.OnStep), options);
-  prototype.Timber = littoral::ParametersOf(littoral::TraitsOf(static_cast<littoral::TreePreset>(this->Preset)).Wood);
+  prototype.Timber = littoral::ParametersOf(
+    littoral::TraitsOf(static_cast<littoral::TreePreset>(this->Preset)).Wood, 0.5 * p.Height / p.TrunkRadius);
   return prototype;
 }
 
