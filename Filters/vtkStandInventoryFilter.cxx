@@ -25,6 +25,7 @@
 #include "vtkTable.h"
 #include "vtkTypeInt64Array.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -56,14 +57,16 @@ vtkSmartPointer<vtkStringArray> WordsOf(const char* name, const std::vector<std:
   return array;
 }
 
+/// Some words in a row, and how many more there are.
 std::string Joined(const std::vector<std::string>& words)
 {
+  constexpr std::size_t most = 12;
   std::string all;
-  for (const std::string& word : words)
+  for (std::size_t word = 0; word < std::min(most, words.size()); ++word)
   {
-    all += (all.empty() ? "" : ", ") + word;
+    all += (all.empty() ? "" : ", ") + words[word];
   }
-  return all;
+  return words.size() > most ? all + " and " + std::to_string(words.size() - most) + " more" : all;
 }
 
 /// Remarks on a table for its user; empty if all of it is read as it is.

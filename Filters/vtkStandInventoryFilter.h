@@ -38,9 +38,9 @@
  * is taken. Rows of dead trees are left out.
  *
  * A column that is not there, columns of which none is known but places, plots and numbers, a cell that is no
- * number, trees at the same place, dimensions that no stand has in the unit that was said, a tree that is too thick, too
- * high or too slender or stands far from all others, a column that may be the diameter or the height but is not known as
- * such, and a table without trees are reported as one error.
+ * number, trees at the same place, dimensions that no stand has in the unit that was said, a tree that is too thick,
+ * too high or too slender or stands far from all others, a column that may be the diameter or the height but is not
+ * known as such, and a table without trees are reported as one error.
  *
  * @sa vtkPlantScatterFilter
  */

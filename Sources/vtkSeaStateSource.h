@@ -18,8 +18,8 @@
  * Pierson-Moskowitz sea.
  *
  * Optional input, used only if Spectrum is Table: a vtkTable with the columns `Frequency` [Hz], increasing, and
- * `Density` [m2/Hz], as measured by wave buoys. Other columns, as of directions, are named by a warning. A parameter out
- * of range, a code for a missing density (999) or a table that is no spectrum is reported as one error.
+ * `Density` [m2/Hz], as measured by wave buoys. Other columns, as of directions, are named by a warning. A parameter
+ * out of range, a code for a missing density (999) or a table that is no spectrum is reported as one error.
  *
  * Piece 0 holds the whole table, other pieces are empty; filters that move points request piece 0 on each rank.
  *

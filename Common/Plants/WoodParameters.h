@@ -47,7 +47,8 @@ WoodParameters ParametersOf(WoodSpecies species);
 /**
  * Wood of a tree that is s times as high as thick at breast height. Young's modulus grows with slenderness (Watt et al.
  * 2006): E = E_0 clamp((s / 90)^0.8, 0.57, 1.47), from the softest to the stiffest trunks of Cannell and Morgan (1987);
- * the power and the 90 bring stout and slender trees to the measured frequencies. Shrubs, and what is not known, have E_0.
+ * the power and the 90 bring stout and slender trees to the measured frequencies. Shrubs, and what is not known, have
+ * E_0.
  */
 WoodParameters ParametersOf(WoodSpecies species, double slenderness);
 

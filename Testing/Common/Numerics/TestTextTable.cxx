@@ -79,6 +79,11 @@ TEST(TextTable, CellsInQuotes)
   EXPECT_EQ(table.Columns[2], (Words{ "two\nlines", "3", "" }));
 }
 
+TEST(TextTable, SeparatorsOfQuotedNamesDoNotCount)
+{
+  EXPECT_EQ(ReadTable("\"a;b;c\",d\n1,2\n").Names, (Words{ "a;b;c", "d" }));
+}
+
 TEST(TextTable, CommasOfNumbers)
 {
   EXPECT_EQ(Numbers({ "3,5", "-1.234,5", "1,234", "7", "" }), (Words{ "3.5", "-1234.5", "1.234", "7", "" }));

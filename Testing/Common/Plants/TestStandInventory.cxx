@@ -466,9 +466,9 @@ TEST(StandPlausibility, OneMessageForWhatNoStandHas)
   // Without heights 3120 mm may be 31 cm; at 18 m they may not be 3 cm.
   EXPECT_TRUE(Says(WhyNot(Grid(6, "x,y,dbh,height", ",312,18")), "set DiameterUnit, to mm."));
   EXPECT_TRUE(Says(WhyNot(Grid(6, "x,y,dbh,height", ",31,1800")), "set HeightUnit, to cm or in."));
-  // 36 trees of 1.2 m on 20 x 20 m: 1017 m2 a hectare, where millimetres would have 0.1.
-  EXPECT_TRUE(
-    Says(WhyNot(Grid(6, "x,y,dbh", ",120")), "m2 a hectare, which is no stand of trees; set DiameterUnit, to mm."));
+  // 36 trees of 1.2 m on 20 x 20 m, and (37 / 35)^2 of it: 911 m2 a hectare, where millimetres would have 9.
+  EXPECT_TRUE(Says(WhyNot(Grid(6, "x,y,dbh", ",120")),
+    "basal area of 911 m2 a hectare, which is no stand of trees; set DiameterUnit, to mm."));
   EXPECT_TRUE(
     Says(WhyNot(pines + "80,2,12,80\n80,8,12,80\n80,14,12,80\n86,8,12,80\n86,14,12,80\n"), "cannot be; check"));
 }
