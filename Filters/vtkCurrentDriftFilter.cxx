@@ -174,11 +174,10 @@ std::string vtkCurrentDriftFilter::WhyInvalid(double time) const
   if (this->KeepInWater)
   {
     check.Finite("SeaLevel", this->SeaLevel, "m");
-    check.Require(this->WaterDepth >= 0.0 && std::isfinite(this->WaterDepth), "WaterDepth", this->WaterDepth, "m",
-      "positive and finite, or 0 for none");
+    check.NotNegative("WaterDepth", this->WaterDepth, "m"); // 0 for none
   }
   check.Choice("VelocityInterpolation", this->VelocityInterpolation, { "linear", "cubic spline" });
-  check.Require(this->TimeRange[0] < this->TimeRange[1], "TimeRange must be increasing.");
+  check.Increasing("TimeRange", this->TimeRange, "s");
   return check.Reason();
 }
 

@@ -317,7 +317,7 @@ std::string vtkParticleOrbitFilter::WhyBadProperties(double time) const
     check.Finite("Current[0]", this->Current[0], "m/s");
     check.Finite("Current[1]", this->Current[1], "m/s");
   }
-  check.Require(this->TimeRange[0] < this->TimeRange[1], "TimeRange must be increasing.");
+  check.Increasing("TimeRange", this->TimeRange, "s");
   check.Finite("the requested time", time, "s");
   return check.Reason();
 }

@@ -291,7 +291,7 @@ void vtkPlantScatterFilter::CheckProperties()
       " m; the first must not be above the second.");
   check.Positive("PlantsPerCell", this->PlantsPerCell);
   check.Choice("OutputForm", this->OutputForm, { "merged", "instances" });
-  check.Require(this->VisibleDistance >= 0.0, "VisibleDistance", this->VisibleDistance, "m", "0 or more");
+  check.NotNegative("VisibleDistance", this->VisibleDistance, "m"); // 0 for none
   littoral::Require(check.Reason());
 }
 

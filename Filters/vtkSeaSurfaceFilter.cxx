@@ -169,7 +169,7 @@ std::string vtkSeaSurfaceFilter::WhyBadProperties(double time) const
   check.Require(littoral::WhyInvalid(this->MakeParameters()));
   check.Range("Choppiness", this->Choppiness, 0.0, 1.0);
   check.Range("FoamThreshold", this->FoamThreshold, 0.0, 1.0);
-  check.Require(this->TimeRange[0] < this->TimeRange[1], "TimeRange must be increasing.");
+  check.Increasing("TimeRange", this->TimeRange, "s");
   check.Finite("the requested time", time, "s");
   return check.Reason();
 }

@@ -192,7 +192,7 @@ std::string vtkSeaweedDeformationFilter::WhyInvalid(double time) const
   check.Range("ViewSpeed", this->ViewSpeed, 0.0, 1e9, "m/s");
   check.Range("PixelError", this->PixelError, 0.0, 1e9, "pixels");
   check.Require(littoral::WhyInvalid(this->MakeOptions()));
-  check.Require(this->TimeRange[0] < this->TimeRange[1], "TimeRange must be increasing.");
+  check.Increasing("TimeRange", this->TimeRange, "s");
   check.Range("the requested time", time, -1e9, 1e9, "s");
   if (this->Method == Physical && check.IsGood())
   {

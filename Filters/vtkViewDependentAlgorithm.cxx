@@ -94,9 +94,11 @@ littoral::View vtkViewDependentAlgorithm::GetView()
   check.Require(littoral::WhyInvalid(this->UnroundedView()));
   check.NotNegative("MoveTolerance", this->MoveTolerance, "m");
   check.Range("TurnTolerance", this->TurnTolerance, 0.0, 10.0, "degrees");
-  check.Require(this->NearDistance >= 0.0 && this->FarDistance >= this->NearDistance,
+  check.NotNegative("NearDistance", this->NearDistance, "m");
+  check.NotNegative("FarDistance", this->FarDistance, "m");
+  check.Require(this->FarDistance >= this->NearDistance,
     "NearDistance is " + littoral::TextOf(this->NearDistance) + " m and FarDistance " +
-      littoral::TextOf(this->FarDistance) + " m; they must not be negative, and far must not be nearer than near.");
+      littoral::TextOf(this->FarDistance) + " m; far must not be nearer than near.");
   littoral::Require(check.Reason());
   return this->RoundedView();
 }

@@ -191,7 +191,7 @@ bool vtkVDBVolumeWriter::HasFileName() const
 std::string vtkVDBVolumeWriter::WhyInvalid() const
 {
   littoral::ParameterCheck check;
-  check.Require(this->Tolerance >= 0.0, "Tolerance", this->Tolerance, "", "0 or more");
+  check.NotNegative("Tolerance", this->Tolerance);
   constexpr std::size_t longest = 255; // name of a file [bytes]
   check.Require(!this->WriteAllTimeSteps ||
       (this->FileNameSuffix.size() <= longest && littoral::NumberedSuffix(this->FileNameSuffix).IsValid),

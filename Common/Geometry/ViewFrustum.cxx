@@ -79,12 +79,10 @@ std::string WhyInvalid(const View& view)
   check.Require(
     !check.IsGood() || glm::length(glm::cross(glm::normalize(view.Direction), glm::normalize(view.Up))) >= SmallestSine,
     "ViewUp lies along ViewDirection.");
-  check.Require(view.Angle > 0.0 && view.Angle < Pi, "ViewAngle", view.Angle * 180.0 / Pi, "degrees",
-    ValueInterval::Between(0.0, 180.0).Words("degrees"));
+  check.Within("ViewAngle", view.Angle * 180.0 / Pi, ValueInterval::Between(0.0, 180.0), "degrees");
   check.Positive("AspectRatio", view.AspectRatio);
   check.Positive("ViewHeight", view.Height, "pixels");
-  check.Require(view.DetailFactor > 0.0 && view.DetailFactor <= 1.0, "DetailFactor", view.DetailFactor, "",
-    "above 0 and at most 1");
+  check.Positive("DetailFactor", view.DetailFactor, "", 1.0);
   if (view.IsParallel)
   {
     check.Positive("ParallelScale", view.ParallelScale);

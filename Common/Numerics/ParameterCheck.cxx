@@ -166,9 +166,18 @@ void ParameterCheck::PositiveCount(std::string_view name, long long value)
   }
 }
 
+void ParameterCheck::Increasing(std::string_view name, const double* ends, const char* unit)
+{
+  this->Finite(std::string(name) + "[0]", ends[0], unit);
+  this->Finite(std::string(name) + "[1]", ends[1], unit);
+  this->Require(ends[0] < ends[1],
+    std::string(name) + " is " + TextOf(ends[0]) + " to " + WithUnit(ends[1], unit) +
+      "; the first must be below the second.");
+}
+
 void ParameterCheck::Color(std::string_view name, const double* color)
 {
-  const auto isPart = [](double part) { return part >= 0.0 && part <= 1.0; };
+  const auto isPart = [](double part) { return part >= 0.0 && part <= 1.0 && IsSensible(part); };
   if (!std::all_of(color, color + 3, isPart))
   {
     const std::string value = TextOf(color[0]) + ", " + TextOf(color[1]) + ", " + TextOf(color[2]);

@@ -91,6 +91,9 @@ public:
   /// A whole number above 0.
   void PositiveCount(std::string_view name, long long value);
 
+  /// The two ends of a range, the first below the second.
+  void Increasing(std::string_view name, const double* ends, const char* unit = "");
+
   /// Three parts of a color, from 0 to 1.
   void Color(std::string_view name, const double* color);
 

@@ -53,10 +53,11 @@ std::string WhyInvalid(const GroupOptions& options)
 {
   ParameterCheck check;
   check.Count("SlavesPerMaster", options.Slaves, 0, MostSlaves);
-  check.Require(options.NearestOffset >= 0.0 && options.MaximumOffset >= options.NearestOffset &&
-      std::isfinite(options.MaximumOffset),
+  check.NotNegative("OffsetRange[0]", options.NearestOffset, "m");
+  check.NotNegative("OffsetRange[1]", options.MaximumOffset, "m");
+  check.Require(options.MaximumOffset >= options.NearestOffset,
     "OffsetRange is " + TextOf(options.NearestOffset) + " to " + TextOf(options.MaximumOffset) +
-      " m; it must be finite, not negative, and its first not above its second.");
+      " m; the first must not be above the second.");
   return check.Reason();
 }
 

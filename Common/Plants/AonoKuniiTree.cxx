@@ -446,7 +446,10 @@ int MaximumIterations(Branching form)
 std::string WhyInvalid(const AonoKuniiParameters& p)
 {
   ParameterCheck check;
-  check.Require(IsFinite(p.Tropism), "Tropism must be finite.");
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    check.Finite("Tropism[" + std::to_string(axis) + "]", p.Tropism[axis]);
+  }
   check.Choice("Branching", static_cast<int>(p.Form), 3);
   check.Count("Iterations", p.Iterations, 1, MaximumIterations(p.Form));
   check.Range("LengthRatio1", p.LengthRatio1, 0.3, 1.2);

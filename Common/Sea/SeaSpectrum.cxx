@@ -113,7 +113,8 @@ std::string WhyInvalid(const SpectrumParameters& parameters)
   const bool hasPeakEnhancement = parameters.Kind == SpectrumKind::Jonswap || parameters.Kind == SpectrumKind::Tma;
   ParameterCheck check;
   check.Choice("Spectrum", static_cast<int>(parameters.Kind), 5);
-  check.Require(parameters.Depth >= ShallowestDepth, "WaterDepth", parameters.Depth, "m",
+  const bool isDepth = std::isinf(parameters.Depth) || IsSensible(parameters.Depth);
+  check.Require(isDepth && parameters.Depth >= ShallowestDepth, "WaterDepth", parameters.Depth, "m",
     "0 (deep) or at least " + TextOf(ShallowestDepth) + " m");
   if (isTable && check.IsGood())
   {

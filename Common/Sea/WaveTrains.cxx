@@ -125,7 +125,7 @@ std::string WhyInvalid(const TrainParameters& parameters)
     isAll || (parameters.Lowest >= 0.0 && parameters.Highest > parameters.Lowest && parameters.Highest <= 1000.0),
     "FrequencyRange is " + TextOf(parameters.Lowest) + " to " + TextOf(parameters.Highest) +
       " peak frequencies; it must be increasing, not negative and at most 1000, or 0 and 0.");
-  check.Finite("MeanDirection", parameters.MeanDirection);
+  check.Finite("MeanDirection", parameters.MeanDirection * 180.0 / Pi, "degrees");
   check.Range("Spreading", parameters.Spreading, 0.0, LargestSpreading);
   return check.Reason();
 }

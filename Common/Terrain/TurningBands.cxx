@@ -433,7 +433,7 @@ std::string WhyInvalid(const TurningBandsParameters& parameters, const PlaneGrid
   check.Count("NumberOfLines", parameters.NumberOfLines, 1, MostLinesGiven);
   check.Count("NumberOfHarmonics", parameters.NumberOfHarmonics, 1, MostHarmonics);
   check.Within("AnisotropyRatio", parameters.AnisotropyRatio, ValueInterval::AtLeast(1.0));
-  check.Finite("AnisotropyAngle", parameters.AnisotropyAngle);
+  check.Finite("AnisotropyAngle", parameters.AnisotropyAngle * 180.0 / Pi, "degrees");
   check.NotNegative("MinimumWavelength", parameters.MinimumWavelength);
   check.Require(!hasLargestWave || parameters.Field.Range > parameters.MinimumWavelength,
     prefix + "Range is " + TextOf(parameters.Field.Range) +

@@ -15,6 +15,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkStructuredGrid.h"
 
+#include <set>
+
 namespace littoral
 {
 
@@ -33,6 +35,27 @@ void RequireTuples(vtkFieldData* arrays, vtkIdType tuples, const char* elements,
         array->GetNumberOfTuples(), " values for ", tuples, " ", elements, ".");
     }
   }
+}
+
+/// No two arrays may have one name: VTK's copies keep one of them, and which is meant cannot be known.
+void RequireNames(vtkFieldData* arrays, const std::string& owner)
+{
+  std::set<std::string> names;
+  for (int index = 0; index < arrays->GetNumberOfArrays(); ++index)
+  {
+    const char* name = arrays->GetAbstractArray(index)->GetName();
+    if (name && !names.insert(name).second)
+    {
+      Refuse("Rename an array of ", owner, ": two are named ", name, ".");
+    }
+  }
+}
+
+/// Arrays of points, cells or rows.
+void RequireArrays(vtkFieldData* arrays, vtkIdType tuples, const char* elements, const std::string& owner)
+{
+  RequireTuples(arrays, tuples, elements, owner);
+  RequireNames(arrays, owner);
 }
 
 /// The numbers of an image's frame must be sensible.
@@ -75,14 +98,14 @@ void RequireFitLeaf(vtkDataObject* leaf, const std::string& owner)
 {
   if (auto* table = vtkTable::SafeDownCast(leaf))
   {
-    RequireTuples(table->GetRowData(), table->GetNumberOfRows(), "rows", owner);
+    RequireArrays(table->GetRowData(), table->GetNumberOfRows(), "rows", owner);
   }
   if (auto* data = vtkDataSet::SafeDownCast(leaf))
   {
     auto* image = vtkImageData::SafeDownCast(data);
     image ? RequireFrame(image, owner) : RequireGrid(data, owner);
-    RequireTuples(data->GetPointData(), data->GetNumberOfPoints(), "points", owner);
-    RequireTuples(data->GetCellData(), data->GetNumberOfCells(), "cells", owner);
+    RequireArrays(data->GetPointData(), data->GetNumberOfPoints(), "points", owner);
+    RequireArrays(data->GetCellData(), data->GetNumberOfCells(), "cells", owner);
   }
 }
 

@@ -50,7 +50,8 @@ constexpr const char* WordsForType()
 std::string WhyOtherType(vtkDataObject* data, const char* input, const char* words);
 
 /// Throws InvalidInput if parts of a data set, or of the leaves of a composite, do not fit each other: an array that
-/// has not a tuple for each point or cell, points that are fewer than the grid has, an image at no place.
+/// has not a tuple for each point or cell, two arrays of one name, points that are fewer than the grid has, an image at
+/// no place.
 void RequireFit(vtkDataObject* data, const char* input);
 
 /// The input of a port, named as in the panel. Throws InvalidInput if it is of another type, if there is none, or if

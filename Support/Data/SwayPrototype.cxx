@@ -18,6 +18,12 @@ void SwayPrototype::Read(vtkMultiBlockDataSet* plant, const SwaySettings& settin
   if (bones && bones->GetNumberOfPoints() > 0)
   {
     const Skeleton rest = ReadSkeleton(bones);
+    const auto isTrunk = [&rest](const SkeletonBranch& branch) { return rest.Nodes[branch.First].Parent < 0; };
+    const auto trunks = std::count_if(rest.Branches.begin(), rest.Branches.end(), isTrunk);
+    if (trunks != 1)
+    {
+      Refuse("connect single plants: High/Skeleton has ", trunks, " trunks.");
+    }
     this->Leaves = PlantPartOf(plant, plant::High, plant::Leaves);
     if (this->Leaves)
     {

@@ -391,6 +391,11 @@ void CheckMediumForest(vtkReevesTreeSource* tree, WindSource* wind)
   many->UpdateTimeStep(2.0);
   Expect(PointsOf(many->GetOutputDataObject(0), "Medium/Crown") == standing, "crowns stand still without wind");
   wind->SetStrength(8.0);
+
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(many);
+  many->AddPrototypeConnection(wood->GetOutputPort()); // two trunks
+  Expect(errors->ExpectOneNaming("single plants"), "a forest is no prototype");
 }
 
 /// Cards of leaves go with the trunk as an envelope does, and keep their own picture and its mean.

@@ -80,6 +80,11 @@ bool CheckBadInput()
   good &= DriftFails("TimeStep", [](Drift* d, vtkPolyData*, vtkPolyData*) { d->SetStartTime(-1e9); });
   good &=
     DriftFails("point 3", [=](Drift*, vtkPolyData* p, vtkPolyData*) { p->GetPoints()->SetPoint(3, 0.0, nan, 0.0); });
+  good &= DriftFails("Weight", [](Drift*, vtkPolyData* p, vtkPolyData*) { // two arrays of one name
+    AddVectors(p, "Weight", 1, 10);
+    AddVectors(p, "Other", 1, 10);
+    p->GetPointData()->GetArray("Other")->SetName("Weight");
+  });
   good &= DriftFails("Offset", [](Drift*, vtkPolyData* p, vtkPolyData*) { AddVectors(p, "MasterId", 1, 10); });
   good &= DriftFails("CoreRadius",
     [](Drift*, vtkPolyData*, vtkPolyData* f) { f->GetPointData()->GetArray("CoreRadius")->SetComponent(0, 0, -1.0); });

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: python3 args=--every=17
 # run-with: python3 tier=all
-"""Bad inputs: each array of each input absent, too short, of other components, of texts, with NaN and with ids of
+"""Bad inputs: each array of each input absent, twice, too short, of other components, of texts, with NaN and with ids of
 nothing; each input and each of its leaves of another type, empty, null and nested. No filter may crash; each refuses
 with one message or works, and afterwards makes of good inputs what a fresh one makes.
 
@@ -131,6 +131,7 @@ def spoilt(array, value, kind=None):
 
 ARRAY_FAULTS = {
     "absent": lambda array: None,
+    "twice": lambda array: array,
     "short": lambda array: fewer(array, max(0, array.GetNumberOfTuples() - 1)),
     "empty": lambda array: fewer(array, 0),
     "wider": lambda array: with_components(array, 1),
@@ -144,8 +145,8 @@ ARRAY_FAULTS = {
 
 
 # What is needed, and is not there. Field arrays may have any number of tuples.
-MUST_REFUSE = {"field": ("empty", "texts"), "point": ("short", "empty", "texts"), "cell": ("short", "empty", "texts"),
-               "row": ("short", "empty", "texts")}
+UNREADABLE = ("twice", "short", "empty", "texts")
+MUST_REFUSE = {"field": ("empty", "texts"), "point": UNREADABLE, "cell": UNREADABLE, "row": UNREADABLE}
 
 
 def array_cases(inputs):
@@ -156,7 +157,7 @@ def array_cases(inputs):
                 for index in range(attributes.GetNumberOfArrays()):
                     array = attributes.GetAbstractArray(index)
                     for fault in ARRAY_FAULTS:
-                        if isinstance(array, vtkDataArray) or fault in ("absent", "short", "empty"):
+                        if isinstance(array, vtkDataArray) or fault in ("absent", "twice", "short", "empty"):
                             yield f"port {port} {path} {kind} {array.GetName()} {fault}", port, (
                                 spoil_array, path, kind, array.GetName(), fault)
 
@@ -170,6 +171,12 @@ def spoil_array(data, path, kind, name, fault):
     array = ARRAY_FAULTS[fault](attributes.GetAbstractArray(name))
     if array is None:
         attributes.RemoveArray(name)
+    elif fault == "twice":
+        second = array.NewInstance()
+        second.DeepCopy(array)
+        second.SetName("")
+        attributes.AddArray(second)
+        second.SetName(name)
     else:
         attributes.AddArray(array)
     return data
@@ -394,7 +401,7 @@ def run(name, log, first, every):
             if number < first or number % every or not re.search(only, label):
                 continue
             carried = change is spoil_array and not matters.get((port, tuple(arguments[:3])), True)
-            if carried and arguments[3] not in ("short", "texts", "huge"):
+            if carried and arguments[3] not in ("twice", "short", "texts", "huge"):
                 continue  # no output depends on it: it can only be copied
             write(begin=number, label=label)
             filter_ = make(name)
