@@ -29,8 +29,8 @@ BEYOND = [1e-320, 1e-31, 1e16]  # not 5e-324, which is 0 rad in degrees
 ODD = {"double": [0.0, -1.0, *BEYOND, 5e-324, 1e-300, -1e-300, -1e16, 1e300, -1e300, INF, -INF, NAN],
        "int": [0, -1, 2147483647, -2147483648]}
 FEW = {"double": [-1.0, *BEYOND, 1e300, NAN], "int": [-1]}
-# Parts of a vector vanish beside the others; a height is only compared.
-ANY_MAGNITUDE = {"SetViewPoint", "SetViewDirection", "SetViewUp", "SetHeightRange"}
+# Parts of a vector vanish beside the others; heights and the value of what is missing are only compared.
+ANY_MAGNITUDE = {"SetViewPoint", "SetViewDirection", "SetViewUp", "SetHeightRange", "SetNoDataValue"}
 QUICK = "--few" in sys.argv
 SWITCHED = {"double": [NAN], "int": [-1]} if QUICK else FEW
 
