@@ -178,6 +178,15 @@ int vtkDrainageFilter::FillOutputPortInformation(int port, vtkInformation* info)
 }
 
 //----------------------------------------------------------------------------
+int vtkDrainageFilter::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  // Otherwise each rank would be asked for the whole image.
+  outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  return this->Superclass::RequestInformation(request, inputs, outputs);
+}
+
+//----------------------------------------------------------------------------
 int vtkDrainageFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   // Flow is not local.

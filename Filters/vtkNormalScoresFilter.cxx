@@ -53,6 +53,15 @@ int vtkNormalScoresFilter::FillInputPortInformation(int port, vtkInformation* in
 }
 
 //----------------------------------------------------------------------------
+int vtkNormalScoresFilter::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  // Otherwise each rank would be asked for the whole image.
+  outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  return this->Superclass::RequestInformation(request, inputs, outputs);
+}
+
+//----------------------------------------------------------------------------
 int vtkNormalScoresFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {

@@ -34,7 +34,8 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 /// Memory of a point, with the simulated patterns that are kept [bytes].
 constexpr double BytesOfPoint = 10000.0;
 /// Polls of a verdict, for its progress.
-constexpr double MostPolls = littoral::PollsOfLaw * (littoral::NumberOfPointProcesses + littoral::NumberOfQuadratLaws);
+constexpr double MostPolls =
+  littoral::PollsOfCurves * (littoral::NumberOfPointProcesses + littoral::NumberOfQuadratLaws);
 
 using Judged = littoral::JudgedLaw;
 
@@ -132,6 +133,7 @@ vtkPatternVerdictFilter::vtkPatternVerdictFilter()
   , Contrast(FitRipley)
   , TrendDegree(0)
   , MaximumDistance(0.0)
+  , AllowCoincidentPoints(false)
   , NumberOfSimulations(99)
   , Level(0.05)
   , Quadrats{ 0, 0 }
@@ -189,7 +191,7 @@ int vtkPatternVerdictFilter::RequestData(
   littoral::Require(points.size() < littoral::FewestPatternPoints ? littoral::WhyInvalid(points, {}) : "");
   const littoral::ObservationWindow window =
     polygon ? littoral::ReadWindow(polygon) : littoral::ReadWindow(input, this->Origin, this->Size);
-  littoral::Require(littoral::WhyInvalid(points, window));
+  littoral::Require(littoral::WhyInvalid(points, window, littoral::FewestPatternPoints, this->AllowCoincidentPoints));
   littoral::RequireMemory(
     BytesOfPoint * static_cast<double>(points.size()), "The verdict on this pattern", "take a part of it");
   this->SetProgressText("Simulating patterns");
@@ -228,6 +230,7 @@ void vtkPatternVerdictFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Contrast: " << this->Contrast << "\n";
   os << indent << "TrendDegree: " << this->TrendDegree << "\n";
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
+  os << indent << "AllowCoincidentPoints: " << this->AllowCoincidentPoints << "\n";
   os << indent << "NumberOfSimulations: " << this->NumberOfSimulations << "\n";
   os << indent << "Level: " << this->Level << "\n";
   os << indent << "Quadrats: " << this->Quadrats[0] << " " << this->Quadrats[1] << "\n";

@@ -25,7 +25,8 @@
  * Trends are fitted by composite likelihood (Waagepetersen 2007); Thomas, Matern cluster and log-Gaussian Cox processes
  * by minimum contrast, with a trend of the K or g of points weighted by 1 / intensity; Strauss by pseudo-likelihood,
  * soft core and laws by maximum likelihood. g and L have the translation correction. Fewer than five points, points
- * outside of the window or at one place, and properties out of range are reported as one error.
+ * outside of the window, two at one place unless AllowCoincidentPoints is on, and properties out of range are reported
+ * as one error.
  *
  * @sa vtkPointProcessSource vtkQuadratAnalysisFilter
  */
@@ -119,6 +120,16 @@ public:
 
   ///@{
   /**
+   * Several points at one place, as in inventories with rounded coordinates; default off, an error. Such points are of
+   * no Matern II process or soft core.
+   */
+  vtkSetMacro(AllowCoincidentPoints, bool);
+  vtkGetMacro(AllowCoincidentPoints, bool);
+  vtkBooleanMacro(AllowCoincidentPoints, bool);
+  ///@}
+
+  ///@{
+  /**
    * Number of simulated patterns of each process and law, at least 1 / Level - 1; default 99.
    */
   vtkSetMacro(NumberOfSimulations, int);
@@ -164,6 +175,7 @@ protected:
   int Contrast;
   int TrendDegree;
   double MaximumDistance;
+  bool AllowCoincidentPoints;
   int NumberOfSimulations;
   double Level;
   int Quadrats[2];

@@ -329,8 +329,9 @@ int vtkPointPatternStatisticsFilter::RequestData(
   if (this->NumberOfSimulations > 0)
   {
     this->SetProgressText("Simulating patterns");
-    envelope =
-      statistics.Compare(measured, pattern.Fits ? &pattern.Law : nullptr, littoral::AbortableFor(this, 0.2, 1.0));
+    int polls = 0;
+    const auto poll = [&] { this->UpdateProgress(0.2 + 0.8 * ++polls / littoral::PollsOfCurves); };
+    envelope = statistics.Compare(measured, pattern.Fits ? &pattern.Law : nullptr, poll, littoral::AbortableFor(this));
   }
   const bool isRandomTested =
     !pattern.Fits && !littoral::IsCross(options.Function) && this->Function != MarkCorrelation;

@@ -98,18 +98,22 @@ public:
     double place[3];
     this->Points->GetPoint(site, place);
     const double identity = this->Identities ? this->Identities->GetComponent(site, 0) : static_cast<double>(site);
-    littoral::ParameterCheck check;
-    const std::string ofSite = " of site " + std::to_string(site);
-    check.Range("SiteId" + ofSite, identity, -LargestIdentity, LargestIdentity);
+    if (!(std::abs(identity) <= LargestIdentity))
+    {
+      littoral::ParameterCheck check;
+      check.Range("SiteId of site " + std::to_string(site), identity, -LargestIdentity, LargestIdentity);
+      littoral::Require(check.Reason());
+    }
     const std::optional<littoral::GroundFactors> factors = ground.At(place[0], place[1]);
-    if (!factors && ground.Covers(place[0], place[1]) && check.IsGood())
+    if (!factors && ground.Covers(place[0], place[1]))
     {
       return false; // in a hole of the terrain
     }
-    check.Require(factors.has_value(),
-      "site " + std::to_string(site) + " at (" + littoral::TextOf(place[0]) + ", " + littoral::TextOf(place[1]) +
+    if (!factors)
+    {
+      littoral::Refuse("site ", site, " at (", littoral::TextOf(place[0]), ", ", littoral::TextOf(place[1]),
         ") lies outside of the Terrain.");
-    littoral::Require(check.Reason());
+    }
     kept.Ground = *factors;
     kept.Site = site;
     kept.Identity = static_cast<long long>(identity);
@@ -120,7 +124,12 @@ public:
       return kept.Species >= 0;
     }
     const auto last = static_cast<long long>(species.size()) - 1;
-    littoral::ReadWhole("Species" + ofSite, this->Kinds->GetComponent(site, 0), 0, last, kept.Species);
+    const double kind = this->Kinds->GetComponent(site, 0);
+    if (!littoral::IsWhole(kind, 0, last))
+    {
+      littoral::RequireWhole("Species of site " + std::to_string(site), kind, 0, last);
+    }
+    kept.Species = static_cast<int>(kind);
     return littoral::StaysAt(species[kept.Species], kept.Ground, options, kept.Identity);
   }
 
@@ -159,8 +168,10 @@ void AddNumbers(vtkPolyData* output, const char* name, const std::vector<KeptSit
 }
 
 /// The sites that are kept, on the ground.
-void Write(const std::vector<KeptSite>& kept, vtkPointSet* sites, bool hasDrainage, vtkPolyData* output)
+void Write(const std::vector<KeptSite>& kept, vtkPointSet* sites, bool hasDrainage, const littoral::Poll& poll,
+  vtkPolyData* output)
 {
+  littoral::SteppedPoll steps(poll);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> vertices;
@@ -168,6 +179,7 @@ void Write(const std::vector<KeptSite>& kept, vtkPointSet* sites, bool hasDraina
   arrays->CopyAllocate(sites->GetPointData(), static_cast<vtkIdType>(kept.size()));
   for (const KeptSite& site : kept)
   {
+    steps.Step();
     const vtkIdType point = points->InsertNextPoint(site.Place[0], site.Place[1], site.Ground[0]);
     arrays->CopyData(sites->GetPointData(), site.Site, point);
     vertices->InsertNextCell(1, &point);
@@ -254,11 +266,14 @@ int vtkSitePreferenceFilter::RequestData(
   const auto count = static_cast<double>(sites->GetNumberOfPoints());
   littoral::RequireMemory(
     2.0 * sizeof(KeptSite) * count, "the choice of " + littoral::TextOf(count) + " sites", "take fewer");
+  const littoral::Poll poll = littoral::PollOf(this);
+  littoral::SteppedPoll steps(poll);
   std::vector<KeptSite> kept;
   vtkInformation* output = outputVector->GetInformationObject(0);
   const littoral::PieceRange part = littoral::RequestedPart(output, sites->GetNumberOfPoints());
   for (long long site = part.Begin; site < part.End; ++site)
   {
+    steps.Step();
     KeptSite own{};
     if (arrays.Keeps(site, species, ground, { this->Thinning, this->Seed }, own))
     {
@@ -266,7 +281,7 @@ int vtkSitePreferenceFilter::RequestData(
     }
   }
   vtkPolyData* result = vtkPolyData::GetData(output);
-  Write(kept, sites, ground.HasWetness(), result);
+  Write(kept, sites, ground.HasWetness(), poll, result);
   vtkNew<vtkStringArray> names;
   names->SetName("SpeciesNames");
   for (const littoral::SpeciesPreference& each : species)

@@ -6,6 +6,7 @@
 #include "Numerics/RandomStream.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -19,6 +20,8 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 /// level * (simulations + 1) is a whole number but for rounding.
 constexpr double RoundingSlack = 1e-9;
+/// Time of a curve above which curves are made one by one.
+constexpr std::chrono::milliseconds LongestCurve(25);
 
 /// The two-sided ranks of numbers, 1 for the lowest and the highest; equal ones have the mean of theirs.
 std::vector<double> TwoSidedRanks(const std::vector<double>& values)
@@ -170,22 +173,39 @@ CurveEnvelope FindCurveEnvelope(
 }
 
 std::vector<std::vector<double>> SimulateCurves(
-  const CurveOfNumber& curve, int simulations, const ParallelFor& parallel)
+  const CurveOfNumber& curve, int simulations, const Poll& poll, const ParallelFor& parallel)
 {
+  using Clock = std::chrono::steady_clock;
   std::vector<std::vector<double>> curves(static_cast<std::size_t>(simulations));
-  ForRanges(parallel, curves.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n)
+  const Clock::time_point begin = Clock::now();
+  bool isSlow = true; // until the first is known
+  int done = 0;
+  for (int part = 1; part <= PollsOfCurves; ++part)
+  {
+    const int end = simulations * part / PollsOfCurves;
+    for (; done < end && isSlow; ++done)
     {
-      curves[n] = curve(static_cast<int>(n));
+      curves[static_cast<std::size_t>(done)] = curve(done, parallel);
+      isSlow = done > 0 || Clock::now() - begin > LongestCurve;
     }
-  });
+    const auto first = static_cast<std::size_t>(done);
+    ForRanges(parallel, static_cast<std::size_t>(end - done), 1, [&](std::size_t from, std::size_t to) {
+      for (std::size_t n = first + from; n < first + to; ++n)
+      {
+        curves[n] = curve(static_cast<int>(n), SerialFor);
+      }
+    });
+    done = end;
+    poll();
+  }
   return curves;
 }
 
-std::vector<std::vector<double>> SimulateCurves(
-  const PatternOfNumber& law, const CurveOfPattern& curve, int simulations, const ParallelFor& parallel)
+std::vector<std::vector<double>> SimulateCurves(const PatternOfNumber& law, const CurveOfPattern& curve,
+  int simulations, const Poll& poll, const ParallelFor& parallel)
 {
-  return SimulateCurves([&](int number) { return curve(law(number)); }, simulations, parallel);
+  const auto one = [&](int number, const ParallelFor& inner) { return curve(law(number, inner), inner); };
+  return SimulateCurves(one, simulations, poll, parallel);
 }
 
 std::vector<PlanePosition> UniformPattern(const ObservationWindow& window, std::size_t points, int seed, int number)

@@ -49,21 +49,26 @@ CurveEnvelope FindCurveEnvelope(
   const std::vector<double>& measured, const std::vector<std::vector<double>>& simulated, double level = 0.05);
 
 /// Null model: makes the pattern of a number 0, 1, 2... from its own random numbers.
-using PatternOfNumber = std::function<std::vector<PlanePosition>(int number)>;
+using PatternOfNumber = std::function<std::vector<PlanePosition>(int number, const ParallelFor& parallel)>;
 
 /// Summary function of a pattern, a curve of a fixed length.
-using CurveOfPattern = std::function<std::vector<double>(const std::vector<PlanePosition>& points)>;
+using CurveOfPattern =
+  std::function<std::vector<double>(const std::vector<PlanePosition>& points, const ParallelFor& parallel)>;
 
 /// Curve of a simulation of a number.
-using CurveOfNumber = std::function<std::vector<double>(int number)>;
+using CurveOfNumber = std::function<std::vector<double>(int number, const ParallelFor& parallel)>;
 
-/// Curves of so many simulations, on all threads of the loop.
+/// The poll of simulations comes so many times, each time after a part of them.
+inline constexpr int PollsOfCurves = 4;
+
+/// Curves of so many simulations, side by side on all threads of the loop; or, where the first takes longer than a
+/// batch of a loop should, one by one, each on all threads, so that the loop can be ended within one.
 std::vector<std::vector<double>> SimulateCurves(
-  const CurveOfNumber& curve, int simulations, const ParallelFor& parallel = SerialFor);
+  const CurveOfNumber& curve, int simulations, const Poll& poll = NoPoll, const ParallelFor& parallel = SerialFor);
 
 /// Curves of so many patterns of a null model.
-std::vector<std::vector<double>> SimulateCurves(
-  const PatternOfNumber& law, const CurveOfPattern& curve, int simulations, const ParallelFor& parallel = SerialFor);
+std::vector<std::vector<double>> SimulateCurves(const PatternOfNumber& law, const CurveOfPattern& curve,
+  int simulations, const Poll& poll = NoPoll, const ParallelFor& parallel = SerialFor);
 
 /// Binomial point process of so many points in a window: pattern `number` of a seed.
 std::vector<PlanePosition> UniformPattern(const ObservationWindow& window, std::size_t points, int seed, int number);

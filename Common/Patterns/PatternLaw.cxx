@@ -63,10 +63,16 @@ double ExpectedDraws(const PatternLaw& law, const ObservationWindow& window)
                        : static_cast<double>(law.Grid.NumberOfQuadrats()) * (1.0 + law.Counts.Mean);
 }
 
-std::vector<PlanePosition> DrawPattern(const PatternLaw& law, const ObservationWindow& window, int seed)
+std::vector<PlanePosition> DrawPattern(
+  const PatternLaw& law, const ObservationWindow& window, int seed, const ParallelFor& parallel)
 {
-  return law.IsProcess ? SimulateProcess(law.Process, SimulationOf(law, seed), window).Points
-                       : DrawCounts(law, window, seed);
+  if (!law.IsProcess)
+  {
+    return DrawCounts(law, window, seed);
+  }
+  // One range: the loop asks whether the work is still wanted.
+  const Poll poll = [&parallel] { parallel(1, [](std::size_t, std::size_t) {}); };
+  return SimulateProcess(law.Process, SimulationOf(law, seed), window, poll, parallel).Points;
 }
 
 }

@@ -3,6 +3,7 @@
 #ifndef LittoralPatternLaw_h
 #define LittoralPatternLaw_h
 
+#include "Numerics/Parallel.h"
 #include "Patterns/IntensityRaster.h"
 #include "Patterns/ObservationWindow.h"
 #include "Patterns/PointProcess.h"
@@ -32,7 +33,8 @@ std::string WhyInvalid(const PatternLaw& law, const ObservationWindow& window);
 double ExpectedDraws(const PatternLaw& law, const ObservationWindow& window);
 
 /// The points of a pattern of the law that lie in the window; counts in quadrats are sampled.
-std::vector<PlanePosition> DrawPattern(const PatternLaw& law, const ObservationWindow& window, int seed);
+std::vector<PlanePosition> DrawPattern(
+  const PatternLaw& law, const ObservationWindow& window, int seed, const ParallelFor& parallel = SerialFor);
 
 }
 

@@ -239,14 +239,14 @@ FunctionCurves PatternStatistics::Measure(const ParallelFor& parallel) const
 }
 
 /// The chosen function of a simulation.
-std::vector<double> PatternStatistics::Simulate(const PatternLaw* law, int number) const
+std::vector<double> PatternStatistics::Simulate(const PatternLaw* law, int number, const ParallelFor& parallel) const
 {
   const PatternFunction function = this->Options.Function;
   const int seed = this->Options.Seed;
   const std::size_t points = this->Pattern.Points.size();
   if (IsCross(function))
   {
-    return this->FindCross(function, this->Split(RandomOrder(points, seed, number)), SerialFor)[IndexOf(function)];
+    return this->FindCross(function, this->Split(RandomOrder(points, seed, number)), parallel)[IndexOf(function)];
   }
   if (function == PatternFunction::MarkCorrelation)
   {
@@ -255,20 +255,21 @@ std::vector<double> PatternStatistics::Simulate(const PatternLaw* law, int numbe
     {
       marks.push_back(this->Pattern.Marks[n]);
     }
-    return this->Find(function, this->Pattern.Points, marks, SerialFor)[IndexOf(function)];
+    return this->Find(function, this->Pattern.Points, marks, parallel)[IndexOf(function)];
   }
-  const Positions simulated = law ? DrawPattern(*law, this->Pattern.Window, SeedOfSimulation(seed, number))
+  const Positions simulated = law ? DrawPattern(*law, this->Pattern.Window, SeedOfSimulation(seed, number), parallel)
                                   : UniformPattern(this->Pattern.Window, points, seed, number);
   return simulated.size() < 2 ? std::vector<double>(this->Pairs.Distances.Count(), NaN)
-                              : this->Find(function, simulated, {}, SerialFor)[IndexOf(function)];
+                              : this->Find(function, simulated, {}, parallel)[IndexOf(function)];
 }
 
 CurveEnvelope PatternStatistics::Compare(
-  const std::vector<double>& measured, const PatternLaw* law, const ParallelFor& parallel) const
+  const std::vector<double>& measured, const PatternLaw* law, const Poll& poll, const ParallelFor& parallel) const
 {
-  const CurveOfNumber simulate = [&](int number) { return this->Simulate(law, number); };
+  const CurveOfNumber simulate = [&](
+                                   int number, const ParallelFor& inner) { return this->Simulate(law, number, inner); };
   return FindCurveEnvelope(
-    measured, SimulateCurves(simulate, this->Options.Simulations, parallel), this->Options.Level);
+    measured, SimulateCurves(simulate, this->Options.Simulations, poll, parallel), this->Options.Level);
 }
 
 }

@@ -98,10 +98,10 @@ public:
   /**
    * The measured curve of the chosen function beside those of simulations: of patterns of a law, without one of as many
    * points, uniform in the window; for the mark correlation the same points with marks in a random order, for cross
-   * functions with species in a random order.
+   * functions with species in a random order. The poll comes PollsOfCurves times.
    */
-  CurveEnvelope Compare(
-    const std::vector<double>& measured, const PatternLaw* law, const ParallelFor& parallel = SerialFor) const;
+  CurveEnvelope Compare(const std::vector<double>& measured, const PatternLaw* law, const Poll& poll = NoPoll,
+    const ParallelFor& parallel = SerialFor) const;
 
 private:
   using Positions = std::vector<PlanePosition>;
@@ -114,7 +114,7 @@ private:
   FunctionCurves FindCross(std::optional<PatternFunction> function, const std::array<Positions, 2>& species,
     const ParallelFor& parallel) const;
   std::array<Positions, 2> Split(const std::vector<std::size_t>& order) const;
-  std::vector<double> Simulate(const PatternLaw* law, int number) const;
+  std::vector<double> Simulate(const PatternLaw* law, int number, const ParallelFor& parallel) const;
 
   const MappedPattern& Pattern;
   StatisticsOptions Options;

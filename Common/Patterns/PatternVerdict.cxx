@@ -55,7 +55,7 @@ public:
     : Window(window)
     , Options(options)
     , Pairs(PairsOf(points, window, options, parallel))
-    , Measured(CurveOf(points))
+    , Measured(CurveOf(points, parallel))
   {
   }
 
@@ -73,21 +73,13 @@ public:
 
   CurveEnvelope Test(const PatternLaw& law, const Poll& poll, const ParallelFor& parallel) const
   {
-    std::vector<std::vector<double>> curves;
-    for (int part = 0; part < PollsOfLaw; ++part)
-    {
-      const int first = this->Options.Simulations * part / PollsOfLaw;
-      const int end = this->Options.Simulations * (part + 1) / PollsOfLaw;
-      const auto pattern = [&](int number) {
-        return DrawPattern(law, this->Window, SeedOfSimulation(this->Options.Seed, first + number));
-      };
-      const auto curve = [&](const std::vector<PlanePosition>& points) { return this->CurveOf(points); };
-      for (std::vector<double>& each : SimulateCurves(pattern, curve, end - first, parallel))
-      {
-        curves.push_back(std::move(each));
-      }
-      poll();
-    }
+    const auto pattern = [&](int number, const ParallelFor& inner) {
+      return DrawPattern(law, this->Window, SeedOfSimulation(this->Options.Seed, number), inner);
+    };
+    const auto curve = [&](const std::vector<PlanePosition>& points, const ParallelFor& inner) {
+      return this->CurveOf(points, inner);
+    };
+    const auto curves = SimulateCurves(pattern, curve, this->Options.Simulations, poll, parallel);
     return FindCurveEnvelope(this->Measured, curves, this->Options.Level);
   }
 
@@ -108,13 +100,13 @@ private:
   }
 
   /// g or L at all distances but 0; 0 of a pattern without a pair.
-  std::vector<double> CurveOf(const std::vector<PlanePosition>& points) const
+  std::vector<double> CurveOf(const std::vector<PlanePosition>& points, const ParallelFor& parallel) const
   {
     if (points.size() < 2)
     {
       return std::vector<double>(static_cast<std::size_t>(this->Pairs.Distances.Steps), 0.0);
     }
-    const PairFunctions functions = FindPairFunctions(points, this->Window, this->Pairs);
+    const PairFunctions functions = FindPairFunctions(points, this->Window, this->Pairs, parallel);
     const std::vector<double> curve = this->Pairs.WantsG ? functions.PairCorrelation : BesagL(functions.K);
     return { curve.begin() + 1, curve.end() };
   }

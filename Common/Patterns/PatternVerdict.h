@@ -25,10 +25,6 @@ enum class VerdictFunction
   BesagL = 1,          ///< L
 };
 
-/// The poll of a judgement comes so many times in the simulations of a law, each time after a part of them on all
-/// threads.
-inline constexpr int PollsOfLaw = 4;
-
 /// Options of the fits and tests of processes and laws.
 struct VerdictOptions
 {
@@ -85,6 +81,8 @@ struct PatternJudgement
  * window, and compares g or L of the pattern with those of its simulations by the global envelope test of extreme rank
  * lengths (CurveEnvelope), the same for all. g has the same kernel in all of them, and both have the translation
  * correction, whatever the fits have. What is best has the largest p, of equal ones the fewest parameters.
+ *
+ * The poll comes PollsOfCurves times in the simulations of each.
  *
  * As parameters were fitted to the same pattern, the test rejects less often than its level says (Baddeley et al.
  * 2017).

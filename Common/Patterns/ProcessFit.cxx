@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace littoral
@@ -29,8 +30,13 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int PlacesOfSide = 256;
 /// Largest activity over intensity: beyond it points are packed, and hardly a birth is accepted.
 constexpr double MaximumActivity = 100.0;
-/// Distances that are tried for a Strauss process.
-constexpr int DistancesTried = 64;
+/// Distances that are tried for a Strauss process, and the farthest of them [mean distances of points].
+constexpr std::size_t DistancesTried = 128;
+constexpr double FarthestStrauss = 2.5;
+
+/// Shortest range of a log-Gaussian Cox process [mean distances of points]: a shorter one has thousands of squares for
+/// each point, and the pattern of tight clusters.
+constexpr double ShortestRange = 0.25;
 
 /// Border of the fit of a soft core, in mean distances of points.
 constexpr double BorderOfSoftCore = 0.85;
@@ -93,13 +99,13 @@ private:
 };
 
 /// Whether fitted parameters are plausible: not clusters that are wider than the distances compared, nor of almost no
-/// points or more than all.
+/// points or more than all, nor thickets between the points.
 bool IsFound(const PointProcessParameters& process, double largest, double points)
 {
   if (process.Process == PointProcess::LogGaussianCox)
   {
     return process.Variance > 1e-3 && process.Variance < 10.0 && process.Range < 10.0 * largest &&
-      process.Range > 1e-4 * largest;
+      process.Range > ShortestRange / std::sqrt(process.Intensity);
   }
   return process.ClusterSize > 1e-3 && process.ClusterSize < points && process.ClusterScale < 5.0 * largest &&
     process.ClusterScale > 1e-4 * largest;
@@ -187,72 +193,119 @@ double ShortestDistance(const std::vector<PlanePosition>& points)
   return shortest;
 }
 
-/// Numbers of places, and of points, that have t neighbours within the distance, t = 0, 1, 2...
+/// Numbers of points, and areas of places [m2], that have t neighbours within a distance, t = 0, 1, 2...
 struct NeighbourCounts
 {
   std::vector<double> Points;
-  std::vector<double> Places; ///< as areas [m2]
+  std::vector<double> Places;
 };
 
-/// The other points near a place, by a sort along x.
+/// Counts of neighbours at the distances k / n of the farthest one, k = 1 ... n.
+using NeighbourProfile = std::vector<NeighbourCounts>;
+
+/// The points near a place, by a sort along x.
 class Neighbours
 {
 public:
-  explicit Neighbours(std::vector<PlanePosition> points)
+  Neighbours(std::vector<PlanePosition> points, double farthest)
     : Sorted(std::move(points))
+    , Farthest(farthest)
   {
     std::sort(this->Sorted.begin(), this->Sorted.end());
   }
 
   const std::vector<PlanePosition>& GetPoints() const { return this->Sorted; }
 
-  std::size_t CountAbout(const PlanePosition& place, double distance) const
+  /// Numbers of points nearer than each of so many distances.
+  std::vector<int> CountsAbout(const PlanePosition& place, std::size_t distances) const
   {
-    std::size_t count = 0;
-    auto at = std::lower_bound(this->Sorted.begin(), this->Sorted.end(), PlanePosition{ place[0] - distance, -1e300 });
-    for (; at != this->Sorted.end() && (*at)[0] <= place[0] + distance; ++at)
+    std::vector<int> counts(distances, 0);
+    auto at =
+      std::lower_bound(this->Sorted.begin(), this->Sorted.end(), PlanePosition{ place[0] - this->Farthest, -1e300 });
+    for (; at != this->Sorted.end() && (*at)[0] <= place[0] + this->Farthest; ++at)
     {
       const double dx = (*at)[0] - place[0];
       const double dy = (*at)[1] - place[1];
-      count += dx * dx + dy * dy < distance * distance;
+      const double part = std::sqrt(dx * dx + dy * dy) / this->Farthest;
+      if (part < 1.0)
+      {
+        ++counts[static_cast<std::size_t>(part * static_cast<double>(distances))];
+      }
     }
-    return count;
+    std::partial_sum(counts.begin(), counts.end(), counts.begin());
+    return counts;
   }
 
 private:
   std::vector<PlanePosition> Sorted;
+  double Farthest;
 };
 
-void AddAt(std::vector<double>& counts, std::size_t t, double value)
+void AddAt(std::vector<double>& counts, int t, double value)
 {
-  counts.resize(std::max(counts.size(), t + 1), 0.0);
-  counts[t] += value;
+  counts.resize(std::max(counts.size(), static_cast<std::size_t>(t) + 1), 0.0);
+  counts[static_cast<std::size_t>(t)] += value;
 }
 
-NeighbourCounts CountNeighbours(
-  const Neighbours& points, const ObservationWindow& window, double distance, double border)
+/// Areas of the places of a row of the bounding box by their neighbours.
+NeighbourProfile CountRow(
+  const Neighbours& points, const ObservationWindow& window, std::size_t row, double border, std::size_t distances)
 {
-  NeighbourCounts counts;
-  for (const PlanePosition& point : points.GetPoints())
-  {
-    if (window.DistanceToEdge(point) >= border)
-    {
-      AddAt(counts.Points, points.CountAbout(point, distance) - 1, 1.0); // but itself
-    }
-  }
   const PlanePosition& low = window.GetLow();
   const PlanePosition& high = window.GetHigh();
   const std::array<double, 2> step = { (high[0] - low[0]) / PlacesOfSide, (high[1] - low[1]) / PlacesOfSide };
-  for (int n = 0; n < PlacesOfSide * PlacesOfSide; ++n)
+  NeighbourProfile profile(distances);
+  for (int column = 0; column < PlacesOfSide; ++column)
   {
-    const PlanePosition place = { low[0] + (n % PlacesOfSide + 0.5) * step[0],
-      low[1] + (n / PlacesOfSide + 0.5) * step[1] };
+    const PlanePosition place = { low[0] + (column + 0.5) * step[0],
+      low[1] + (static_cast<double>(row) + 0.5) * step[1] };
     if (window.Contains(place) && window.DistanceToEdge(place) >= border)
     {
-      AddAt(counts.Places, points.CountAbout(place, distance), step[0] * step[1]);
+      const std::vector<int> counts = points.CountsAbout(place, distances);
+      for (std::size_t k = 0; k < distances; ++k)
+      {
+        AddAt(profile[k].Places, counts[k], step[0] * step[1]);
+      }
     }
   }
-  return counts;
+  return profile;
+}
+
+/// Neighbours of points and places that are at least the border from the edge.
+NeighbourProfile CountNeighbours(const std::vector<PlanePosition>& points, const ObservationWindow& window,
+  double farthest, double border, std::size_t distances, const ParallelFor& parallel)
+{
+  const Neighbours near(points, farthest);
+  std::vector<NeighbourProfile> rows(PlacesOfSide);
+  ForRanges(parallel, rows.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row)
+    {
+      rows[row] = CountRow(near, window, row, border, distances);
+    }
+  });
+  NeighbourProfile profile(distances);
+  for (const NeighbourProfile& row : rows)
+  {
+    for (std::size_t k = 0; k < distances; ++k)
+    {
+      for (std::size_t t = 0; t < row[k].Places.size(); ++t)
+      {
+        AddAt(profile[k].Places, static_cast<int>(t), row[k].Places[t]);
+      }
+    }
+  }
+  for (const PlanePosition& point : near.GetPoints())
+  {
+    if (window.DistanceToEdge(point) >= border)
+    {
+      const std::vector<int> counts = near.CountsAbout(point, distances);
+      for (std::size_t k = 0; k < distances; ++k)
+      {
+        AddAt(profile[k].Points, counts[k] - 1, 1.0); // but itself
+      }
+    }
+  }
+  return profile;
 }
 
 /// Log-pseudo-likelihood ln PL = sum over points of ln(beta gamma^t) - beta * integral of gamma^t, at its maximum over
@@ -294,10 +347,12 @@ std::string WhyInvalid(const ContrastOptions& options)
   return check.Reason();
 }
 
-ProcessFit FitStrauss(
-  const std::vector<PlanePosition>& points, const ObservationWindow& window, double distance, double border)
+namespace
 {
-  const NeighbourCounts counts = CountNeighbours(Neighbours(points), window, distance, border);
+
+/// Maximum of the pseudo-likelihood at a distance; `intensity` [1/m2] is that of the points.
+ProcessFit FitAtDistance(const NeighbourCounts& counts, double distance, double intensity)
+{
   ProcessFit fit;
   fit.Contrast = NaN;
   fit.Process.Process = PointProcess::Strauss;
@@ -315,33 +370,47 @@ ProcessFit FitStrauss(
   fit.LogPseudoLikelihood = hasPairs ? -value : LogPseudoLikelihood(counts, 0.0, activity);
   LogPseudoLikelihood(counts, fit.Process.Interaction, activity);
   fit.Process.Activity = activity;
-  const double intensity = static_cast<double>(points.size()) / window.GetArea();
   fit.Exists = fit.Process.Interaction < 0.999 && activity > 0.0 && activity < MaximumActivity * intensity;
   return fit;
+}
+
+/// Fit of the distance with the largest pseudo-likelihood of all points, none of whose neighbours outside of the window
+/// are known. A border would leave too few points: it must be as wide as the farthest distance for all.
+ProcessFit FindStraussDistance(const std::vector<PlanePosition>& points, const ObservationWindow& window,
+  double intensity, const ParallelFor& parallel)
+{
+  const double shorter = std::min(window.GetHigh()[0] - window.GetLow()[0], window.GetHigh()[1] - window.GetLow()[1]);
+  const double farthest = std::min(0.25 * shorter, FarthestStrauss / std::sqrt(intensity));
+  const NeighbourProfile profile = CountNeighbours(points, window, farthest, 0.0, DistancesTried, parallel);
+  ProcessFit best;
+  best.LogPseudoLikelihood = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < profile.size(); ++k)
+  {
+    const double distance = farthest * static_cast<double>(k + 1) / static_cast<double>(profile.size());
+    const ProcessFit fit = FitAtDistance(profile[k], distance, intensity);
+    best = fit.Exists && fit.LogPseudoLikelihood > best.LogPseudoLikelihood ? fit : best;
+  }
+  return best;
+}
+
+}
+
+ProcessFit FitStrauss(const std::vector<PlanePosition>& points, const ObservationWindow& window, double distance,
+  double border, const ParallelFor& parallel)
+{
+  const double intensity = static_cast<double>(points.size()) / window.GetArea();
+  return FitAtDistance(CountNeighbours(points, window, distance, border, 1, parallel).front(), distance, intensity);
 }
 
 namespace
 {
 
-/// Fit of the Distance with the largest pseudo-likelihood, with the same border for all.
-ProcessFit FitStraussDistance(const std::vector<PlanePosition>& points, const ObservationWindow& window,
-  double intensity, const ParallelFor& parallel)
+/// The same distance fitted with a border; points that are packed there keep the fit to all.
+ProcessFit WithBorder(const ProcessFit& fit, const std::vector<PlanePosition>& points, const ObservationWindow& window,
+  const ParallelFor& parallel)
 {
-  const double farthest = std::sqrt(1.5 / (Pi * intensity));
-  std::vector<ProcessFit> fits(DistancesTried);
-  ForRanges(parallel, fits.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k)
-    {
-      fits[k] = FitStrauss(points, window, farthest * static_cast<double>(k + 1) / DistancesTried, farthest);
-    }
-  });
-  const auto isBetter = [](const ProcessFit& a, const ProcessFit& b) {
-    const auto value = [](const ProcessFit& fit) {
-      return fit.Exists ? fit.LogPseudoLikelihood : -std::numeric_limits<double>::infinity();
-    };
-    return value(a) < value(b);
-  };
-  return *std::max_element(fits.begin(), fits.end(), isBetter);
+  const ProcessFit inner = FitStrauss(points, window, fit.Process.Distance, fit.Process.Distance, parallel);
+  return inner.Exists ? inner : fit;
 }
 
 }
@@ -383,7 +452,8 @@ ProcessFit FitProcess(PointProcess process, const std::vector<PlanePosition>& po
       fit = FitSoftCore(points, window, BorderOfSoftCore / std::sqrt(intensity), parallel);
       return fit.Exists ? RefineSoftCore(fit, points, window, parallel) : fit;
     case PointProcess::Strauss:
-      return FitStraussDistance(points, window, intensity, parallel);
+      fit = FindStraussDistance(points, window, intensity, parallel);
+      return fit.Exists ? WithBorder(fit, points, window, parallel) : fit;
     default:
       return hasTrend ? FitByContrast(process, points, window, options, trend, parallel) : fit;
   }

@@ -50,15 +50,17 @@ struct ProcessFit
  *
  * - Poisson: n / |W|.
  * - Thomas, Matern cluster, log-Gaussian Cox: the minimum over the parameters of the integral of
- *   |K_measured^q - K^q|^2 (or g) from 0 to MaximumDistance; the intensity is n / |W|.
+ *   |K_measured^q - K^q|^2 (or g) from 0 to MaximumDistance; the intensity is n / |W|. A Cox process of a Range below a
+ *   quarter of the mean distance of points, 1 / intensity^(1/2), does not exist.
  * - These and Poisson with a trend: FitTrend first, and then the same with the K or g of points that are weighted by
  *   1 / intensity (Waagepetersen and Guan 2009). Intensity and ClusterSize are those of places of the mean intensity.
  * - Matern II: Distance is the shortest distance times n / (n + 1) (Ripley and Silverman 1978), intensity n / |W|, and
  *   a trend that thins points, as SimulateProcess() does.
- * - Strauss: the maximum of the pseudo-likelihood (Besag 1975) over Activity and Interaction at each of 64 distances,
- * up to where the average disc holds one and a half points, and over those. Points nearer to the edge than the longest
- * of these are neighbours only; the integral is a sum over 256 by 256 places of the bounding box. Activities of more
- * than a hundred intensities are left out: such points are packed, and no simulation of them ends.
+ * - Strauss: Distance has the largest pseudo-likelihood (Besag 1975) of all points, at the best Activity and
+ *   Interaction of each of 128 distances up to a quarter of the shorter side of the bounding box, and at most to 2.5
+ *   mean distances of points. Activity and Interaction are then those of FitStrauss() with a border of that distance,
+ *   if there are any. Activities of more than a hundred intensities are left out: such points are packed, and no
+ *   simulation of them ends.
  * - Soft core: FitSoftCore with a border of 0.85 mean distances of points, 1 / intensity^(1/2), then RefineSoftCore.
  */
 ProcessFit FitProcess(PointProcess process, const std::vector<PlanePosition>& points, const ObservationWindow& window,
@@ -72,10 +74,11 @@ IntensityTrend TrendOf(
 ProcessFit FitProcess(PointProcess process, const std::vector<PlanePosition>& points, const ObservationWindow& window,
   const ContrastOptions& options, const IntensityTrend& trend, const ParallelFor& parallel = SerialFor);
 
-/// Fits a Strauss process of a given Distance by the maximum of the pseudo-likelihood, with border correction [m],
-/// which is not below the distance.
-ProcessFit FitStrauss(
-  const std::vector<PlanePosition>& points, const ObservationWindow& window, double distance, double border);
+/// Fits a Strauss process of a given Distance by the maximum of the pseudo-likelihood. Border correction [m]: points
+/// nearer to the edge, and places, are neighbours only. The integral is a sum over 256 by 256 places of the bounding
+/// box.
+ProcessFit FitStrauss(const std::vector<PlanePosition>& points, const ObservationWindow& window, double distance,
+  double border, const ParallelFor& parallel = SerialFor);
 
 /// Fits a soft-core process by the maximum of the pseudo-likelihood over Distance at each Softness of 0.05, 0.1 ...
 /// 0.75, and over those. Border correction [m]: points nearer to the edge are neighbours only; neighbours count up to

@@ -56,6 +56,12 @@ bool ForBatches(std::size_t count, const std::function<bool(std::size_t done)>& 
     // Small parts, for pieces of the same batch can take unlike times.
     const auto grain = static_cast<vtkIdType>(std::max<std::size_t>(1, (end - done) / (8 * smallest)));
     const Clock::time_point begin = Clock::now();
+    if (end - done == 1) // VTK would start a thread for it
+    {
+      task(done, end);
+      done = end;
+      continue;
+    }
     FirstException first;
     vtkSMPTools::For(static_cast<vtkIdType>(done), static_cast<vtkIdType>(end), grain, [&](vtkIdType a, vtkIdType b) {
       first.Catch([&] { task(static_cast<std::size_t>(a), static_cast<std::size_t>(b)); });

@@ -8,10 +8,12 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <set>
+#include <thread>
 
 using namespace littoral;
 using namespace littoral::testing;
@@ -95,11 +97,11 @@ CurveEnvelope TestRandomness(const std::vector<PlanePosition>& points, const Obs
   PairOptions options;
   options.Distances = DefaultDistances(window, points.size(), 64);
   options.WantsG = false;
-  const CurveOfPattern curve = [&](const std::vector<PlanePosition>& pattern) {
+  const auto curve = [&](const std::vector<PlanePosition>& pattern, const ParallelFor&) {
     return BesagL(FindPairFunctions(pattern, window, options).K);
   };
-  const PatternOfNumber law = [&](int number) { return UniformPattern(window, points.size(), seed, number); };
-  return FindCurveEnvelope(curve(points), SimulateCurves(law, curve, 99));
+  const auto law = [&](int number, const ParallelFor&) { return UniformPattern(window, points.size(), seed, number); };
+  return FindCurveEnvelope(curve(points, SerialFor), SimulateCurves(law, curve, 99));
 }
 
 // The test's size is its level: 4 to 6 % of 500 random patterns are rejected, and just those leave the global band.
@@ -141,13 +143,34 @@ TEST(CurveEnvelope, RejectsClustersAndLattices)
 
 TEST(CurveEnvelope, SimulatesOnAnyThreads)
 {
-  const PatternOfNumber law = [](int number) { return UniformPattern(ObservationWindow(), 20, 4, number); };
-  const CurveOfPattern curve = [](const std::vector<PlanePosition>& points) {
+  const auto law = [](int number, const ParallelFor&) { return UniformPattern(ObservationWindow(), 20, 4, number); };
+  const auto curve = [](const std::vector<PlanePosition>& points, const ParallelFor&) {
     return std::vector<double>{ points.front()[0], points.back()[1] };
   };
   const Curves serial = SimulateCurves(law, curve, 40);
-  EXPECT_EQ(serial, SimulateCurves(law, curve, 40, OnThreads(7)));
+  EXPECT_EQ(serial, SimulateCurves(law, curve, 40, NoPoll, OnThreads(7)));
   EXPECT_EQ(std::set<std::vector<double>>(serial.begin(), serial.end()).size(), 40u);
+}
+
+// Slow curves are made one by one, each with the loop, which can end them; the others side by side.
+TEST(CurveEnvelope, HandsTheLoopToSlowCurves)
+{
+  for (const int milliseconds : { 0, 40 })
+  {
+    int withLoop = 0;
+    int polls = 0;
+    const ParallelFor loop = [](std::size_t count, const RangeTask& task) { task(0, count); };
+    const auto curve = [&](int number, const ParallelFor& inner) {
+      withLoop += inner.target_type() == loop.target_type();
+      std::this_thread::sleep_for(std::chrono::milliseconds(number == 0 ? milliseconds : 0));
+      return std::vector<double>{ static_cast<double>(number) };
+    };
+    const Curves curves = SimulateCurves(
+      curve, 10, [&] { ++polls; }, loop);
+    EXPECT_EQ(withLoop, milliseconds > 0 ? 10 : 1);
+    EXPECT_EQ(polls, PollsOfCurves);
+    EXPECT_EQ(curves[9], std::vector<double>{ 9.0 });
+  }
 }
 
 TEST(RandomOrder, IsEachOneEquallyOften)

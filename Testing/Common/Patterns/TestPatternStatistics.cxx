@@ -130,7 +130,7 @@ TEST(PatternStatistics, Comparisons)
   const std::vector<double> measured = CurveOf(statistics.Measure(), Function::L);
   const CurveEnvelope envelope = statistics.Compare(measured, nullptr);
   EXPECT_FALSE(envelope.IsRejected);
-  EXPECT_EQ(statistics.Compare(measured, nullptr, OnThreads(3)).GlobalHigh, envelope.GlobalHigh);
+  EXPECT_EQ(statistics.Compare(measured, nullptr, NoPoll, OnThreads(3)).GlobalHigh, envelope.GlobalHigh);
 }
 
 // The law that a pattern was drawn from is not rejected, one of other counts is.

@@ -91,7 +91,7 @@ TEST(PatternVerdict, CellsAreMadeByASoftCoreAndNotByAStrictDistance)
   pairs.Correction = EdgeCorrection::Translation;
   pairs.WantsK = false;
   pairs.HalfWidth = 0.15 / std::sqrt(static_cast<double>(cells.size()));
-  const CurveOfPattern curve = [&](const std::vector<PlanePosition>& points) {
+  const auto curve = [&](const std::vector<PlanePosition>& points, const ParallelFor&) {
     const std::vector<double> g = FindPairFunctions(points, window, pairs).PairCorrelation;
     return std::vector<double>(g.begin() + 1, g.end());
   };
@@ -99,12 +99,12 @@ TEST(PatternVerdict, CellsAreMadeByASoftCoreAndNotByAStrictDistance)
   {
     const ProcessFit fit = FitProcess(id, cells, window, {});
     ASSERT_TRUE(fit.Exists);
-    const PatternOfNumber law = [&](int number) {
+    const auto law = [&](int number, const ParallelFor&) {
       ProcessOptions options;
       options.Seed = SeedOfSimulation(1, number);
       return SimulateProcess(fit.Process, options, window).Points;
     };
-    const CurveEnvelope envelope = FindCurveEnvelope(curve(cells), SimulateCurves(law, curve, 99), 0.05);
+    const CurveEnvelope envelope = FindCurveEnvelope(curve(cells, SerialFor), SimulateCurves(law, curve, 99), 0.05);
     EXPECT_EQ(envelope.IsRejected, id == PointProcess::MaternII) << envelope.PValue;
   }
 }

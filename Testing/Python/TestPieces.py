@@ -1,0 +1,98 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+# run-with: python3
+"""What ranks have together is what one has alone: lengths, areas and volumes of all cells, integrals of all arrays and
+numbers of rows of each class's outputs, in 1, 2 and 3 pieces."""
+
+import os
+import sys
+import unittest
+from pathlib import Path
+
+os.environ["VTK_SMP_BACKEND_IN_USE"] = "Sequential"
+for folder in "Hashes", "Fuzz":
+    sys.path.insert(0, str(Path(__file__).resolve().parents[1] / folder))
+# pylint: disable=wrong-import-position
+import introspection
+import numpy
+import recipes
+from hash_outputs import leaves, make
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkTable
+from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
+
+import littoral
+
+
+def measures_of(leaf):
+    """The length, area and volume of each cell, and its number of vertices."""
+    sizes = vtkCellSizeFilter()
+    sizes.SetInputData(leaf)
+    sizes.Update()
+    cells = sizes.GetOutput().GetCellData()
+    return {name: vtk_to_numpy(cells.GetArray(name)).astype(float) for name in ("VertexCount", "Length", "Area", "Volume")}
+
+
+def means_of(leaf, array):
+    """The mean of an array over the corners of each cell."""
+    values = vtk_to_numpy(array).astype(float).reshape(leaf.GetNumberOfPoints(), -1)
+    cells = [leaf.GetCell(cell) for cell in range(leaf.GetNumberOfCells())]
+    corners = [[cell.GetPointId(corner) for corner in range(cell.GetNumberOfPoints())] for cell in cells]
+    return numpy.array([values[own].mean() for own in corners])
+
+
+def integrals_of(data):
+    """Sums over a data object, by the paths of its leaves."""
+    sums = {}
+    for path, leaf in leaves(data) if data else ():
+        if isinstance(leaf, vtkTable):
+            sums[path, "rows"] = leaf.GetNumberOfRows()
+        elif isinstance(leaf, vtkDataSet) and leaf.GetNumberOfCells() > 0:
+            measures = measures_of(leaf)
+            sums.update({(path, name): own.sum() for name, own in measures.items()})
+            weights = sum(measures.values())
+            points = leaf.GetPointData()
+            for index in range(points.GetNumberOfArrays()):
+                array = points.GetArray(index)
+                if array is not None and array.GetNumberOfTuples() == leaf.GetNumberOfPoints():
+                    sums[path, array.GetName()] = numpy.nansum(weights * means_of(leaf, array))
+    return sums
+
+
+def integrals(made, pieces):
+    """Those of all outputs in so many pieces."""
+    sums = {}
+    for piece in range(pieces):
+        for port in range(made.GetNumberOfOutputPorts()):
+            made.GetOutputPort(port)
+            made.UpdatePiece(piece, pieces, 0) if port == 0 else made.GetExecutive().Update(port)
+            for key, value in integrals_of(made.GetOutputDataObject(port)).items():
+                sums[port, *key] = sums.get((port, *key), 0.0) + value
+    return sums
+
+
+class Pieces(unittest.TestCase):
+    """All classes with outputs."""
+
+    def test_each(self):
+        vtkOutputWindow.SetInstance(vtkStringOutputWindow())
+        measured = 0
+        for name in introspection.all_classes():
+            if not getattr(littoral, name)().GetNumberOfOutputPorts():
+                continue
+            with self.subTest(name):
+                made = make(name, **recipes.settings(name))
+                for port, other in enumerate(recipes.inputs(name)):
+                    made.SetInputConnection(port, recipes.source(other).GetOutputPort())
+                whole = integrals(made, 1)
+                measured += len(whole)
+                for pieces in 2, 3:
+                    parts = integrals(made, pieces)
+                    self.assertEqual(parts.keys(), whole.keys())
+                    for key, value in whole.items():
+                        self.assertAlmostEqual(parts[key], value, delta=1e-5 * abs(value) + 1e-9, msg=f"{key} of {pieces}")
+        self.assertGreater(measured, 200)
+
+
+unittest.main(verbosity=2)
