@@ -18,8 +18,11 @@ import numpy
 import recipes
 from hash_outputs import leaves, make
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
-from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkTable
+from vtkmodules.util.vtkConstants import VTK_UNSIGNED_CHAR
+from vtkmodules.vtkCommonCore import (
+    vtkIdList, vtkInformation, vtkInformationVector, vtkOutputWindow, vtkStringOutputWindow)
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData, vtkTable
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
 
 import littoral
@@ -37,15 +40,20 @@ def measures_of(leaf):
 def means_of(leaf, array):
     """The mean of an array over the corners of each cell."""
     values = vtk_to_numpy(array).astype(float).reshape(leaf.GetNumberOfPoints(), -1)
-    cells = [leaf.GetCell(cell) for cell in range(leaf.GetNumberOfCells())]
-    corners = [[cell.GetPointId(corner) for corner in range(cell.GetNumberOfPoints())] for cell in cells]
-    return numpy.array([values[own].mean() for own in corners])
+    ids = vtkIdList()
+    means = numpy.empty(leaf.GetNumberOfCells())
+    for cell in range(len(means)):
+        leaf.GetCellPoints(cell, ids)
+        means[cell] = values[[ids.GetId(corner) for corner in range(ids.GetNumberOfIds())]].mean()
+    return means
 
 
 def integrals_of(data):
     """Sums over a data object, by the paths of its leaves."""
     sums = {}
     for path, leaf in leaves(data) if data else ():
+        if isinstance(leaf, vtkImageData) and leaf.GetScalarType() == VTK_UNSIGNED_CHAR:
+            continue  # a picture to draw other outputs with, which each rank has
         if isinstance(leaf, vtkTable):
             sums[path, "rows"] = leaf.GetNumberOfRows()
         elif isinstance(leaf, vtkDataSet) and leaf.GetNumberOfCells() > 0:
@@ -60,13 +68,24 @@ def integrals_of(data):
     return sums
 
 
+def ask(made, port, piece, pieces):
+    """Asks for a piece of an output."""
+    requests = vtkInformationVector()
+    for index in range(made.GetNumberOfOutputPorts()):
+        request = vtkInformation()
+        request.Set(Pipeline.UPDATE_PIECE_NUMBER(), piece)
+        request.Set(Pipeline.UPDATE_NUMBER_OF_PIECES(), pieces)
+        request.Set(Pipeline.UPDATE_NUMBER_OF_GHOST_LEVELS(), 0)
+        requests.SetInformationObject(index, request)
+    made.Update(port, requests)
+
+
 def integrals(made, pieces):
     """Those of all outputs in so many pieces."""
     sums = {}
     for piece in range(pieces):
         for port in range(made.GetNumberOfOutputPorts()):
-            made.GetOutputPort(port)
-            made.UpdatePiece(piece, pieces, 0) if port == 0 else made.GetExecutive().Update(port)
+            ask(made, port, piece, pieces)
             for key, value in integrals_of(made.GetOutputDataObject(port)).items():
                 sums[port, *key] = sums.get((port, *key), 0.0) + value
     return sums
