@@ -28,6 +28,8 @@ constexpr std::size_t PointsOfBlock = 256;
 constexpr std::size_t MaximumBlocks = 256;
 /// Parts of bins of all sums, at most.
 constexpr std::size_t MaximumParts = 1u << 22u;
+/// Points of a block whose pairs are summed at a time.
+constexpr std::size_t PointsAtOnce = 32;
 /// Pairs that are looked at together.
 constexpr std::size_t PairsAtOnce = 256;
 /// Parts of a step of the range, between which no kernel of g begins or ends.
@@ -173,14 +175,19 @@ public:
     const std::size_t points = this->From.Size();
     const std::size_t most = std::clamp<std::size_t>(MaximumParts / (PartsOfStep * this->Bins), 1, MaximumBlocks);
     const std::size_t length = std::max(PointsOfBlock, points / most + 1);
-    std::vector<PairSums> blocks((points + length - 1) / length);
-    const auto sum = [&](std::size_t begin, std::size_t end) {
-      for (std::size_t block = begin; block < end; ++block)
-      {
-        blocks[block] = this->SumOf(block * length, std::min(points, (block + 1) * length));
-      }
-    };
-    ForRanges(parallel, blocks.size(), 1, sum);
+    std::vector<PairSums> blocks((points + length - 1) / length, this->NoSums());
+    // A part of each block after the other, in the order of its points: a loop can be ended between its ranges.
+    for (std::size_t part = 0; part < length; part += PointsAtOnce)
+    {
+      ForRanges(parallel, blocks.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t block = begin; block < end; ++block)
+        {
+          const std::size_t last = std::min(points, (block + 1) * length);
+          const std::size_t first = std::min(last, block * length + part);
+          this->AddPairs(first, std::min(last, first + std::min(PointsAtOnce, length - part)), blocks[block]);
+        }
+      });
+    }
     PairSums sums = this->NoSums();
     for (const PairSums& block : blocks)
     {
@@ -413,9 +420,8 @@ private:
     }
   }
 
-  PairSums SumOf(std::size_t begin, std::size_t end) const
+  void AddPairs(std::size_t begin, std::size_t end, PairSums& sums) const
   {
-    PairSums sums = this->NoSums();
     PairBatch batch;
     for (std::size_t i = begin; i < end; ++i)
     {
@@ -431,7 +437,6 @@ private:
       };
       this->To.ForRangesNear(x, y, this->Reach, this->IsCross ? 0 : this->To.RowOf(y), add);
     }
-    return sums;
   }
 
   const ObservationWindow& Window;

@@ -1,15 +1,19 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""An abort at any report of progress ends the request there, without a message, and leaves the object usable."""
+"""An abort at any report of progress ends the request there, without a message, and leaves the object usable. Reports
+come at least five times a second."""
 
 import os
 import sys
+import time
 import unittest
 
 os.environ["VTK_SMP_BACKEND_IN_USE"] = "Sequential"
 sys.dont_write_bytecode = True
 
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow  # noqa: E402
+from vtkmodules.vtkCommonCore import (  # noqa: E402
+    vtkMinimalStandardRandomSequence, vtkOutputWindow, vtkPoints, vtkStringOutputWindow)
+from vtkmodules.vtkCommonDataModel import vtkPolyData  # noqa: E402
 
 import introspection  # noqa: E402
 import littoral  # noqa: E402
@@ -26,6 +30,10 @@ LONGER = {
     "vtkWindFieldSource": {"SetDimensions": (64, 8, 8)},
     "vtkSeaSurfaceFilter": {"SetSectors": (200,), "SetRadius": (200.0,)},
 }
+
+
+LONGEST = 0.2  # from a report to the next [s of the thread]
+ENOUGH = 0.5  # of work that goes on, after which it is aborted [s]
 
 
 class Reports:
@@ -65,6 +73,72 @@ def ask(made, at=None):
     return reports
 
 
+def pattern(count, side):
+    """Random points in a square."""
+    random = vtkMinimalStandardRandomSequence()
+    random.Initialize(7)
+    points = vtkPoints()
+    for _ in range(count):
+        points.InsertNextPoint(random.GetNextRangeValue(0.0, side), random.GetNextRangeValue(0.0, side), 0.0)
+    data = vtkPolyData()
+    data.SetPoints(points)
+    return data
+
+
+def verdict_by_g():
+    """Fits of g to random points tend to the shortest ranges."""
+    made = littoral.vtkPatternVerdictFilter()
+    made.SetInputData(pattern(40, 32.0))
+    made.SetContrastToFitPairCorrelation()
+    made.SetNumberOfSimulations(19)
+    return made
+
+
+def law_of_another():
+    """A pattern beside clusters of a thousand times as many points."""
+    clusters = littoral.vtkPointProcessSource()
+    clusters.SetSize(10.0, 10.0)
+    clusters.SetIntensity(1.0)
+    clusters.SetClusterScale(0.3)
+    law = littoral.vtkPatternVerdictFilter()
+    law.SetInputConnection(clusters.GetOutputPort())
+    law.SetNumberOfSimulations(19)
+    made = littoral.vtkPointPatternStatisticsFilter()
+    made.SetInputData(pattern(64, 300.0))
+    made.SetInputConnection(2, law.GetOutputPort())
+    made.SetNumberOfSimulations(19)
+    return made
+
+
+def many_sites():
+    """Sites for which the ground decides."""
+    ground = littoral.vtkTurningBandsTerrainSource()
+    made = littoral.vtkSitePreferenceFilter()
+    made.SetInputData(pattern(100000, 99.0))
+    made.SetInputConnection(1, ground.GetOutputPort())
+    return made
+
+
+def longest_silence(made):
+    """The longest time between two reports of a request that is aborted when it has taken long enough."""
+    for port in range(made.GetNumberOfInputPorts()):
+        for index in range(made.GetNumberOfInputConnections(port)):
+            made.GetInputAlgorithm(port, index).Update()
+    times = [time.thread_time()]
+
+    def hear(algorithm, _):
+        times.append(time.thread_time())
+        if times[-1] - times[0] > ENOUGH:
+            algorithm.SetAbortExecute(1)
+
+    observer = made.AddObserver("ProgressEvent", hear)
+    made.Modified()
+    made.Write() if hasattr(made, "Write") else made.UpdateTimeStep(TIME)
+    made.RemoveObserver(observer)
+    times.append(time.thread_time())
+    return max(b - a for a, b in zip(times, times[1:]))
+
+
 class Aborts(unittest.TestCase):
     """All classes."""
 
@@ -89,6 +163,12 @@ class Aborts(unittest.TestCase):
                 self.assertEqual(oracle.bytes_of(made), whole)
                 with_reports += count > 1
         self.assertGreater(with_reports, 12)
+
+    def test_silence(self):
+        silences = {name: longest_silence(working(name)) for name in introspection.all_classes()}
+        silences.update({make.__name__: longest_silence(make()) for make in (verdict_by_g, law_of_another, many_sites)})
+        print({name: round(silence, 3) for name, silence in silences.items() if silence > 0.05})
+        self.assertEqual({}, {name: silence for name, silence in silences.items() if silence > LONGEST})
 
 
 unittest.main(verbosity=2)
