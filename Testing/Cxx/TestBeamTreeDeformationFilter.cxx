@@ -392,6 +392,7 @@ void CheckMediumForest(vtkReevesTreeSource* tree, WindSource* wind)
   Expect(PointsOf(many->GetOutputDataObject(0), "Medium/Crown") == standing, "crowns stand still without wind");
   wind->SetStrength(8.0);
 
+  wood->UseLevelsOff();
   vtkNew<ErrorCounter> errors;
   errors->Watch(many);
   many->AddPrototypeConnection(wood->GetOutputPort()); // two trunks
