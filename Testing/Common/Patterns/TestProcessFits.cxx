@@ -108,9 +108,11 @@ TEST(ProcessFits, LongStraussDistancesAreFound)
   {
     ProcessOptions options;
     options.Seed = seed;
-    const ProcessFit fit =
-      FitProcess(PointProcess::Strauss, SimulateProcess(process, options, window).Points, window, {});
+    const std::vector<PlanePosition> points = SimulateProcess(process, options, window).Points;
+    const ProcessFit fit = FitProcess(PointProcess::Strauss, points, window, {});
     ASSERT_TRUE(fit.Exists);
+    const double own = fit.Process.Distance;
+    EXPECT_EQ(fit.Process.Activity, FitStrauss(points, window, own, own).Process.Activity);
     found += std::abs(fit.Process.Distance - process.Distance) < 0.05 * process.Distance;
     activities.push_back(fit.Process.Activity);
     interactions.push_back(fit.Process.Interaction);
