@@ -105,14 +105,14 @@ public:
       littoral::Require(check.Reason());
     }
     const std::optional<littoral::GroundFactors> factors = ground.At(place[0], place[1]);
-    if (!factors && ground.Covers(place[0], place[1]))
+    if (ground.IsHole(place[0], place[1]))
     {
-      return false; // in a hole of the terrain
+      return false;
     }
     if (!factors)
     {
       littoral::Refuse("site ", site, " at (", littoral::TextOf(place[0]), ", ", littoral::TextOf(place[1]),
-        ") lies outside of the Terrain.");
+        ") lies outside of the Terrain, or where it has no drainage area.");
     }
     kept.Ground = *factors;
     kept.Site = site;

@@ -30,6 +30,12 @@ SiteGround::SiteGround(HeightGrid grid, WetnessAt wetness)
   }
 }
 
+bool SiteGround::IsHole(double x, double y) const
+{
+  const GroundPoint point = this->Grid.At(x, y);
+  return point.IsCovered && !std::isfinite(point.Height);
+}
+
 std::optional<GroundFactors> SiteGround::At(double x, double y) const
 {
   const GroundPoint point = this->Grid.At(x, y);

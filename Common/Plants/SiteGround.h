@@ -25,8 +25,8 @@ public:
 
   bool HasWetness() const { return static_cast<bool>(this->Wetness); }
 
-  /// Whether the grid reaches a place, be there a height or not.
-  bool Covers(double x, double y) const { return this->Grid.At(x, y).IsCovered; }
+  /// Whether the grid reaches a place, but has no height there.
+  bool IsHole(double x, double y) const;
 
   /// Factors at a place, the wetness of the nearest point; none where there is no height or no finite wetness.
   std::optional<GroundFactors> At(double x, double y) const;

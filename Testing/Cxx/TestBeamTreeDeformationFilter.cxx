@@ -653,7 +653,7 @@ void CheckBadPlants(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tre
   {
     sway->AddPrototypeConnection(tree->GetOutputPort());
   }
-  Expect(errors->ExpectOneNaming("MB to sway"), "too many pictures");
+  Expect(errors->ExpectOneNaming("GiB of memory"), "too many pictures");
 }
 
 /// All points at a time [s].

