@@ -312,6 +312,9 @@ void vtkConditionalTerrainFilter::CheckMemory(const littoral::Survey& survey, co
 {
   const double width = std::max(0.0, extent[1] - static_cast<double>(extent[0]) + 1.0);
   const double height = std::max(0.0, extent[3] - static_cast<double>(extent[2]) + 1.0);
+  littoral::RequireGridPoints("A field of " + std::to_string(survey.Data.Places.size()) + " data on " +
+      (this->GetNumberOfInputConnections(1) > 0 || survey.IsRaster ? "a Grid of" : "Dimensions"),
+    { width, height }, littoral::CostOfPoint(survey, this->KrigingVariance));
   const double bytes = littoral::MemoryOf(survey, width * height, this->KrigingVariance);
   littoral::RequireMemory(bytes,
     "A field of " + littoral::TextOf(width) + " x " + littoral::TextOf(height) + " points from " +

@@ -252,6 +252,7 @@ std::string vtkPointProcessSource::WhyInvalid(const Recipe& recipe) const
   if (check.IsGood())
   {
     const double draws = littoral::ExpectedDraws(recipe.Process, recipe.Options, recipe.Window);
+    littoral::RequirePoints(draws, "Intensity", recipe.Process.Intensity);
     littoral::RequireMemory(
       BytesOfPoint * draws, "The process, which makes " + littoral::TextOf(draws) + " points,", "take a smaller Size");
   }

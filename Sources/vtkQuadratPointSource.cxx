@@ -195,6 +195,7 @@ std::string vtkQuadratPointSource::WhyInvalid(const Recipe& recipe) const
   check.Require(quadrats <= MostQuadrats, words + " are more than memory is made for.");
   if (check.IsGood())
   {
+    littoral::RequirePoints(points, "MeanPerQuadrat", recipe.Law.Mean);
     littoral::RequireMemory(48.0 * points + 8.0 * static_cast<double>(quadrats),
       "A pattern of " + words + ", " + littoral::TextOf(recipe.Law.Mean) + ",", "take fewer");
   }

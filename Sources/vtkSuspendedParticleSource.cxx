@@ -387,8 +387,10 @@ int vtkSuspendedParticleSource::RequestData(vtkInformation*, vtkInformationVecto
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   const Recipe recipe = this->MakeRecipe();
   const auto [first, last] = littoral::RequestedPart(outputVector->GetInformationObject(0), recipe.First.back());
-  const double bytes = this->Mode == Quads ? 5.0 * 88.0 + 40.0 : 64.0;
+  const double bytes = this->Mode == Quads ? QuadPoints * 88.0 + 40.0 : 64.0;
   const auto count = last - first;
+  littoral::RequirePoints(
+    static_cast<double>(count) * (this->Mode == Quads ? QuadPoints : 1.0), "Density", this->Density);
   littoral::RequireMemory(bytes * static_cast<double>(count), "The water with " + std::to_string(count) + " particles",
     "take a smaller Density or fewer boxes");
   this->SetProgressText("Placing particles");

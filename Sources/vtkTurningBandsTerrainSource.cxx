@@ -269,8 +269,10 @@ void vtkTurningBandsTerrainSource::CheckMemory(const int extent[6])
 {
   const double width = extent[1] - static_cast<double>(extent[0]) + 1.0;
   const double height = extent[3] - static_cast<double>(extent[2]) + 1.0;
+  littoral::RequireGridPoints("A terrain of WholeExtent", { width, height });
   const double bytes = width * height * sizeof(float) * (this->Reflectance ? 2 : 1);
-  littoral::RequireMemory(bytes, "A terrain of " + littoral::TextOf(width) + " x " + littoral::TextOf(height) + " points",
+  littoral::RequireMemory(bytes,
+    "A terrain of " + littoral::TextOf(width) + " x " + littoral::TextOf(height) + " points",
     "take a smaller WholeExtent, or ask for a part of it");
 }
 

@@ -229,6 +229,9 @@ int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
   const Recipe recipe = this->MakeRecipe();
   const littoral::WindGrid& grid = recipe.Grid;
   const bool fresh = this->Internals && this->Internals->Made.GetMTime() > this->GetMTime();
+  littoral::RequireGridPoints("A wind of Dimensions",
+    { static_cast<double>(grid.Count[0]), static_cast<double>(grid.Count[1]), static_cast<double>(grid.Count[2]) }, 1.0,
+    [](double count) { return littoral::LastWindLength(static_cast<int>(count)); });
   std::array<int, 6> extent = littoral::RequestedExtent(info);
   const double points = NumberOfPoints(extent.data());
   const double bytes =

@@ -47,6 +47,15 @@ double MemoryOf(const KrigingSurvey& survey, double points, bool hasVariances)
     Kriging::MemoryFor(survey.Data.Places.size(), survey.Neighbors);
 }
 
+double CostOfPoint(const KrigingSurvey& survey, bool hasVariances)
+{
+  const auto n = static_cast<double>(survey.Data.Places.size());
+  const auto k = static_cast<double>(survey.Neighbors);
+  const double ofSystem = k * k / 540.0;
+  const double ofSums = n / 680.0 + (hasVariances ? n * n / 40000.0 : 0.0);
+  return 1.0 + (k < n ? ofSystem : ofSums);
+}
+
 ConditionalField::ConditionalField(const KrigingSurvey& survey, const ConditionalOptions& options)
   : Survey(survey)
   , Options(options)

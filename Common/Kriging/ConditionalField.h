@@ -25,6 +25,9 @@ struct ConditionalOptions
 /// Bytes that a field of these points from the data of a survey needs, with or without kriging variances.
 double MemoryOf(const KrigingSurvey& survey, double points, bool hasVariances);
 
+/// Time that a point of this field takes, in times of 4.8 us on one core: by sums over all n data, or by a system of k.
+double CostOfPoint(const KrigingSurvey& survey, bool hasVariances);
+
 /**
  * A field that honours data (Chiles and Delfiner 2012, section 7.3.1): a turning bands field, plus the kriged
  * differences of the data from it; without a simulated field the kriging estimate. Exact data at points of the grid are

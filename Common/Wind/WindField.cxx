@@ -95,6 +95,15 @@ int NextWindLength(int size)
   return 2 * NextFastLength((size + 1) / 2);
 }
 
+int LastWindLength(int size)
+{
+  while (size > 4 && NextWindLength(size) != size)
+  {
+    --size;
+  }
+  return size;
+}
+
 std::string WhyInvalid(const WindModel& model, const WindGrid& grid)
 {
   const std::string why = WhyInvalid(model);

@@ -50,6 +50,9 @@ struct WindSynthesis
 /// The smallest even product of 2, 3 and 5 that is not below the given size: lengths along the wind.
 int NextWindLength(int size);
 
+/// The largest such length that is not above the given size, of at least 4.
+int LastWindLength(int size);
+
 /// Why there is no such field, in words for a user; empty when there is one.
 std::string WhyInvalid(const WindModel& model, const WindGrid& grid);
 

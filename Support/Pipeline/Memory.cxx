@@ -3,12 +3,15 @@
 #include "Pipeline/Memory.h"
 
 #include "Numerics/InvalidInput.h"
+#include "Numerics/ParameterCheck.h"
 
 #include <vtksys/SystemInformation.hxx>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <iomanip>
 #include <iterator>
@@ -53,6 +56,61 @@ std::string WordsFor(double bytes)
   std::ostringstream text;
   text << std::setprecision(3) << (bytes < 0x1p30 ? bytes / 0x1p20 : bytes / 0x1p30);
   return text.str() + (bytes < 0x1p30 ? " MiB" : " GiB");
+}
+
+/// A number of points in words, as "3600 million".
+std::string MillionsOf(double points)
+{
+  std::ostringstream text;
+  text << (points < 1e9 ? std::defaultfloat : std::fixed) << std::setprecision(points < 1e9 ? 3 : 0) << points / 1e6;
+  return text.str() + " million";
+}
+
+[[noreturn]] void RefusePoints(const std::string& what, double points, const std::string& enough)
+{
+  Refuse(what, MillionsOf(points), " points, more than the bound of ", MillionsOf(MaximumPoints()), ": at most ",
+    enough, " do.");
+}
+
+/// A number in words that is not above `value`: whole, or of three digits.
+std::string Floor(double value)
+{
+  const double perUnit = std::pow(10.0, std::max(0.0, 2.0 - std::floor(std::log10(value))));
+  return TextOf(std::floor(value * perUnit) / perUnit);
+}
+
+/// Points along the sides of a grid, as "60001 x 60001".
+std::string Joined(const std::vector<double>& sides)
+{
+  std::string text;
+  for (const double side : sides)
+  {
+    text += (text.empty() ? "" : " x ") + TextOf(side);
+  }
+  return text;
+}
+
+double Product(const std::vector<double>& sides, double longest = Unlimited)
+{
+  double product = 1.0;
+  for (const double side : sides)
+  {
+    product *= std::min(side, longest);
+  }
+  return product;
+}
+
+/// The longest side, in whole points, of a part of a grid that has at most so many points.
+double CommonBound(const std::vector<double>& sides, double points)
+{
+  double low = 1.0;
+  double high = *std::max_element(sides.begin(), sides.end());
+  while (high - low > 1.0)
+  {
+    const double middle = std::floor(0.5 * (low + high));
+    (Product(sides, middle) <= points ? low : high) = middle;
+  }
+  return low;
 }
 
 /// The number in a file; `otherwise` if there is none, as in memory.max with its "max".
@@ -161,6 +219,37 @@ void RequireMemory(double bytes, const std::string& what, const std::string& rem
   if (!(bytes <= left))
   {
     Refuse(what, " needs ", WordsFor(bytes), " of memory, and ", WordsFor(left), " are free: ", remedy, ".");
+  }
+}
+
+double MaximumPoints()
+{
+  const char* text = std::getenv("LITTORAL_MAXIMUM_POINTS");
+  const double most = text ? std::strtod(text, nullptr) : 0.0;
+  return most > 0.0 ? most : 5e7;
+}
+
+void RequirePoints(double points, const std::string& property, double value)
+{
+  const double most = MaximumPoints();
+  if (!(points <= most))
+  {
+    RefusePoints(property + " of " + TextOf(value) + " gives ", points, Floor(value * (most / points)));
+  }
+}
+
+void RequireGridPoints(
+  const std::string& property, std::vector<double> sides, double cost, const std::function<double(double)>& suitable)
+{
+  const double most = MaximumPoints();
+  const double points = cost * Product(sides);
+  if (!(points <= most))
+  {
+    const std::string what = property + " " + Joined(sides) + (cost > 1.0 ? " takes the time of " : " gives ");
+    const double side = CommonBound(sides, most / cost);
+    std::for_each(sides.begin(), sides.end(), [=](double& own) { own = std::min(own, side); });
+    sides[0] = suitable ? suitable(sides[0]) : sides[0];
+    RefusePoints(what, points, Joined(sides));
   }
 }
 

@@ -145,6 +145,45 @@ bool TestArrays()
   return good;
 }
 
+/// The sentence that refuses a task.
+template <typename Task>
+bool Refuses(const Task& task, const std::string& sentence)
+{
+  const std::string why = littoral::WhyRefused(task);
+  return Check(why == sentence, ("the sentence is: " + why).c_str());
+}
+
+bool TestPoints()
+{
+  bool good = Refuses([] { littoral::RequirePoints(1.6e8, "MeanPerQuadrat", 1e5); },
+    "MeanPerQuadrat of 100000 gives 160 million points, more than the bound of 50 million: at most 31250 do.");
+  good &= Refuses([] { littoral::RequirePoints(9e7, "Intensity", 0.07); },
+    "Intensity of 0.07 gives 90 million points, more than the bound of 50 million: at most 0.0388 do.");
+  good &= Refuses(
+    [] {
+      littoral::RequireGridPoints("A terrain of WholeExtent", { 60001.0, 60001.0 });
+    },
+    "A terrain of WholeExtent 60001 x 60001 gives 3600 million points, more than the bound of 50 million: at most "
+    "7071 x "
+    "7071 do.");
+  good &= Refuses(
+    [] {
+      littoral::RequireGridPoints("A wind of Dimensions", { 20000.0, 100.0, 100.0 });
+    },
+    "A wind of Dimensions 20000 x 100 x 100 gives 200 million points, more than the bound of 50 million: at most 5000 "
+    "x 100 "
+    "x 100 do.");
+  good &= Refuses(
+    [] {
+      littoral::RequireGridPoints("A field of Dimensions", { 4000.0, 5000.0 }, 4.0);
+    },
+    "A field of Dimensions 4000 x 5000 takes the time of 80 million points, more than the bound of 50 million: at most "
+    "3535 "
+    "x 3535 do.");
+  good &= Refuses([] { littoral::RequireGridPoints("A field of Dimensions", { 4000.0, 3125.0 }, 4.0); }, "");
+  return good;
+}
+
 bool TestPieces()
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -451,6 +490,7 @@ int TestRequestLimits(int argc, char* argv[])
   delete[] folder;
   good &= TestProcess();
   good &= TestArrays();
+  good &= TestPoints();
   good &= TestPieces();
   good &= TestPlaces();
   good &= TestBlocks();

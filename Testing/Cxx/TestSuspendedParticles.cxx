@@ -208,7 +208,7 @@ bool CheckBadInput()
   good &= Fails("Bounds", [](Source* s) { s->SetBounds(0.0, 1.0, 0.0, 1.0, 0.0, -5.0); });
   good &= Fails("Bounds", [=](Source* s) { s->SetBounds(0.0, 1.0, nan, 1.0, -5.0, 0.0); });
   good &= Fails("no boxes", [](Source* s) { s->SetPreset(Source::Custom); });
-  good &= Fails("memory", [](Source* s) { s->SetDensity(1e5); });
+  good &= Fails("points, more than the bound", [](Source* s) { s->SetDensity(1e5); });
   good &= Fails("1e11", [](Source* s) { s->SetDensity(1e14); });
   good &= Fails("Density is 1e+30", [](Source* s) { s->SetDensity(1e30); });
   good &= BoxFails("box 1", 5, -1.0); // upside down

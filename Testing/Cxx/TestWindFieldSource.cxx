@@ -54,7 +54,7 @@ bool CheckBadInput()
   bool good = true;
   good &= Fails("The next good one is 640", [](Source* s) { s->SetDimensions(601, 8, 8); });
   good &= Fails("Dimensions", [](Source* s) { s->SetDimensions(600, 0, 8); });
-  good &= Fails("memory", [](Source* s) { s->SetDimensions(1 << 20, 4096, 1024); });
+  good &= Fails("points, more than the bound", [](Source* s) { s->SetDimensions(1 << 20, 4096, 1024); });
   good &= Fails("TimeStep", [](Source* s) { s->SetTimeStep(0.0); });
   good &= Fails("TimeStep", [=](Source* s) { s->SetTimeStep(nan); });
   good &= Fails("LateralSpacing", [](Source* s) { s->SetLateralSpacing(-1.0); });

@@ -3,13 +3,24 @@
 """Programs without memory, display or network end with one clear message, and lose nothing."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
+import time
 import unittest
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
 
+import littoral
+import numpy
+from littoral import errors
 from TestFaults import Program, run
-from vtkmodules.vtkCommonCore import vtkVersion
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints, vtkVersion
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+PLUGIN = Path(__file__).resolve().parents[2] / "paraview-plugin"
 
 #: From VTK 9.4 on a render window that finds no X server draws by EGL or OSMesa.
 DRAWS_ALONE = (vtkVersion().GetVTKMajorVersion(), vtkVersion().GetVTKMinorVersion()) >= (9, 4)
@@ -77,6 +88,98 @@ echo 100000000 >{folder}/x/{usage}
 mount --bind {groups} /proc/$$/cgroup
 exec {python} -c "$1" "$2"
 """
+
+def scattered(count):
+    """Places with heights."""
+    data = vtkPolyData()
+    points = numpy.random.default_rng(1).uniform(0.0, 100.0, (count, 3))
+    data.SetPoints(vtkPoints())
+    data.GetPoints().SetData(numpy_to_vtk(points, deep=True))
+    data.GetPointData().SetScalars(numpy_to_vtk(points[:, 2], deep=True))
+    return data
+
+
+#: Classes that make points by what a property says: property, other settings, and values that are too many.
+BOUNDED = {
+    "vtkQuadratPointSource": ("MeanPerQuadrat", {"SetQuadrats": (40, 40)}, (1e5,)),
+    "vtkPointProcessSource": ("Intensity", {"SetSize": (1000, 1000)}, (100,)),
+    "vtkSuspendedParticleSource": ("Density", {"SetMode": (1,)}, (1e4,)),
+    "vtkTurningBandsTerrainSource": ("WholeExtent", {"SetNumberOfLines": (1,)}, (60001, 60001)),
+    "vtkWindFieldSource": ("Dimensions", {}, (20000, 100, 100)),
+    "vtkConditionalTerrainFilter": ("Dimensions", {"SetInputData": (scattered(400),)}, (20000, 20000)),
+}
+
+
+class Bounds(unittest.TestCase):
+    def update(self, name, values):
+        """Message and points of a class by values of its property; the settings are those of its row."""
+        made = getattr(littoral, name)()
+        bounded, settings, _ = BOUNDED[name]
+        for setter, arguments in settings.items():
+            getattr(made, setter)(*arguments)
+        if bounded == "WholeExtent":
+            values = [number for side in values for number in (0, int(side) - 1)] + [0, 0]
+        getattr(made, "Set" + bounded)(*(map(int, values) if bounded in ("WholeExtent", "Dimensions") else values))
+        said, begin = errors.kept(made), time.process_time()
+        made.UpdateWholeExtent()
+        self.assertLess(time.process_time() - begin, 1.0)
+        return " ".join(said), made.GetOutputDataObject(0).GetNumberOfElements(0)
+
+    def test_numbers_that_do(self):
+        """What makes too many points says so at once, and how many do: as many do, and more do not."""
+        for bound in 5e7, 2e5:
+            os.environ.update({} if bound == 5e7 else {"LITTORAL_MAXIMUM_POINTS": str(int(bound))})
+            for name, (bounded, _, values) in BOUNDED.items():
+                with self.subTest(name, bound=bound):
+                    said, points = self.update(name, values)
+                    asked = " x ".join(f"{value:g}" for value in values)
+                    self.assertRegex(said, rf"{bounded}( of)? {asked} (gives|takes the time of) [0-9.]+ million points, "
+                                           rf"more than the bound of {bound / 1e6:g} million: at most .* do\.$")
+                    self.assertEqual(points, 0)
+                    most = [float(number) for number in re.search("at most (.*) do", said)[1].split(" x ")]
+                    if bound == 2e5:
+                        said, points = self.update(name, most)
+                        self.assertEqual(said, "")
+                        self.assertLess(points, 1.1 * bound)  # numbers of random points vary
+                        self.assertGreater(points, 0.1 * bound)
+                        factor = 2.0 if name == "vtkWindFieldSource" else 1.02  # lengths that a wind can have
+                        more = [factor * value if value == max(most) else value for value in most]
+                        self.assertRegex(self.update(name, more)[0], "more than the bound")
+        del os.environ["LITTORAL_MAXIMUM_POINTS"]
+
+    def test_sentence(self):
+        """The sentence of a slider that was moved to 100 000 points a quadrat."""
+        said, _ = self.update("vtkQuadratPointSource", (1e5,))
+        self.assertIn("MeanPerQuadrat of 100000 gives 160 million points, more than the bound of 50 million: "
+                      "at most 31250 do.", said)
+
+    def test_sliders(self):
+        """Sliders end where there is no need to wait."""
+        proxies = [one for path in sorted(PLUGIN.glob("*.xml")) for one in ElementTree.parse(path).iter() if one.get("class")]
+        for name in "vtkQuadratPointSource", "vtkPointProcessSource", "vtkSuspendedParticleSource":
+            with self.subTest(name):
+                ranges = f"*[@name='{BOUNDED[name][0]}']/DoubleRangeDomain"
+                end = next(one.get("max") for proxy in proxies if proxy.get("class") == name for one in proxy.iterfind(ranges))
+                said, points = self.update(name, (float(end),))
+                self.assertEqual(said, "")
+                self.assertGreater(points, 1000)
+
+    def test_bar(self):
+        """Progress of 100 % is the end of the work."""
+        for name, values in (("vtkQuadratPointSource", (600,)), ("vtkPointProcessSource", (0.7,)),
+                             ("vtkWindFieldSource", (4096, 16, 16)), ("vtkSuspendedParticleSource", (4,))):
+            with self.subTest(name):
+                made = getattr(littoral, name)()
+                for setter, arguments in BOUNDED[name][1].items():
+                    getattr(made, setter)(*arguments)
+                getattr(made, "Set" + BOUNDED[name][0])(*values)
+                at = []
+                made.AddObserver("ProgressEvent", lambda source, _: at.append((source.GetProgress(), time.perf_counter())))
+                begin = time.perf_counter()
+                made.Update()
+                end = time.perf_counter()
+                done = next(moment for progress, moment in at if progress > 0.995)
+                self.assertLess(end - done, 0.05 * (end - begin))
 
 
 class Shortages(Program):
