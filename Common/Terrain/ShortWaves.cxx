@@ -346,8 +346,9 @@ double Crossover::LongBelow(const CovarianceParameters& field, double w) const
 }
 
 ShortWaves::ShortWaves(const CovarianceParameters& field, const PlaneLattice& lattice, const Crossover& crossover,
-  int seed, RandomPurpose purpose)
+  const std::array<long long, 2>& origin, int seed, RandomPurpose purpose)
   : Random(seed, purpose)
+  , Origin(origin)
 {
   this->FindWeights(field, lattice, crossover);
 }
@@ -434,9 +435,10 @@ double ShortWaves::Covariance(int i, int j) const
 void ShortWaves::Fill(int firstColumn, int firstRow, int width, int height, std::vector<float>& values) const
 {
   // Noise at the points and around them, from a multiple of four columns on.
-  const long long left = firstColumn - static_cast<long long>(this->Reach[0]);
+  const long long column = this->Origin[0] + firstColumn;
+  const long long left = column - this->Reach[0];
   const long long firstCounter = left >> 2;
-  const int margin = static_cast<int>(firstColumn - 4 * firstCounter);
+  const int margin = static_cast<int>(column - 4 * firstCounter);
   const int counters = (margin + RoundUp(width, Run) + this->Reach[0] + 3) / 4;
   const int pitch = RoundUp(4 * counters, Align);
   const int rows = height + 2 * this->Reach[1];
@@ -444,7 +446,7 @@ void ShortWaves::Fill(int firstColumn, int firstRow, int width, int height, std:
   std::vector<std::uint32_t> words(4 * static_cast<std::size_t>(counters));
   for (int j = 0; j < rows; ++j)
   {
-    const long long row = static_cast<long long>(firstRow) - this->Reach[1] + j;
+    const long long row = this->Origin[1] + firstRow - this->Reach[1] + j;
     const std::uint64_t object = 1ull << 32 | static_cast<std::uint32_t>(row);
     this->Random.FillWords(object, static_cast<std::uint64_t>(firstCounter), counters, words.data());
     std::memcpy(&noise[static_cast<std::size_t>(j) * pitch], words.data(), words.size() * sizeof(words[0]));

@@ -50,13 +50,15 @@ struct Crossover
  * with the long waves the covariance at the points is the model's.
  *
  * The weights of the average are the inverse transform of the root of the spectrum at the points (Oliver 1995), cut
- * off at seven mean spacings. A value depends on seed and indices alone.
+ * off at seven mean spacings. A value depends on the seed and on the point's place alone, counted in spacings from (0,
+ * 0) of the plane: grids that are whole spacings apart are parts of one.
  */
 class ShortWaves
 {
 public:
-  ShortWaves(const CovarianceParameters& field, const PlaneLattice& lattice, const Crossover& crossover, int seed,
-    RandomPurpose purpose);
+  /// `origin` is the place of the grid's point (0, 0) in spacings.
+  ShortWaves(const CovarianceParameters& field, const PlaneLattice& lattice, const Crossover& crossover,
+    const std::array<long long, 2>& origin, int seed, RandomPurpose purpose);
 
   /// Covariance of points i columns and j rows apart; at 0, 0 the variance.
   double Covariance(int i, int j) const;
@@ -75,6 +77,7 @@ private:
   float Weight(int i, int j) const;
 
   RandomStream Random;
+  std::array<long long, 2> Origin; ///< column and row of the grid's point (0, 0)
   std::function<double(double)> Model;
   std::array<int, 2> Reach{ 0, 0 }; ///< largest |i| and |j| of a weight
   std::vector<float> Weights;       ///< of -Reach <= i, j <= Reach, i fastest

@@ -451,6 +451,17 @@ std::string WhyInvalid(const TurningBandsParameters& parameters, const PlaneGrid
   return check.Reason();
 }
 
+namespace
+{
+
+/// The place of a grid's point (0, 0), in whole spacings.
+std::array<long long, 2> NearestPlace(const PlaneGrid& grid)
+{
+  return { std::llround(grid.Origin[0] / grid.Spacing[0]), std::llround(grid.Origin[1] / grid.Spacing[1]) };
+}
+
+}
+
 TurningBandsField::TurningBandsField(
   const TurningBandsParameters& parameters, const PlaneGrid& grid, const GridWindow& window)
   : Parameters(parameters)
@@ -461,7 +472,8 @@ TurningBandsField::TurningBandsField(
 {
   if (const auto crossover = FindCrossover(parameters, this->Lattice))
   {
-    this->Short.emplace(parameters.Field, this->Lattice, *crossover, parameters.Seed, parameters.Purpose);
+    this->Short.emplace(
+      parameters.Field, this->Lattice, *crossover, NearestPlace(grid), parameters.Seed, parameters.Purpose);
   }
   const RandomStream random(parameters.Seed, parameters.Purpose);
   this->FirstDirection = Pi / parameters.NumberOfLines * random.UniformPair(0, PlaceDraw)[0];

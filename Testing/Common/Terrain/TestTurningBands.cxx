@@ -449,6 +449,27 @@ TEST(TurningBands, TablesAgreeWithTheSumOfHarmonics)
   }
 }
 
+// The value of a point is one of its place: tiles meet, by the origin as by the window.
+TEST(TurningBands, TilesByTheOriginAreThoseByTheWindow)
+{
+  for (const CovarianceModel model : { CovarianceModel::SimpleExponential, CovarianceModel::Spherical })
+  {
+    TurningBandsParameters parameters = Parameters(model, 30.0);
+    parameters.AnisotropyRatio = 2.0;
+    parameters.AnisotropyAngle = 0.4;
+    PlaneGrid grid;
+    grid.Spacing = { 2.0, 1.5 };
+    const std::vector<float> byWindow = Grow(parameters, grid, GridWindow{ { 35, -1007 }, { 98, -970 } });
+    grid.Origin = { 35 * 2.0, -1000 * 1.5 };
+    const std::vector<float> byOrigin = Grow(parameters, grid, GridWindow{ { 0, -7 }, { 63, 30 } });
+    ASSERT_EQ(byOrigin.size(), byWindow.size());
+    for (std::size_t n = 0; n < byOrigin.size(); ++n)
+    {
+      ASSERT_NEAR(byOrigin[n], byWindow[n], 1e-5);
+    }
+  }
+}
+
 TEST(TurningBands, EveryLineHasItsFullVarianceAndLiesOnAHalfCircle)
 {
   TurningBandsParameters parameters = Parameters(CovarianceModel::Spherical, 500.0);
