@@ -62,6 +62,7 @@ vtkConditionalTerrainFilter::vtkConditionalTerrainFilter()
   : ErrorArray("None")
   , Result(ConditionalField)
   , KrigingType(Ordinary)
+  , UseDataMean(true)
   , Nugget(0.0)
   , Dimensions{ 301, 301 }
   , NumberOfNeighbors(0)
@@ -299,7 +300,7 @@ void vtkConditionalTerrainFilter::FindModel(vtkInformationVector** inputVector, 
   {
     littoral::TakeScores(survey);
   }
-  survey.Mean = this->KrigingType != Simple || survey.Scores ? 0.0 : survey.Mean;
+  littoral::TakeMean(this->UseDataMean && !fits, survey);
   littoral::TakeNeighbors(this->NumberOfNeighbors, survey);
   if (!fits && this->Model == FittedToData)
   {
@@ -402,7 +403,7 @@ int vtkConditionalTerrainFilter::RequestData(
     table->Initialize();
     throw;
   }
-  if (table->GetNumberOfRows() > 0)
+  if (table->GetNumberOfRows() > 0 && !survey.IsRaster) // an image shows its own points
   {
     littoral::WriteData(survey, table, points);
   }
@@ -418,6 +419,7 @@ void vtkConditionalTerrainFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DriftArray: " << this->DriftArray << "\n";
   os << indent << "Result: " << this->Result << "\n";
   os << indent << "KrigingType: " << this->KrigingType << "\n";
+  os << indent << "UseDataMean: " << (this->UseDataMean ? "on" : "off") << "\n";
   os << indent << "Nugget: " << this->Nugget << "\n";
   os << indent << "Dimensions: " << this->Dimensions[0] << " " << this->Dimensions[1] << "\n";
   os << indent << "NumberOfNeighbors: " << this->NumberOfNeighbors << "\n";

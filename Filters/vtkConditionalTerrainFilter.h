@@ -30,7 +30,7 @@
  * kriging variances.
  *
  * Output 2: a vtkPolyData with a vertex per datum at (x, y, value), with the columns of output 1 but `X` and `Y` as
- * point arrays.
+ * point arrays; empty where Data are an image, whose own points they are.
  *
  * Data without error are honoured; data with an error or a nugget, which is noise of all data, are filtered. Data
  * outside the grid count as those inside. Values are the same bytes for any subextent and number of threads or ranks.
@@ -118,8 +118,8 @@ public:
 
   ///@{
   /**
-   * Kind of kriging by the knowledge of the mean, a KrigingKind; default Ordinary. Simple: the known Mean. Ordinary: an
-   * unknown constant. LinearDrift, QuadraticDrift: an unknown polynomial of degree 1 or 2 (universal kriging).
+   * Kind of kriging by the knowledge of the mean, a KrigingKind; default Ordinary. Simple: the known Mean, or that of the
+   * data. Ordinary: an unknown constant. LinearDrift, QuadraticDrift: an unknown polynomial of degree 1 or 2 (universal kriging).
    * ExternalDrift: an unknown constant plus an unknown multiple of DriftArray.
    */
   vtkSetMacro(KrigingType, int);
@@ -129,6 +129,16 @@ public:
   void SetKrigingTypeToLinearDrift() { this->SetKrigingType(LinearDrift); }
   void SetKrigingTypeToQuadraticDrift() { this->SetKrigingType(QuadraticDrift); }
   void SetKrigingTypeToExternalDrift() { this->SetKrigingType(ExternalDrift); }
+  ///@}
+
+  ///@{
+  /**
+   * Use of the mean of the data in place of Mean; default on. Used only if KrigingType is Simple, without NormalScores
+   * and without Fits, whose mean is taken.
+   */
+  vtkSetMacro(UseDataMean, bool);
+  vtkGetMacro(UseDataMean, bool);
+  vtkBooleanMacro(UseDataMean, bool);
   ///@}
 
   /**
@@ -208,6 +218,7 @@ protected:
   std::string DriftArray;
   int Result;
   int KrigingType;
+  bool UseDataMean;
   double Nugget;
   int Dimensions[2];
   int NumberOfNeighbors;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace littoral
@@ -149,6 +150,19 @@ void FitModel(KrigingSurvey& survey, const ParallelFor& parallel)
     }
   }
   throw KrigingFailure(first);
+}
+
+void TakeMean(bool ofData, KrigingSurvey& survey)
+{
+  const std::vector<double>& values = survey.Data.Values;
+  if (survey.Type != KrigingType::Simple || survey.Scores)
+  {
+    survey.Mean = 0.0;
+  }
+  else if (ofData)
+  {
+    survey.Mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  }
 }
 
 void TakeNeighbors(int number, KrigingSurvey& survey)

@@ -65,6 +65,10 @@ void FitModel(KrigingSurvey& survey, const ParallelFor& parallel = SerialFor);
 /// Takes this number of neighbours, at most all data; 0: all of up to 2000 data, else 50.
 void TakeNeighbors(int number, KrigingSurvey& survey);
 
+/// Leaves the mean to kriging of the type Simple alone, which takes that of the data if it is asked for; normal scores
+/// have the mean 0.
+void TakeMean(bool ofData, KrigingSurvey& survey);
+
 }
 
 #endif

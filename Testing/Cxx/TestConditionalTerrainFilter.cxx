@@ -70,6 +70,7 @@ vtkNew<Filter> Conditional(vtkDataObject* data, vtkImageData* grid)
   filter->SetStandardDeviation(Deviation);
   filter->SetRange(Range);
   filter->SetMean(Mean);
+  filter->UseDataMeanOff();
   filter->SetKrigingTypeToSimple();
   filter->SetNumberOfLines(16);
   return filter;
@@ -169,7 +170,26 @@ bool FillsHoles()
     const bool isHole = n % 7 == 3;
     good &= isHole ? std::isfinite(filled->GetValue(n)) : filled->GetValue(n) == heights->GetValue(n);
   }
+  good &= Check(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(2))->GetNumberOfPoints() == 0,
+    "The points of an image hide its field");
   return Check(good, "A height changes, or a hole is left");
+}
+
+/// Far from all data simple kriging tells its mean: the given one, or that of the data.
+bool MeanFarFromData()
+{
+  const auto survey = Survey(Three);
+  const auto grid = Grid();
+  grid->SetOrigin(1e4, 1e4, 0.0);
+  const auto filter = Conditional(survey, grid);
+  filter->SetResultToKrigingEstimate();
+  filter->Update();
+  bool good = Check(std::abs(ArrayOf(filter, "Elevation")->GetValue(0) - Mean) < 1e-9, "The given mean is not taken");
+  filter->UseDataMeanOn();
+  filter->Update();
+  good &= Check(std::abs(ArrayOf(filter, "Elevation")->GetValue(0) - (47.0 + 53.5 + 51.0) / 3.0) < 1e-9,
+    "The mean of the data is not taken");
+  return good;
 }
 
 /// A setting, and a word of the one message that it must give.
@@ -228,6 +248,7 @@ int TestConditionalTerrainFilter(int, char*[])
   bool good = EstimateFromOneDatum();
   good &= FieldThroughData();
   good &= FillsHoles();
+  good &= MeanFarFromData();
   good &= BadInput();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -25,7 +25,7 @@ if not shutil.which("Rscript") or subprocess.run(
 SIZE, SPACING, DEVIATION, RANGE, MEAN = 15, 3.0, 3.0, 12.0, 101.0
 # Each case: kriging type, formula and model of gstat, settings of the filter.
 CASES = {
-    "simple": (0, "z ~ 1", 'vgm(9, "Exp", 12)', {"Mean": MEAN}),
+    "simple": (0, "z ~ 1", 'vgm(9, "Exp", 12)', {"Mean": MEAN, "UseDataMean": False}),
     "ordinary": (1, "z ~ 1", 'vgm(9, "Exp", 12)', {}),
     "linear": (2, "z ~ x + y", 'vgm(9, "Exp", 12)', {}),
     "quadratic": (3, "z ~ x + y + I(x^2) + I(x * y) + I(y^2)", 'vgm(9, "Exp", 12)', {}),
