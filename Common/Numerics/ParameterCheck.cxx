@@ -13,10 +13,26 @@ namespace littoral
 namespace
 {
 
+/// An element of a property as the panel has it: "Size[0]" is "Size, x".
+std::string PanelName(std::string_view name)
+{
+  std::string text(name);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::string index = "[" + std::to_string(axis) + "]";
+    const std::size_t at = text.find(index);
+    if (at != std::string::npos)
+    {
+      text.replace(at, index.size(), std::string(", ") + "xyz"[axis]);
+    }
+  }
+  return text;
+}
+
 /// "TimeStep is 2 s; it must be ..."
 std::string Sentence(std::string_view name, const std::string& value, const char* unit, std::string_view wanted)
 {
-  return std::string(name) + " is " + value + (*unit ? " " : "") + unit + "; it must be " + std::string(wanted) + ".";
+  return PanelName(name) + " is " + value + (*unit ? " " : "") + unit + "; it must be " + std::string(wanted) + ".";
 }
 
 std::string WithUnit(double value, const char* unit)

@@ -47,7 +47,8 @@ struct ValueInterval
 };
 
 /**
- * Checks of parameters, in one wording: "TimeStep is 2 s; it must be from 1e-05 to 1 s." The first bad one counts;
+ * Checks of parameters, in one wording: "TimeStep is 2 s; it must be from 1e-05 to 1 s." Elements of a property are named
+ * by their axis: Size[0] is "Size, x". The first bad one counts;
  * those after it are not looked at. Numbers that are not sensible are bad, whatever the interval.
  *
  *   ParameterCheck check;

@@ -122,7 +122,7 @@ std::string WhyInvalid(const WindModel& model, const WindGrid& grid)
   {
     const int next = NextWindLength(grid.Count[0]);
     check.Require(next == grid.Count[0],
-      "Dimensions[0] is " + std::to_string(grid.Count[0]) +
+      "Dimensions, x is " + std::to_string(grid.Count[0]) +
         "; it must be even and a product of 2, 3 and 5. The next good one is " + std::to_string(next) + ".");
   }
   check.Positive("TimeStep", grid.TimeStep, "s");

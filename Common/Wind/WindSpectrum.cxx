@@ -148,8 +148,8 @@ std::string WhyInvalid(const WindModel& model)
   for (int component = 0; component < WindComponents; ++component)
   {
     const std::string name = names[component];
-    check.Positive(name + "[0]", model.Decay[component].Lateral);
-    check.Positive(name + "[1]", model.Decay[component].Vertical);
+    check.Positive(name + ", lateral", model.Decay[component].Lateral);
+    check.Positive(name + ", vertical", model.Decay[component].Vertical);
   }
   return check.Reason();
 }

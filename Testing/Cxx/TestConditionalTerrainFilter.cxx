@@ -238,7 +238,7 @@ bool BadInput()
   vtkNew<ErrorCounter> errors;
   errors->Watch(filter);
   filter->SetDimensions(1, 5);
-  return errors->ExpectOneNaming("Dimensions[0]") && good;
+  return errors->ExpectOneNaming("Dimensions, x") && good;
 }
 
 }

@@ -254,15 +254,15 @@ bool TestRecovery()
   good &= errors->ExpectOneNaming("NumberOfHarmonics");
   terrain->SetNumberOfHarmonics(20);
   terrain->SetSpacing(1.0, -1.0, nan);
-  good &= errors->ExpectOneNaming("Spacing[1]");
+  good &= errors->ExpectOneNaming("Spacing, y");
   terrain->SetSpacing(1.0, 1.0, nan);
-  good &= errors->ExpectOneNaming("Spacing[2]");
+  good &= errors->ExpectOneNaming("Spacing, z");
   terrain->SetSpacing(1.0, 1.0, 1.0);
   terrain->SetOrigin(1e14, 0.0, 0.0);
-  good &= errors->ExpectOneNaming("Origin[0]");
+  good &= errors->ExpectOneNaming("Origin, x");
   terrain->SetOrigin(0.0, 0.0, 0.0);
   terrain->SetSlope(1e300, 0.0);
-  good &= errors->ExpectOneNaming("Slope[0]");
+  good &= errors->ExpectOneNaming("Slope, x");
   terrain->SetSlope(0.0, 0.0);
   terrain->SetWholeExtent(0, 9, 0, 9, 0, 0);
   terrain->Update();
@@ -320,16 +320,16 @@ bool TestPlaces()
   fits->Watch(fit);
   fit->SetInputData(image);
   move(image, 0.0, -1.0);
-  bool good = fits->ExpectOneNaming("Spacing[0] of the image");
+  bool good = fits->ExpectOneNaming("Spacing, x of the image");
   move(image, 0.0, 1e300);
-  good &= fits->ExpectOneNaming("Spacing[0] of Input");
+  good &= fits->ExpectOneNaming("Spacing, x of Input");
 
   vtkNew<vtkImageSectionFilter> sections;
   vtkNew<ErrorCounter> cuts;
   cuts->Watch(sections);
   sections->SetInputData(image);
   move(image, std::nan(""), 1.0);
-  good &= cuts->ExpectOneNaming("Origin[0] of Input");
+  good &= cuts->ExpectOneNaming("Origin, x of Input");
   move(image, 0.0, -1.0); // sections may be mirrored
   sections->Update();
   good &= Check(sections->GetOutput()->GetNumberOfPoints() == 400, "no section after a refused one");

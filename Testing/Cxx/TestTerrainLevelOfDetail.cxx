@@ -329,9 +329,9 @@ bool BadInput()
   {
     const auto flat = Hills(9, 9);
     flat->SetSpacing(spacing, 1.0, 1.0);
-    good &= Fails("Spacing[0]", nothing, flat);
+    good &= Fails("Spacing, x", nothing, flat);
     flat->SetSpacing(1.0, spacing, 1.0);
-    good &= Fails("Spacing[1]", nothing, flat);
+    good &= Fails("Spacing, y", nothing, flat);
   }
   const auto choose = [](const char* name, int association) {
     return [=](Filter* f) { f->SetInputArrayToProcess(0, 0, 0, association, name); };

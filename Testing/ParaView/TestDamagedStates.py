@@ -60,7 +60,7 @@ at = whole.index(b'value="', whole.index(b'name="Spacing"')) + len(b'value="')
 for value in b"nan", b"some", b"-1e300", b"":
     simple.ResetSession()
     text = load(whole[:at] + value + whole[whole.index(b'"', at):])
-    assert text.count("ERROR") == 1 and "Spacing[0] is " in text, f"{value}: {text}"
+    assert text.count("ERROR") == 1 and "Spacing, x is " in text, f"{value}: {text}"
     assert points() == [0], f"{value}: {points()}"
     simple.FindSource("Hills").Spacing = [2.0, 2.0, 1.0]
     simple.FindSource("Hills").UpdatePipeline()

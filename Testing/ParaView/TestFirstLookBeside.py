@@ -110,6 +110,29 @@ def check_view_after_table():
     simple.Delete(scene)
 
 
+def check_filled_holes():
+    """An image whose holes are filled is the field alone: its points are not drawn as those of a survey."""
+    terrain = simple.TurningBandsTerrain(WholeExtent=[0, 60, 0, 60, 0, 0])
+    holes = simple.ProgrammableFilter(Input=terrain, Script="""
+import numpy
+heights = numpy.array(inputs[0].PointData["Elevation"])
+heights[1000:1020] = numpy.nan
+output.PointData.append(heights, "Elevation")
+""")
+    view = small_view(SIZE)
+    simple.Show(holes, view)
+    field = simple.ConditionalTerrain(Input=holes, Array=["POINTS", "Elevation"], NumberOfNeighbors=8)
+    for port in 0, 2:
+        simple.Show(simple.OutputPort(field, port), view)
+    simple.Hide(holes, view)
+    simple.Render(view)
+    colors = picture(view).astype(int)
+    red = ((colors[..., 0] > 150) & (colors[..., 1] < 90) & (colors[..., 2] < 90)).mean()
+    print(f"Conditional Terrain of an image with holes: {red:.4f} red", flush=True)
+    assert red == 0.0
+    simple.Delete(view)
+
+
 def check_first_data_after_mistake():
     """What had no data at first, for want of a grid, is looked at once it has some, from the same side."""
     survey = simple.Calculator(Input=simple.QuadratPoints(Quadrats=[6, 6], Size=[120.0, 120.0]),
@@ -143,4 +166,5 @@ check_forest_on_map()
 check_twin_on_raster()
 check_kelp_under_sea()
 check_view_after_table()
+check_filled_holes()
 check_first_data_after_mistake()

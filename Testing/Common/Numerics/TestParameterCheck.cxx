@@ -137,6 +137,15 @@ TEST(ParameterCheck, TheFirstCounts)
     "First must be something.");
 }
 
+TEST(ParameterCheck, ElementsAreNamedByTheirAxis)
+{
+  EXPECT_EQ(
+    Reason([](auto& c) { c.Positive("Size[0]", 0.0, "m"); }), "Size, x is 0 m; it must be positive and finite.");
+  EXPECT_EQ(Reason([](auto& c) { c.Count("Dimensions[1]", 1, 2, 9); }), "Dimensions, y is 1; it must be from 2 to 9.");
+  EXPECT_EQ(Reason([](auto& c) { c.Positive("Spacing[2] of Input", 0.0); }),
+    "Spacing, z of Input is 0; it must be positive and finite.");
+}
+
 TEST(ParameterCheck, NumbersReadAsTheyAre)
 {
   EXPECT_EQ(TextOf(0.1), "0.1");
