@@ -10,6 +10,8 @@
 #include "Pipeline/Pipeline.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkStringArray.h"
@@ -38,10 +40,7 @@ std::string BytesOf(const std::string& path)
 {
   std::error_code none;
   const auto size = static_cast<double>(std::filesystem::file_size(path, none));
-  if (!none && BytesPerByte * size > littoral::AvailableMemory())
-  {
-    littoral::Refuse("take a smaller file: its ", size, " bytes need ", BytesPerByte * size, " bytes of memory.");
-  }
+  littoral::RequireMemory(none ? 0.0 : BytesPerByte * size, "A table of this size", "take a smaller file");
   littoral::Require(std::filesystem::is_directory(path, none) ? "it is a folder." : "");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
@@ -103,6 +102,13 @@ vtkTextTableReader::vtkTextTableReader()
 vtkTextTableReader::~vtkTextTableReader()
 {
   this->SetFileName(nullptr);
+}
+
+//----------------------------------------------------------------------------
+int vtkTextTableReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
 }
 
 //----------------------------------------------------------------------------

@@ -45,6 +45,7 @@ protected:
   vtkTextTableReader();
   ~vtkTextTableReader() override;
 
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   char* FileName;

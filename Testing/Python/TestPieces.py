@@ -20,7 +20,7 @@ from hash_outputs import leaves, make
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonCore import (
-    vtkIdList, vtkInformation, vtkInformationVector, vtkOutputWindow, vtkStringOutputWindow)
+    vtkIdList, vtkInformation, vtkInformationVector, vtkLogger, vtkOutputWindow, vtkStringOutputWindow)
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
@@ -96,6 +96,7 @@ class Pieces(unittest.TestCase):
 
     def test_each(self):
         vtkOutputWindow.SetInstance(vtkStringOutputWindow())
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
         measured = 0
         for name in introspection.all_classes():
             if not getattr(littoral, name)().GetNumberOfOutputPorts():
