@@ -41,8 +41,8 @@ def check_murk(part):
     display = simple.Show(simple.FindSource(part), view)
     if part == "Particles":
         # Few, so that they do not touch, and large enough to be measured.
-        simple.FindSource("Water").Density = 0.1
-        display.GaussianRadius = 20.0 * display.GaussianRadius
+        simple.FindSource("Water").Density = 0.04
+        display.GaussianRadius = 40.0 * display.GaussianRadius
     murky = picture(view)
     display.UseShaderReplacements = 0
     display.ShaderPreset = "Sphere"

@@ -141,7 +141,10 @@ void MoveCamera(vtkCamera* camera, const CameraPlace& place, const double bounds
 void TurnAboutFocus(vtkSMRenderViewProxy* view)
 {
   vtkCamera* camera = view->GetActiveCamera();
-  camera->SetParallelScale(camera->GetDistance() * std::tan(0.5 * camera->GetViewAngle() * Pi / 180.0));
+  if (!IsFlat(view)) // where the scale is all that counts
+  {
+    camera->SetParallelScale(camera->GetDistance() * std::tan(0.5 * camera->GetViewAngle() * Pi / 180.0));
+  }
   vtkSMPropertyHelper(view, "CenterOfRotation").Set(camera->GetFocalPoint(), 3);
   view->UpdateVTKObjects();
 }
