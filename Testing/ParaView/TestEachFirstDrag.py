@@ -19,5 +19,6 @@ SOLID = {"AonoKuniiTree", "GardnerPlant", "ReevesTree", "BeamTreeDeformation", "
 for _, entry in classes.all_entries():
     if entry.menu in ("Sources", "Filters") and entry.kind.startswith(("NaturalDisplay", "FollowCamera", "Preset")):
         given = mistakes.pv.shown_inputs(entry.proxy)
-        check(entry.proxy, getattr(simple, entry.proxy)(**given), *SIDES.get(entry.proxy, ()),
+        lowest, highest = SIDES.get(entry.proxy, (-1e9, 1e9))
+        check(entry.proxy, getattr(simple, entry.proxy)(**given), lowest=lowest, highest=highest,
               least=0.5 if entry.proxy in SOLID else 0.1)

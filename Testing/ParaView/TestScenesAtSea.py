@@ -5,6 +5,7 @@
 
 import numpy as np
 import quick
+import drags
 from littoral.seawater import GREY_EXTINCTION
 from paraview import simple
 from states import visible
@@ -78,7 +79,8 @@ def check_depth(depth):
     assert low < -depth < high < 0.0 and np.isclose(water.Bounds[4], -depth), f"a bed from {low} to {high} m"
 
 
-def check_water(_):
+def check_water(name):
+    drags.around(name, simple.GetActiveView(), lowest=-5.4, highest=-0.7, steps=2, directions=1, closers=(1.0,))
     for depth in (2.0, 6.0):
         check_depth(depth)
     check_murk("Bed")

@@ -12,16 +12,15 @@ from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 from vtkmodules.vtkRenderingUI import vtkGenericRenderWindowInteractor
 from window import picture, small_view
 
-SIZE = (240, 200)
-LENGTH = 60  # of a drag [pixels], as 200 in a window of 800 by 670
-NEAR = 2.0  # times closer than the first look
+SIZE = (180, 150)
+SHARE = 0.25  # of the width of a view, that a drag goes: 200 pixels in a window of 800
 simple._DisableFirstRenderCameraReset()  # pylint: disable=protected-access
 CAMERA = ("CameraPosition", "CameraFocalPoint", "CameraViewUp", "CameraParallelScale")
 
 
 def drag(view, interactor, dx, dy, steps):
     """Drags with the left button, in the middle of the view."""
-    x, y = (int(0.5 * (size - shift)) for size, shift in zip(SIZE, (dx, dy)))
+    x, y = (int(0.5 * (size - shift)) for size, shift in zip(view.ViewSize, (dx, dy)))
 
     def move(share, event):
         interactor.SetEventInformation(round(x + share * dx), round(y + share * dy), 0, 0, "\0", 0, None)
@@ -57,12 +56,20 @@ def without(view):
     return nothing
 
 
-def check(name, source, lowest=-math.inf, highest=math.inf, steps=8, directions=8, least=0.5):
-    """Each drag, from the first look and from near, leaves a share of what is shown, and the eye between two heights [m]."""
+def check(name, source, **how):
+    """Drags from the first look of a source, in a view of its own; see around()."""
     view = small_view(SIZE)
     simple.Show(source, view)
     view.ResetCamera()
     picture(view)
+    around(name, view, **how)
+    simple.Delete(view)
+    for one in simple.GetSources().values():
+        simple.Delete(one)
+
+
+def around(name, view, lowest=-math.inf, highest=math.inf, steps=8, directions=8, least=0.5, closers=(1.0, 2.0)):
+    """Each drag, from the first look and from nearer, leaves a share of what is shown, and the eye between two heights [m]."""
     center, focus = np.array(view.CenterOfRotation), np.array(view.CameraFocalPoint)
     distance = np.linalg.norm(np.array(view.CameraPosition) - focus)
     assert np.linalg.norm(center - focus) <= 1e-6 * distance, f"{name}: turns about {center}, looks at {focus}"
@@ -71,15 +78,16 @@ def check(name, source, lowest=-math.inf, highest=math.inf, steps=8, directions=
     interactor = vtkGenericRenderWindowInteractor()
     view.SMProxy.SetupInteractor(interactor)
     interactor.Initialize()
-    interactor.SetSize(*SIZE)
+    interactor.SetSize(*view.ViewSize)
     nothing = without(view)
-    for closer in (1.0, NEAR):
+    for closer in closers:
         view.GetActiveCamera().Dolly(closer)
         before = covered(view, nothing)
         place = [list(getattr(view, one)) if one != CAMERA[-1] else view.CameraParallelScale for one in CAMERA]
         for k in range(directions):
-            angle = math.pi * (0.5 + 2.0 * k / directions)
-            drag(view, interactor, LENGTH * math.cos(angle), LENGTH * math.sin(angle), steps)
+            angle = math.pi * (1.5 + 2.0 * k / directions)
+            length = SHARE * view.ViewSize[0]
+            drag(view, interactor, length * math.cos(angle), length * math.sin(angle), steps)
             share, eye = covered(view, nothing), view.CameraPosition
             where = f"{name}, {closer} times closer, dragged to {math.degrees(angle):.0f} degrees"
             assert share >= least * before, f"{where}: {share:.2f} of the picture is covered, {before:.2f} before"
@@ -88,6 +96,3 @@ def check(name, source, lowest=-math.inf, highest=math.inf, steps=8, directions=
                 setattr(view, one, value)
             simple.Render(view)
     print(f"{name}: covers {before:.2f}", flush=True)
-    simple.Delete(view)
-    for one in simple.GetSources().values():
-        simple.Delete(one)
