@@ -108,3 +108,39 @@ def check_view_after_table():
     simple.Delete(measured)
     simple.Delete(sheet)
     simple.Delete(scene)
+
+
+def check_first_data_after_mistake():
+    """What had no data at first, for want of a grid, is looked at once it has some, from the same side."""
+    survey = simple.Calculator(Input=simple.QuadratPoints(Quadrats=[6, 6], Size=[120.0, 120.0]),
+                               ResultArrayName="Elevation", Function="700+sin(coordsX/17)")
+    grid = simple.TurningBandsTerrain(WholeExtent=[0, 30, 0, 30, 0, 0], Spacing=[4, 4, 1])
+    field = simple.ConditionalTerrain(Input=survey, KrigingType="External Drift", Model="Simple Exponential",
+                                      StandardDeviation=1.0, Range=30.0)
+    view = small_view(SIZE)
+    with Messages() as messages:
+        simple.Show(field, view)
+        simple.ResetCamera(view)
+        simple.Render(view)
+    assert len(messages.lines) == 1 and "as Grid" in messages.lines[0], messages.lines
+    without = picture(view)
+    field.Grid = grid
+    simple.Render(view)
+    drawn = (np.abs(picture(view) - without).sum(axis=2) > 20).mean()
+    print(f"Conditional Terrain after a mistake: {drawn:.3f} drawn", flush=True)
+    assert drawn > 0.1, f"{drawn:.4f} of the picture is drawn"
+    assert list(view.CameraViewUp) == [0.0, 0.0, 1.0]
+    # Later changes leave the camera.
+    place = list(view.CameraPosition)
+    field.Seed = 5
+    simple.Render(view)
+    assert list(view.CameraPosition) == place
+    simple.Delete(view)
+
+
+check_own_camera()
+check_forest_on_map()
+check_twin_on_raster()
+check_kelp_under_sea()
+check_view_after_table()
+check_first_data_after_mistake()
