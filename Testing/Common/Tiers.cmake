@@ -39,7 +39,9 @@ set(standard_TestPointProcesses
   PointProcesses.StraussPointsObeyTheirConditionalIntensity
   PointProcesses.StraussPointsWhoseBoundsDoNotMeetAreNotCalledExact
   PointProcesses.StraussPointsWithoutInteractionArePoisson)
-set(standard_TestProcessFits ProcessFits.SimulatedProcessesAreFoundAgain ProcessFits.SameBytesOnAnyThreads)
+set(standard_TestProcessFits
+  ProcessFits.SimulatedProcessesAreFoundAgain ProcessFits.SameBytesOnAnyThreads ProcessFits.LongStraussDistancesAreFound
+  ProcessFits.RangesAreBoundedBySpacing)
 set(standard_TestQuadratLaws QuadratLaws/LargeLaws.*)
 set(standard_TestSeaweedDynamics SeaweedDynamics.RodsInSpaceMoveAsTheirEquationsSay)
 set(standard_TestSeaweedMotion
