@@ -52,6 +52,7 @@ set(standard_TestSoftCore
   SoftCore.RandomPointsHaveNone SoftCore.WhatWasSimulatedIsFoundAgain SoftCore.ForcesBalanceAsInEquilibrium
   SoftCore.IntensityIsThatAskedFor)
 set(standard_TestTerrainLevels *AreWatertightInRandomViews/*)
+set(standard_TestTrunkModes TrunkModes.MeasuredTreesFromStoutToSlender TrunkModes.BroadleavesOfAllSizes)
 set(standard_TestTurningBands
   TurningBands.TablesKeepThePowerOfTheShortestWaves
   */SimpleExponential */Spherical */Bessel1 TurningBands.SpectrumIsAsEvenAsThatOfExactNoise
