@@ -141,18 +141,18 @@ void SceneDrag::OnStart(vtkObject*, unsigned long, void* isInteractive)
 {
   vtkCamera* camera = this->View->GetActiveCamera();
   Sight sight = SightOf(camera);
+  const Vector3 arm = sight.Eye - sight.Focus;
+  const double distance = glm::length(arm);
   if (!isInteractive || *static_cast<int*>(isInteractive) == 0)
   {
     const EyeHeights limits = this->Limits();
-    const Vector3 arm = sight.Eye - sight.Focus;
-    this->IsKept = arm.z >= glm::length(arm) * std::sin(limits.Elevation * Pi / 180.0) &&
-      sight.Eye.z >= limits.Lowest && sight.Eye.z <= limits.Highest && IsUpright(sight.Eye - sight.Focus, sight.Up);
+    this->IsKept = arm.z >= distance * std::sin(limits.Elevation * Pi / 180.0) && sight.Eye.z >= limits.Lowest &&
+      sight.Eye.z <= limits.Highest && IsUpright(arm, sight.Up);
   }
   else if (this->IsKept)
   {
-    const Vector3 arm = sight.Eye - sight.Focus;
-    const bool isAtRest = AreSame(sight.Eye, this->Former.Eye, glm::length(arm)) &&
-      AreSame(sight.Focus, this->Former.Focus, glm::length(arm));
+    const bool isAtRest =
+      AreSame(sight.Eye, this->Former.Eye, distance) && AreSame(sight.Focus, this->Former.Focus, distance);
     this->IsKept = !isAtRest || IsUpright(arm, sight.Up); // else it is rolled
     if (this->IsKept && !isAtRest)
     {
