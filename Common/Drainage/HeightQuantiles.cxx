@@ -3,6 +3,7 @@
 #include "Drainage/HeightQuantiles.h"
 
 #include <boost/math/distributions/normal.hpp>
+#include <boost/math/tools/roots.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -151,6 +152,23 @@ constexpr double MaximumShape = 4.0;
 constexpr double MinimumCut = 1e-8;
 constexpr double MaximumCut = 0.1;
 
+/// Root of an increasing function of a positive number, whose logarithm is sought; the bound beyond which it lies.
+template <typename Function>
+double RootBetween(double low, double high, const Function& function)
+{
+  const double atLow = function(low);
+  const double atHigh = function(high);
+  if (atLow >= 0.0 || atHigh <= 0.0)
+  {
+    return atLow >= 0.0 ? low : high;
+  }
+  std::uintmax_t steps = 100;
+  const auto [below, above] =
+    boost::math::tools::toms748_solve([&](double logarithm) { return function(std::exp(logarithm)); }, std::log(low),
+      std::log(high), atLow, atHigh, boost::math::tools::eps_tolerance<double>(48), steps);
+  return std::exp(0.5 * (below + above));
+}
+
 /// Truncated distribution of a skewness, not negative, with the probability `cut` left out at each end.
 TruncatedLognormal WithSkew(double skew, double cut)
 {
@@ -160,14 +178,9 @@ TruncatedLognormal WithSkew(double skew, double cut)
   {
     gaussians.push_back(boost::math::quantile(normal, cut + (1.0 - 2.0 * cut) * TruncatedLognormal::Position(point)));
   }
-  double low = MinimumShape;
-  double high = MaximumShape;
-  for (int step = 0; step < 50; ++step)
-  {
-    const double middle = std::sqrt(low * high);
-    (TruncatedLognormal(middle, gaussians).Skew < skew ? low : high) = middle;
-  }
-  return { std::sqrt(low * high), gaussians };
+  const double shape = RootBetween(
+    MinimumShape, MaximumShape, [&](double shape) { return TruncatedLognormal(shape, gaussians).Skew - skew; });
+  return { shape, gaussians };
 }
 
 }
@@ -231,14 +244,8 @@ HeightQuantiles LognormalQuantiles(double mean, double deviation, double integra
   const double sign = skew < 0.0 ? -1.0 : 1.0;
   const double size = std::abs(skew);
   const double wanted = skew < 0.0 ? 1.0 - integral : integral;
-  double low = MinimumCut;
-  double high = MaximumCut;
-  for (int step = 0; step < 40; ++step)
-  {
-    const double middle = std::sqrt(low * high);
-    (WithSkew(size, middle).Integral < wanted ? low : high) = middle;
-  }
-  const TruncatedLognormal cut = WithSkew(size, std::sqrt(low * high));
+  const TruncatedLognormal cut = WithSkew(
+    size, RootBetween(MinimumCut, MaximumCut, [&](double cut) { return WithSkew(size, cut).Integral - wanted; }));
   HeightQuantiles quantiles;
   for (int n = 0; n <= TruncatedLognormal::Points; ++n)
   {
