@@ -12,6 +12,7 @@
 #include "Data/Tables.h"
 #include "Kriging/ConditionalField.h"
 #include "Kriging/CrossValidation.h"
+#include "Kriging/DataVariogram.h"
 #include "Kriging/FieldAtData.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
@@ -72,7 +73,7 @@ vtkConditionalTerrainFilter::vtkConditionalTerrainFilter()
 {
   this->Model = FittedToData;
   this->SetNumberOfInputPorts(3);
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
 
@@ -127,7 +128,7 @@ int vtkConditionalTerrainFilter::FillInputPortInformation(int port, vtkInformati
 //----------------------------------------------------------------------------
 int vtkConditionalTerrainFilter::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  constexpr const char* types[] = { "vtkImageData", "vtkTable", "vtkPolyData" };
+  constexpr const char* types[] = { "vtkImageData", "vtkTable", "vtkPolyData", "vtkTable" };
   info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
   return 1;
 }
@@ -302,9 +303,11 @@ void vtkConditionalTerrainFilter::FindModel(vtkInformationVector** inputVector, 
   }
   littoral::TakeMean(this->UseDataMean && !fits, survey);
   littoral::TakeNeighbors(this->NumberOfNeighbors, survey);
+  const littoral::ParallelFor parallel = littoral::AbortableFor(this);
+  survey.Variogram = littoral::DataVariogram(survey.Data, survey.Type, parallel);
   if (!fits && this->Model == FittedToData)
   {
-    littoral::FitModel(survey, littoral::AbortableFor(this));
+    littoral::FitModel(survey, parallel);
   }
 }
 
@@ -367,9 +370,11 @@ int vtkConditionalTerrainFilter::RequestData(
   vtkImageData* output = vtkImageData::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
   vtkPolyData* points = vtkPolyData::GetData(outputVector, 2);
+  vtkTable* variogram = vtkTable::GetData(outputVector, 3);
   output->Initialize();
   table->Initialize();
   points->Initialize();
+  variogram->Initialize();
   if (littoral::IsAnnouncedEmpty(info))
   {
     return littoral::FailedRequest(this);
@@ -402,6 +407,10 @@ int vtkConditionalTerrainFilter::RequestData(
     output->Initialize();
     table->Initialize();
     throw;
+  }
+  if (table->GetNumberOfRows() > 0)
+  {
+    littoral::AddVariogram(survey, variogram);
   }
   if (table->GetNumberOfRows() > 0 && !survey.IsRaster) // an image shows its own points
   {

@@ -32,6 +32,11 @@
  * Output 2: a vtkPolyData with a vertex per datum at (x, y, value), with the columns of output 1 but `X` and `Y` as
  * point arrays; empty where Data are an image, whose own points they are.
  *
+ * Output 3: a vtkTable, the variogram of the data, that is of the residuals from their drift by least squares (with
+ * NormalScores of the scores), of pairs up to half the diagonal of their bounds in up to 15 classes: `Lag` [m], the
+ * mean distance of a class; `Semivariance` [unit of the values squared]; `Pairs`; `Fitted`, the semivariance of the
+ * model that is used, its mean over all directions.
+ *
  * Data without error are honoured; data with an error or a nugget, which is noise of all data, are filtered. Data
  * outside the grid count as those inside. Values are the same bytes for any subextent and number of threads or ranks.
  *

@@ -111,7 +111,8 @@ std::vector<LagBin> DataVariogram(const KrigingData& data, KrigingType type, con
   return bins;
 }
 
-std::vector<KrigingModel> FitToData(const KrigingData& data, KrigingType type, const ParallelFor& parallel)
+std::vector<KrigingModel> FitToData(
+  const KrigingData& data, const std::vector<LagBin>& variogram, const ParallelFor& parallel)
 {
   const std::size_t count = data.Places.size();
   if (count < MinimumDataForVariogram)
@@ -119,17 +120,17 @@ std::vector<KrigingModel> FitToData(const KrigingData& data, KrigingType type, c
     Refuse("There ", count == 1 ? "is" : "are", " only ", count, count == 1 ? " datum" : " data",
       ", and a model is fitted to at least ", MinimumDataForVariogram, "; choose a Model or connect a table of fits.");
   }
-  const std::vector<LagBin> bins = DataVariogram(data, type, parallel);
-  const bool varies = std::any_of(bins.begin(), bins.end(), [](const LagBin& bin) { return bin.Semivariance > 0.0; });
+  const bool varies =
+    std::any_of(variogram.begin(), variogram.end(), [](const LagBin& bin) { return bin.Semivariance > 0.0; });
   Require(varies ? ""
                  : "The data do not vary about their drift, so that no model can be fitted to them; choose a Model or "
                    "connect a table of fits.");
   VariogramFitOptions options;
   options.Nugget = true;
-  options.MaximumRange = bins.back().Lag;
-  options.FractalRange = 4.0 * bins.back().Lag;
+  options.MaximumRange = variogram.back().Lag;
+  options.FractalRange = 4.0 * variogram.back().Lag;
   std::vector<KrigingModel> models;
-  for (const VariogramFit& fit : FitAllModels(bins, options, parallel))
+  for (const VariogramFit& fit : FitAllModels(variogram, options, parallel))
   {
     if (std::isfinite(fit.AICc))
     {

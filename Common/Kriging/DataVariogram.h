@@ -25,7 +25,8 @@ std::vector<LagBin> DataVariogram(const KrigingData& data, KrigingType type, con
 
 /// The isotropic models of the seven, the one that fits the variogram of the data best first, with a nugget where the
 /// fit calls for one. Throws InvalidInput if there are too few data, or all are equal.
-std::vector<KrigingModel> FitToData(const KrigingData& data, KrigingType type, const ParallelFor& parallel = SerialFor);
+std::vector<KrigingModel> FitToData(
+  const KrigingData& data, const std::vector<LagBin>& variogram, const ParallelFor& parallel = SerialFor);
 
 }
 

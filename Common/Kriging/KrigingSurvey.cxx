@@ -127,7 +127,7 @@ void FitModel(KrigingSurvey& survey, const ParallelFor& parallel)
   std::string first;
   const KrigingOptions options = survey.OptionsAtData();
   const std::size_t step = (survey.Data.Places.size() + PlacesTried - 1) / PlacesTried;
-  for (const KrigingModel& model : FitToData(survey.Data, options.Type, parallel))
+  for (const KrigingModel& model : FitToData(survey.Data, survey.Variogram, parallel))
   {
     survey.Model = model;
     try

@@ -7,6 +7,7 @@
 #include "Kriging/NormalScores.h"
 #include "Numerics/Parallel.h"
 #include "Terrain/TurningBands.h"
+#include "Terrain/Variogram.h"
 
 #include <array>
 #include <cstddef>
@@ -29,6 +30,7 @@ struct KrigingSurvey
 
   KrigingType Type = KrigingType::Ordinary;
   KrigingModel Model;
+  std::vector<LagBin> Variogram;      ///< of the values about their drift (DataVariogram)
   double Mean = 0.0;                  ///< mean of the field, if it is known, else 0
   std::optional<NormalScores> Scores; ///< the map from values to scores, if the data are scores
   std::size_t Neighbors = 0;          ///< data that take part in an estimate; 0: all
@@ -59,7 +61,7 @@ void TakeDrift(std::vector<double> drift, KrigingSurvey& survey);
 /// Turns the values into normal scores.
 void TakeScores(KrigingSurvey& survey);
 
-/// Takes the best of the models fitted to the data (FitToData) whose system can be solved.
+/// Takes the best of the models fitted to the variogram of the data (FitToData) whose system can be solved.
 void FitModel(KrigingSurvey& survey, const ParallelFor& parallel = SerialFor);
 
 /// Takes this number of neighbours, at most all data; 0: all of up to 2000 data, else 50.

@@ -4,6 +4,7 @@
 
 #include "Data/Arrays.h"
 #include "Data/Tables.h"
+#include "Terrain/VariogramFit.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"
@@ -51,6 +52,19 @@ void AddModel(const KrigingSurvey& survey, vtkTable* table)
     AddField(table, parameter->Name, { has ? parameter->Get(field) : NaN });
   }
   AddField(table, "Nugget", { survey.Model.Nugget });
+}
+
+//----------------------------------------------------------------------------
+void AddVariogram(const KrigingSurvey& survey, vtkTable* table)
+{
+  VariogramFit fit;
+  fit.Field = survey.Model.Field;
+  fit.Nugget = survey.Model.Nugget;
+  const auto column = [&](const char* name, auto valueOf) { AddColumn(table, name, survey.Variogram, valueOf); };
+  column("Lag", [](const LagBin& bin) { return bin.Lag; });
+  column("Semivariance", [](const LagBin& bin) { return bin.Semivariance; });
+  column("Pairs", [](const LagBin& bin) { return bin.Pairs; });
+  column("Fitted", [&](const LagBin& bin) { return MeanSemivariance(fit, bin.Lag); });
 }
 
 //----------------------------------------------------------------------------

@@ -22,6 +22,9 @@ void AddRows(const KrigingSurvey& survey, const std::vector<double>& field, vtkT
 /// Adds the model of a survey as field data.
 void AddModel(const KrigingSurvey& survey, vtkTable* table);
 
+/// Adds a row for each class of the variogram of the data, with the semivariance of the model there.
+void AddVariogram(const KrigingSurvey& survey, vtkTable* table);
+
 /// Adds a cross-validation: columns, and its means as field data.
 void AddCrossValidation(const CrossValidation& validation, vtkTable* table);
 

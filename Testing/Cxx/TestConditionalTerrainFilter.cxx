@@ -15,6 +15,7 @@
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -149,6 +150,67 @@ bool FieldThroughData()
   return Check(good, "Of the field, its table or its part");
 }
 
+/// The table of the variogram, against the definition: pairs up to half the diagonal in 15 classes, and the model.
+bool VariogramOfData()
+{
+  std::vector<std::array<double, 3>> data;
+  for (int n = 0; n < 60; ++n)
+  {
+    data.push_back({ std::fmod(37.3 * n, 61.0), std::fmod(23.9 * n, 43.0), 50.0 + std::fmod(7.7 * n, 5.0) });
+  }
+  std::array<double, 4> bounds{ data[0][0], data[0][0], data[0][1], data[0][1] };
+  for (const auto& datum : data)
+  {
+    bounds = { std::min(bounds[0], datum[0]), std::max(bounds[1], datum[0]), std::min(bounds[2], datum[1]),
+      std::max(bounds[3], datum[1]) };
+  }
+  const double width = 0.5 * std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2]) / 15.0;
+  const auto survey = Survey(data);
+  const auto filter = Conditional(survey, nullptr);
+  filter->SetNugget(0.25);
+  filter->Update();
+  auto* table = vtkTable::SafeDownCast(filter->GetOutputDataObject(3));
+  bool good = true;
+  vtkIdType row = 0;
+  for (int index = 0; good && index < 15; ++index)
+  {
+    double pairs = 0.0;
+    double lag = 0.0;
+    double squares = 0.0;
+    for (std::size_t a = 0; a < data.size(); ++a)
+    {
+      for (std::size_t b = 0; b < a; ++b)
+      {
+        const double distance = std::hypot(data[a][0] - data[b][0], data[a][1] - data[b][1]);
+        if (distance >= width * index && distance < width * (index + 1))
+        {
+          pairs += 1.0;
+          lag += distance;
+          squares += (data[a][2] - data[b][2]) * (data[a][2] - data[b][2]);
+        }
+      }
+    }
+    const auto is = [&](const char* name, double wanted) {
+      const double found = table->GetValueByName(row, name).ToDouble();
+      return Check(std::abs(found - wanted) < 1e-9 * wanted,
+        std::string(name) + " of a class is " + std::to_string(found) + ", not " + std::to_string(wanted));
+    };
+    if (pairs == 0.0)
+    {
+      continue;
+    }
+    good = Check(row < table->GetNumberOfRows(), "A class without a row") && is("Pairs", pairs) &&
+      is("Lag", lag / pairs) && is("Semivariance", squares / (2.0 * pairs)) &&
+      is("Fitted", 0.25 + Deviation * Deviation * (1.0 - std::exp(-lag / pairs / Range)));
+    ++row;
+  }
+  good = good && Check(row > 10 && row == table->GetNumberOfRows(), "There is not a row a class");
+  // One datum has no pairs.
+  const auto one = Conditional(Survey({ data[0] }), Grid());
+  one->Update();
+  return Check(vtkTable::SafeDownCast(one->GetOutputDataObject(3))->GetNumberOfRows() == 0, "A pair of one") && good;
+}
+
 /// An image keeps what it has, and its holes are filled.
 bool FillsHoles()
 {
@@ -247,6 +309,7 @@ int TestConditionalTerrainFilter(int, char*[])
 {
   bool good = EstimateFromOneDatum();
   good &= FieldThroughData();
+  good &= VariogramOfData();
   good &= FillsHoles();
   good &= MeanFarFromData();
   good &= BadInput();

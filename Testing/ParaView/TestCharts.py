@@ -109,6 +109,14 @@ _, sheet = show(ground, 0, "SpreadSheetView")
 shown = {"DepressionFraction", "HypsometricIntegral", "ElevationSkewness", "Concavity", "CurvatureSkewness"}
 assert not shown & set(sheet.HiddenColumnLabels) and "HackExponent" in sheet.HiddenColumnLabels
 
+# The variogram of a survey with its model, from a filter whose other outputs have no chart.
+survey = simple.PointSource(NumberOfPoints=60, Radius=50.0)
+field = simple.ConditionalTerrain(Input=simple.Elevation(Input=survey, LowPoint=[-50, 0, 0], HighPoint=[50, 0, 0]),
+                                  KrigingType="Linear Drift", Dimensions=[20, 20], Model="Spherical")
+chart, view = show(field, 3)
+assert chart.XArrayName == "Lag" and set(chart.SeriesVisibility) == {"Semivariance", "Fitted"}, chart.SeriesVisibility
+assert (view.BottomAxisTitle, view.LeftAxisTitle) == ("Lag [m]", "Semivariance")
+
 analysis = simple.QuadratAnalysis(
     Input=simple.QuadratPoints(Quadrats=[30, 20], Law="Negative Binomial", MeanPerQuadrat=2.0))
 # The same sheet for another table: columns of both are as wanted.

@@ -4,7 +4,7 @@
  * @class   vtkSMNaturalDisplayProxy
  * @brief   a source that is first shown in its own colors
  *
- * See littoral::NaturalDisplay for how, and for the hint that says more.
+ * See littoral::NaturalDisplay for how, and for the hint that says more. Outputs that are tables may have charts.
  *
  * Its panel has the properties in the order of their groups, after those without one: inherited properties, such as the
  * view, would come first.
@@ -13,7 +13,7 @@
 #define vtkSMNaturalDisplayProxy_h
 
 #include "LittoralClientProxiesModule.h" // for export macro
-#include "vtkSMSourceProxy.h"
+#include "vtkSMChartDisplayProxy.h"
 #include "vtkSmartPointer.h" // for the scene
 
 #include <memory> // for the display
@@ -23,11 +23,11 @@ namespace littoral
 class NaturalDisplay;
 }
 
-class LITTORALCLIENTPROXIES_EXPORT vtkSMNaturalDisplayProxy : public vtkSMSourceProxy
+class LITTORALCLIENTPROXIES_EXPORT vtkSMNaturalDisplayProxy : public vtkSMChartDisplayProxy
 {
 public:
   static vtkSMNaturalDisplayProxy* New();
-  vtkTypeMacro(vtkSMNaturalDisplayProxy, vtkSMSourceProxy);
+  vtkTypeMacro(vtkSMNaturalDisplayProxy, vtkSMChartDisplayProxy);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   void UpdateVTKObjects() override;

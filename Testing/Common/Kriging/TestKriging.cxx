@@ -384,7 +384,9 @@ TEST(DataVariogram, OfAPlaneIsFlatWithoutIt)
   {
     EXPECT_NEAR(bin.Semivariance, 0.0, 1e-20);
   }
-  const auto why = [](const KrigingData& some) { return WhyRefused([&] { FitToData(some, KrigingType::Ordinary); }); };
+  const auto why = [](const KrigingData& some) {
+    return WhyRefused([&] { FitToData(some, DataVariogram(some, KrigingType::Ordinary)); });
+  };
   EXPECT_NE(why(SomeData(10, false)).find("only 10 data"), std::string::npos);
   data.Values.assign(300, 1.0);
   EXPECT_NE(why(data).find("do not vary"), std::string::npos);
