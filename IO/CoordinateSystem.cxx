@@ -65,6 +65,19 @@ double LengthOnEarth(
   return std::hypot(east, north);
 }
 
+/// Sets the projection of a UTM zone. PROJ has none for a sphere, as that of weather models: there it is the transverse
+/// Mercator projection of the same meridian without the zone's scale of 0.9996.
+bool SetZone(const UtmZone& zone, OGRSpatialReference& system)
+{
+  if (system.GetInvFlattening() != 0.0)
+  {
+    return system.SetUTM(zone.Number, zone.IsNorth) == OGRERR_NONE;
+  }
+  const std::string name = "Transverse Mercator of zone " + std::to_string(zone.Number) + (zone.IsNorth ? "N" : "S");
+  return system.SetProjCS(name.c_str()) == OGRERR_NONE &&
+    system.SetTM(0.0, 6.0 * zone.Number - 183.0, 1.0, 5e5, zone.IsNorth ? 0.0 : 1e7) == OGRERR_NONE;
+}
+
 }
 
 bool ReadCoordinateSystem(const std::string& text, OGRSpatialReference& system)
@@ -136,7 +149,7 @@ bool SetUtmZone(const OGRSpatialReference& system, double x, double y, OGRSpatia
   }
   utm.Clear();
   utm.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  if (utm.CopyGeogCSFrom(earth.System()) != OGRERR_NONE || utm.SetUTM(zone.Number, zone.IsNorth) != OGRERR_NONE)
+  if (utm.CopyGeogCSFrom(earth.System()) != OGRERR_NONE || !SetZone(zone, utm))
   {
     return false;
   }

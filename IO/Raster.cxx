@@ -358,6 +358,24 @@ void CheckUnit(const PlaceUnit& unit)
   }
 }
 
+/// Throws where a raster is too wide for the one meridian of a UTM zone.
+void CheckWidth(void* dataset, const OGRSpatialReference& utm)
+{
+  const Transform transform(dataset);
+  const double columns = GDALGetRasterXSize(dataset);
+  for (const double column : { 0.0, columns })
+  {
+    const std::array<double, 2> edge = transform.At(column, 0.5 * GDALGetRasterYSize(dataset));
+    const auto scale = MapScale(utm, edge[0], edge[1]);
+    if (!scale || !(std::abs((*scale)[0] - 1.0) <= MostStretch))
+    {
+      throw RasterError("it is so wide that lengths at its edges on the map of " + NameOf(utm) +
+        " differ by more than 5 % from those on the ground; cut it, or set Projection to Given System, and "
+        "CoordinateSystem to one of the region, as EPSG:3035");
+    }
+  }
+}
+
 /// Throws where coordinates are no lengths.
 void CheckLengths(void* dataset, const OGRSpatialReference& system, bool isProjectedNow)
 {
@@ -447,13 +465,20 @@ Dataset Warped(void* dataset, const OGRSpatialReference& from, const OGRSpatialR
 
 // --- Heights --------------------------------------------------------------------------------------------------------
 
-/// The unit in which a file says its heights are: by the band, else by a vertical coordinate system; empty for none.
+/// The unit in which a file says its heights are: by the band, in GRIB in brackets, else by a vertical coordinate
+/// system; empty for none.
 std::string NamedHeightUnit(void* dataset, void* band)
 {
   const char* own = GDALGetRasterUnitType(band);
   if (own && *own && std::string(own) != "unspecified") // as Idrisi calls none
   {
     return own;
+  }
+  const char* bracketed = GDALGetMetadataItem(band, "GRIB_UNIT", nullptr);
+  const std::string unit = bracketed ? bracketed : "";
+  if (unit.size() > 2 && unit.front() == '[' && unit.back() == ']' && unit != "[-]")
+  {
+    return unit.substr(1, unit.size() - 2);
   }
   const OGRSpatialReferenceH system = GDALGetSpatialRef(dataset);
   if (!system || !OSRIsCompound(system))
@@ -481,7 +506,7 @@ HeightScale ScaleOf(void* dataset, void* band, double metresPerHeight)
   if (metresPerHeight <= 0.0)
   {
     const std::string name = NamedHeightUnit(dataset, band);
-    const UnitOfLength* unit = FindUnitOfLength(name.empty() ? "m" : name);
+    const UnitOfLength* unit = FindUnitOfHeight(name.empty() ? "m" : name);
     if (!unit)
     {
       throw RasterError("its values are in '" + name + "', which is no unit of heights; set HeightUnit");
@@ -572,6 +597,10 @@ public:
       this->Append(
         Warped(this->Last(), system, target, this->Options, this->Options.UsesNoData), "it cannot be projected");
       CheckLengths(this->Last(), target, !isAsInFile);
+      if (this->Options.Projection == RasterProjection::Utm)
+      {
+        CheckWidth(this->Last(), target);
+      }
     }
     this->Place(target);
   }

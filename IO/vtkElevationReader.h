@@ -107,7 +107,8 @@ public:
   ///@{
   /**
    * Coordinate system to read in, a ProjectionType; default AsInFile. UTM: the UTM zone of the center, on the datum of
-   * the file. GivenSystem: CoordinateSystem.
+   * the file; on a sphere, as that of weather models, the transverse Mercator projection of its meridian. GivenSystem:
+   * CoordinateSystem.
    */
   vtkSetMacro(Projection, int);
   vtkGetMacro(Projection, int);

@@ -75,6 +75,23 @@ const UnitOfLength* FindUnitOfLength(const std::string& name)
   return found == units.end() ? nullptr : &*found;
 }
 
+const UnitOfLength* FindUnitOfHeight(const std::string& name)
+{
+  // z = Phi / g0, for the geopotential Phi of weather models
+  static const UnitOfLength geopotential{ 1.0 / 9.80665, "geopotential over 9.80665 m/s2",
+    { "m^2/s^2", "m2/s2", "m2 s-2", "m**2 s**-2", "m^2 s^-2", "m^2 s-2" } };
+  static const UnitOfLength geopotentialMetres{ 1.0, "geopotential metres", { "gpm" } };
+  const std::string word = Lower(name);
+  for (const UnitOfLength* unit : { &geopotential, &geopotentialMetres })
+  {
+    if (std::find(unit->Names.begin(), unit->Names.end(), word) != unit->Names.end())
+    {
+      return unit;
+    }
+  }
+  return FindUnitOfLength(name);
+}
+
 PlaceUnit UnitOfPlaces(const PlaceAxis& x, const PlaceAxis& y, double far)
 {
   const std::string unit = Lower(x.Unit.empty() ? y.Unit : x.Unit);

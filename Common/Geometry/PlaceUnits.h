@@ -57,6 +57,9 @@ struct UnitOfLength
 /// The unit of a name in any case, `km` or `US survey foot`; null if it is none.
 const UnitOfLength* FindUnitOfLength(const std::string& name);
 
+/// The same for heights, which weather models also give as a geopotential, `m^2/s^2`, or in geopotential metres.
+const UnitOfLength* FindUnitOfHeight(const std::string& name);
+
 }
 
 #endif

@@ -73,6 +73,30 @@ def model(name, x, y, units, names=("x", "y"), heights=None):
     return name
 
 
+def write_grib(name, values, south_west, step, parameter):
+    """A message of GRIB 1: rows from the south, degrees, parameters of the standard table, packed in 16 bits."""
+    def three(number):
+        return (abs(number) | (number < 0) << 23).to_bytes(3, "big")
+
+    def real(number):  # of IBM: sign, exponent of 16, 24 bits
+        exponent = int(np.floor(np.log(abs(number)) / np.log(16.0))) + 1
+        return bytes([(number < 0) << 7 | exponent + 64]) + round(abs(number) / 16.0**exponent * 2**24).to_bytes(3, "big")
+
+    rows, columns = values.shape
+    scale = max(-30, int(np.ceil(np.log2(np.ptp(values) / 65000.0))))
+    packed = np.round((values - values.min()) / 2.0**scale).astype(">u2").tobytes()
+    product = three(28) + bytes([2, 7, 96, 255, 128, parameter, 1, 0, 0, 24, 1, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 21, 0, 0, 0])
+    south, west, dense = (round(1000 * number) for number in (*south_west, step))
+    grid = (three(32) + bytes([0, 255, 0]) + columns.to_bytes(2, "big") + rows.to_bytes(2, "big") + three(south) + three(west)
+            + bytes([128]) + three(south + (rows - 1) * dense) + three(west + (columns - 1) * dense)
+            + 2 * dense.to_bytes(2, "big") + bytes([64, 0, 0, 0, 0]))
+    data = bytes([8]) + (scale & 0x7FFF | (scale < 0) << 15).to_bytes(2, "big") + real(values.min()) + b"\x10" + packed + b"\0"
+    body = product + grid + three(3 + len(data)) + data + b"7777"
+    with open(name, "wb") as file:
+        file.write(b"GRIB" + three(8 + len(body)) + b"\1" + body)
+    return name
+
+
 def field(image, name):
     """The values of a field array."""
     array = image.GetFieldData().GetAbstractArray(name)
@@ -400,6 +424,34 @@ class Degrees(Rasters):
         south = create(self.path("b.tif"), hills(40, 40), (150.0, 0.001, 0.0, -33.5, 0.0, -0.001), 4326)
         self.assertTrue(osr.SpatialReference(text(read_elevation(south, "UTM"), "CoordinateSystem"))
                         .IsSame(system(32756)))
+
+    def test_too_wide_for_a_zone(self):
+        """The scale of a zone is 1 + (width cos(latitude))^2 / 2 at its edges, 5 % at 18 degrees from its meridian."""
+        def wide(width):
+            return create(self.path(f"{width}.tif"), hills(40, 40), (9 - width / 2, width / 40, 0, 1, 0, -0.05), 4326)
+        self.refuses("so wide.*cut it, or set Projection to Given System", wide(44), Projection=1)
+        self.refuses("so wide", create(self.path("world.tif"), hills(60, 120), (-180, 3, 0, 90, 0, -3), 4326), Projection=1)
+        self.assertTrue(np.isfinite(array_from_image(read_elevation(wide(32), "UTM"))).any())
+
+    def test_weather_models(self):
+        """GRIB 1 on the sphere of its model: heights by their units, lengths those on the sphere."""
+        rows, columns = 40, 60
+        heights = np.add.outer(100.0 * np.sin(np.arange(rows) / 6.0), 200.0 + 3.0 * np.arange(columns))  # from the south
+        def read(name, parameter, values):
+            write_grib(self.path(name), values, (46.0, 7.0), 0.01, parameter)
+            return read_elevation(self.path(name), "UTM", Resampling=0)
+        image = read("height.grb", 8, heights)
+        inside = np.isfinite(array_from_image(image))
+        area = inside.sum() * image.GetSpacing()[0] * image.GetSpacing()[1]
+        radius = osr.SpatialReference(text(image, "CoordinateSystem")).GetSemiMajor()
+        self.assertAlmostEqual(radius, 6.37e6, delta=5e3)
+        side = radius * np.radians(0.01)
+        self.assertAlmostEqual(area / (rows * columns * side * side * np.cos(np.radians(46.195))), 1.0, delta=0.003)
+        for name, parameter, values in (("potential.grb", 6, 9.80665 * heights), ("gpm.grb", 7, heights)):
+            there = array_from_image(read(name, parameter, values))
+            self.assertLess(np.nanmax(np.abs(there - array_from_image(image))), 0.02)  # packed in 16 bits
+        self.refuses("in 'C', which is no unit of heights", self.path(write_grib(
+            self.path("temperature.grb"), 0.01 * heights + 270.0, (46.0, 7.0), 0.01, 11)))
 
     def test_degrees_without_a_name(self):
         name = self.path("a.asc")

@@ -83,4 +83,9 @@ TEST(PlaceUnits, UnitsOfLength)
   EXPECT_EQ(FindUnitOfLength("mm")->Metres, 0.001);
   EXPECT_EQ(FindUnitOfLength(""), nullptr);
   EXPECT_EQ(FindUnitOfLength("K"), nullptr);
+  EXPECT_EQ(FindUnitOfLength("gpm"), nullptr);
+  EXPECT_EQ(FindUnitOfHeight("ft")->Metres, 0.3048);
+  EXPECT_EQ(FindUnitOfHeight("gpm")->Metres, 1.0);
+  EXPECT_NEAR(FindUnitOfHeight("m**2 s**-2")->Metres, 1.0 / 9.80665, 1e-15);
+  EXPECT_EQ(FindUnitOfHeight("K"), nullptr);
 }
