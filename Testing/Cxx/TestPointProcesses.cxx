@@ -231,6 +231,37 @@ bool CheckImagesAndWindows()
 }
 
 /// A measured pattern of clusters is called one, and regrown in its window.
+/// Random places with two points each are clusters, and no regular process or chance.
+bool CheckCoincidentPoints()
+{
+  std::vector<std::array<double, 2>> places;
+  for (int n = 0; n < 12; ++n)
+  {
+    const std::array<double, 2> place{ 100.0 * std::fmod(0.754877666 * n, 1.0),
+      100.0 * std::fmod(0.569840291 * n, 1.0) };
+    places.insert(places.end(), { place, place });
+  }
+  const auto points = Points(places);
+  bool good = VerdictFails("are at one place", points);
+  vtkNew<Verdict> verdict;
+  verdict->SetInputData(points);
+  verdict->SetSize(100.0, 100.0);
+  verdict->SetNumberOfSimulations(19);
+  verdict->AllowCoincidentPointsOn();
+  verdict->Update();
+  vtkTable* table = verdict->GetOutput();
+  good &= Check(table->GetNumberOfRows() == 13, "There is no verdict on coincident points");
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    const std::string law = table->GetValueByName(row, "Law").ToString();
+    const std::string word = table->GetValueByName(row, "Verdict").ToString();
+    const bool isSpread = law == "Poisson" || law == "Strauss" || law == "MaternII" || law == "SoftCore";
+    good &=
+      Check(!isSpread || word == "worse" || word == "does not exist", law + " is " + word + " for pairs of points");
+  }
+  return good;
+}
+
 bool CheckVerdict()
 {
   vtkNew<Source> source;
@@ -287,6 +318,7 @@ int TestPointProcesses(int, char*[])
   bool good = CheckPieces();
   good &= CheckImagesAndWindows();
   good &= CheckVerdict();
+  good &= CheckCoincidentPoints();
   good &= CheckBadSources();
   good &= CheckBadVerdicts();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
