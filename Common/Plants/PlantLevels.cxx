@@ -215,7 +215,9 @@ PlantPrototype LevelsOf(const Plant& plant, const PlantLevelOptions& options)
   BranchSkinOptions skin;
   skin.Bark = plant.Bark;
   prototype.Wood = plant.Wood;
+  options.OnStep();
   prototype.Skin = SkinOf(plant.Wood, skin);
+  options.OnStep();
   prototype.Leaves = LeafCards(plant, options.OnStep);
   prototype.LeafTexture = LeafPicture(plant.Form);
   AddLowerLevels(prototype, { plant.Crown, plant.Bark }, options, [&] {

@@ -22,6 +22,18 @@ constexpr int SegmentsOfTrunk = 12;
 constexpr int SegmentsOfBranch[] = { 6, 4, 2, 2 }; // by order; twigs bend little and are many
 constexpr double ShortestBranch = 0.006;           // as part of the height
 constexpr double StemForm = 0.65;                  // power of the distance from the top to which a bare stem is thick
+constexpr double MostBranches = 100000.0;
+
+/// Branches of all orders for each main branch: 1 + s + s^2 + ...
+double BranchesOfMain(const ReevesTreeParameters& p)
+{
+  double branches = 0.0;
+  for (int order = 1; order <= p.Orders; ++order)
+  {
+    branches = branches * p.SideBranches + 1.0;
+  }
+  return branches;
+}
 
 /// State with which a branch starts.
 struct Bud
@@ -422,6 +434,14 @@ std::string WhyInvalid(const ReevesTreeParameters& p)
   check.Choice("LeafForm", static_cast<int>(p.Form), 2);
   check.Range("LeafSize", p.LeafSize, 0.001, 5.0, "m");
   check.Range("LeafWidth", p.LeafWidth, 0.01, 2.0);
+  if (check.IsGood())
+  {
+    const double branches = BranchesOfMain(p);
+    check.Require(p.MainBranches * branches <= MostBranches,
+      "MainBranches of " + std::to_string(p.MainBranches) + " give " + TextOf(p.MainBranches * branches) +
+        " branches in " + std::to_string(p.Orders) + " Orders, and a tree has at most " + TextOf(MostBranches) + "; " +
+        TextOf(std::floor(MostBranches / branches)) + " will do.");
+  }
   return check.Reason();
 }
 

@@ -343,6 +343,15 @@ TEST(ReevesTree, NamesBadParameters)
   EXPECT_TRUE(names("CrownBase", [](ReevesTreeParameters& p) { p.CrownBase = p.Height; }));
   EXPECT_TRUE(names("CrownShape", [](ReevesTreeParameters& p) { p.Shape = static_cast<CrownShape>(2); }));
   EXPECT_TRUE(names("Orders", [](ReevesTreeParameters& p) { p.Orders = 0; }));
+  // 1 + 20 + 400 + 8000 branches for each main branch
+  ReevesTreeParameters many;
+  many.Orders = 4;
+  many.MainBranches = 12;
+  many.SideBranches = 20;
+  EXPECT_NE(WhyInvalid(many).find("MainBranches of 12 give 101052 branches"), std::string::npos) << WhyInvalid(many);
+  EXPECT_NE(WhyInvalid(many).find("; 11 will do."), std::string::npos);
+  many.MainBranches = 11;
+  EXPECT_EQ(WhyInvalid(many), "");
   EXPECT_TRUE(names("NumberOfLeaves", [](ReevesTreeParameters& p) { p.NumberOfLeaves = -1; }));
   EXPECT_TRUE(names("LeafSize", [](ReevesTreeParameters& p) { p.LeafSize = 0.0; }));
 }
