@@ -12,7 +12,8 @@ set(standard_TestDetrendedWindow
 set(standard_TestDrainageCarving
   DrainageCarving.GroundMuchLargerThanItsPlaceDrainsWithThePlacesHeights DrainageCarving.MeetsThePlacesMeasures)
 set(standard_TestFieldAtData FieldAtData.HasTheModelsCovariance)
-set(standard_TestFractalDimension FractalDimension.OfWavesInPhaseIsExact FractalDimension.OfFractalSurfacesIsTheirs)
+set(standard_TestFractalDimension FractalDimension.OfWavesInPhaseIsExact FractalDimension.OfFractalSurfacesIsTheirs
+  FractalDimension.SurfacesAreFractionalBrownian)
 set(standard_TestGardnerPlant
   Kinds/*/Tree Kinds/*/Bush GardnerTexture.ShellsAreAsOpaqueAsTheFunctionIsAboveTheirThreshold)
 set(all_TestGardnerPlant Kinds/*/Cypress Kinds/*/StonePine) # as tree and bush

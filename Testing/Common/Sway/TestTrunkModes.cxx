@@ -294,9 +294,9 @@ TEST(TrunkModes, MeasuredBroadleaves)
     std::printf("%.1f cm, %.1f m: %.3f Hz; of the measured one %.2f, of 58 in the field %.2f, of 506 scanned %.2f\n",
       tree.Diameter, tree.Height, f, ratios.back(), field.back(), scanned.back());
   }
-  EXPECT_NEAR(Median(ratios), 1.05, 0.35);
-  EXPECT_NEAR(Median(field), 1.05, 0.35);
-  EXPECT_NEAR(Median(scanned), 1.05, 0.35);
+  EXPECT_NEAR(Median(ratios), 1.17, 0.05);
+  EXPECT_NEAR(Median(field), 1.28, 0.05);
+  EXPECT_NEAR(Median(scanned), 0.99, 0.05);
 }
 
 TEST(TrunkModes, BroadleavesOfAllSizes)
@@ -329,7 +329,8 @@ TEST(TrunkModes, BroadleavesOfAllSizes)
 }
 
 // Medians in three classes of height over diameter, against the lines of 602 conifers and of 506 scanned broadleaves:
-// slender trees are no slower than those, and stout ones no faster.
+// slender trees are no slower than those, and stout ones no faster. The line of 58 broadleaves of forests hardly rises
+// with x: no stout tree can have both, of which one is there nearly twice the other.
 TEST(TrunkModes, MeasuredTreesFromStoutToSlender)
 {
   struct Kind
@@ -345,20 +346,28 @@ TEST(TrunkModes, MeasuredTreesFromStoutToSlender)
     for (const auto& slendernesses : { std::array{ 45.0, 35.0 }, std::array{ 80.0, 60.0 }, std::array{ 115.0, 95.0 } })
     {
       std::vector<double> ratios;
+      std::vector<double> field;
       for (const double height : { 10.0, 20.0, 30.0 })
       {
         for (const double slenderness : slendernesses)
         {
           const double diameter = height / slenderness;
           const double f = TreeFrequency(SizedParameters(kind.Preset, height, diameter), kind.Wood);
-          ratios.push_back(f / (kind.Line[0] + kind.Line[1] * 100.0 * diameter / (height * height)));
+          const double x = 100.0 * diameter / (height * height);
+          ratios.push_back(f / (kind.Line[0] + kind.Line[1] * x));
+          field.push_back(f / (0.148 + 0.453 * x));
         }
       }
       const double median = Median(ratios);
-      std::printf("preset %d, %.0f to %.0f times as high as thick: median %.2f of the line\n",
-        static_cast<int>(kind.Preset), slendernesses[1], slendernesses[0], median);
+      std::printf("preset %d, %.0f to %.0f times as high as thick: median %.2f of the line, %.2f of that of forests\n",
+        static_cast<int>(kind.Preset), slendernesses[1], slendernesses[0], median, Median(field));
       EXPECT_GT(median, 0.8);
       EXPECT_LT(median, 1.25);
+      if (kind.Preset != TreePreset::Pine)
+      {
+        EXPECT_GT(Median(field), 1.0);
+        EXPECT_LT(Median(field), slendernesses[0] < 50.0 ? 1.6 : slendernesses[0] < 90.0 ? 1.4 : 1.2);
+      }
     }
   }
 }
