@@ -65,10 +65,21 @@ for (name in c("redwood", "japanesepines", "cells", "longleaf", "lansing")) {
 # The fit of redwood as Thomas clusters; that of cells with a soft core is in Testing/Common/Patterns/TestSoftCore.cxx.
 thomas <- parameters(kppm(redwood, ~1, "Thomas", statistic = "K"))
 cat("redwood-as-thomas", thomas$kappa, thomas$scale, thomas$mu, "\n")
-# Longleaf pines with a trend: composite likelihood, and K of weighted points.
-for (cluster in c("LGCP", "Thomas", "MatClust")) {
-  fit <- kppm(unmark(longleaf), ~polynom(x, y, 2), cluster, statistic = "K")
-  cat(paste0("longleaf-as-", cluster), fit$modelpar[1:2], "\n")
+# Three patterns with trends: composite likelihood, and K of weighted points. Kinhom divides by |W| and by the sum of the
+# weights; Littoral by that sum's square less the sum of squares, as here. The difference of kappa is printed too.
+for (name in c("longleaf", "redwoodfull", "finpines")) {
+  pattern <- unmark(get(name))
+  write.csv(format(data.frame(x = pattern$x, y = pattern$y), digits = 17), file.path(folder, paste0(name, "-trend.csv")),
+            row.names = FALSE, quote = FALSE)
+  box <- Frame(pattern)
+  for (trend in list(~polynom(x, y, 1), ~polynom(x, y, 2))) {
+    weights <- 1 / fitted(do.call(ppm, list(pattern, trend, nd = 256)), dataonly = TRUE)
+    estimate <- Kinhom(pattern, 1 / weights, normpower = 2, correction = "isotropic")
+    estimate$iso <- estimate$iso / (1 - sum(weights^2) / sum(weights)^2)
+    own <- kppm(pattern, trend, "Thomas", statistic = "K")$modelpar[1]
+    cat("trend", name, box$xrange, box$yrange, thomas.estK(estimate)$modelpar[1:2], matclust.estK(estimate)$modelpar[1:2],
+        lgcp.estK(estimate)$modelpar[1:2], own, "\n")
+  }
 }
 places <- expand.grid(x = c(10, 70, 130, 190), y = c(10, 70, 130, 190))
 fit <- ppm(unmark(longleaf), ~polynom(x, y, 2), nd = 256)
