@@ -46,7 +46,7 @@ struct CarvingParameters
   double Incision = 2.0;          ///< K A^m dt / d of a step at a drainage area of 100 cells, above 0, at most 100
   int MaximumIterations = 40;     ///< 1 to 100
   double ChannelThreshold = 50.0; ///< drainage area of channel heads, hillslopes below [cells], 1 to 1e6
-  double ValleyWidth = 3.0;       ///< standard deviation of the smoothing of cuts [cells], 0.5 to 50
+  double ValleyWidth = 3.0;       ///< standard deviation over which changes are spread [cells], 0.5 to 50
   BreachPath Path = BreachPath::LeastCost;
   int Seed = 1; ///< seed of the waves that a terrain lacks
 };

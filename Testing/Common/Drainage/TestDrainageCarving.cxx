@@ -304,6 +304,25 @@ TEST(ValleySpreading, AValleyKeepsItsFloorAndFades)
   EXPECT_NEAR(row[60], 0.0, 1e-9);
 }
 
+// Where a Gauss function is 0.3 and 0.15 of its height, x = 1.55 and 1.95; three moving averages, 1.62 and 2.02.
+TEST(ValleySpreading, WidthsOfAValley)
+{
+  constexpr int Width = 401;
+  for (const double deviation : { 6.0, 20.0 })
+  {
+    std::vector<double> changes(Width, -1.0);
+    std::vector<double> weights(Width, 0.0);
+    weights[Width / 2] = 1.0;
+    SpreadChanges(changes, weights, Width, 1, deviation);
+    const auto below = [&](double depth) {
+      return static_cast<double>(
+        std::count_if(changes.begin(), changes.end(), [=](double change) { return change < -depth; }));
+    };
+    EXPECT_NEAR(below(0.999) / deviation, 3.2, 1.5 / deviation);
+    EXPECT_NEAR(below(0.5) / deviation, 4.0, 1.5 / deviation);
+  }
+}
+
 TEST(GroundMeasures, OfAPlane)
 {
   const GridSamples plane = Ground(41, 31, { 2.0, 2.0 }, [](double x, double) { return 0.3 * x; });
@@ -355,7 +374,7 @@ TEST(ChannelLaw, FallsFasterBeyondTheAreasThatAreKnown)
   law.Concavity = 0.5;
   EXPECT_DOUBLE_EQ(law.SlopeAt(100.0), 0.02);
   EXPECT_DOUBLE_EQ(law.SlopeAt(1e4), 0.002);
-  EXPECT_DOUBLE_EQ(law.SlopeAt(10.0), law.HillslopeFraction * law.SlopeAt(50.0));
+  EXPECT_DOUBLE_EQ(law.SlopeAt(10.0), 0.1 * law.SlopeAt(50.0));
   law.MaximumCells = 2500.0;
   EXPECT_DOUBLE_EQ(law.SlopeAt(2500.0), 0.004);
   EXPECT_DOUBLE_EQ(law.SlopeAt(1e4), 0.0005); // and a fourth of it
