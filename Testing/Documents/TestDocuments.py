@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Markdown pages: links, anchors, lists of contents, named files, the architecture picture, the
-tables of the site."""
+"""The Markdown pages: links, anchors, lists of contents, named files, the sources of measured figures, the
+architecture picture, the tables of the site."""
 
 import os
 import re
@@ -65,6 +65,58 @@ def broken_links(top=TOP):
     return broken
 
 
+#: What is measured: shares, costs, factors, tolerances, scatter, and numbers of two decimals or more.
+FIGURE = re.compile(r"""(?<![\w.,])(?:
+    \d[\d ]*(?:\.\d+)?[ ](?:%|ns|µs|ms|kB|MB|GB|times(?=[ ,.;:)|]))
+  | ±[ ]?\d[\d.]*
+  | \d+(?:\.\d+)?e-\d+
+  | \d+\.\d\d+)(?![\d.])""", re.X)
+#: What is not: code, addresses, comments, versions after a name, defaults.
+OTHER = re.compile(r"`[^`]*`|\]\([^)]*\)|<!--.*?-->|\b(?:[A-Z]+[a-zA-Z]+|default(?: of)?) \d+\.[\d.]+", re.S)
+#: Where it is from: a test or benchmark by its name, a file of the tree, a work by author and year.
+PROGRAM = re.compile(r"\b(?:Test[A-Z]\w+|(?:vtk)?bench_\w+)\b")
+FILE = re.compile(r"\b(?:Testing|Examples|Documentation|Common|Support|Sources|Filters|IO|Wrapping|CMake|paraview-plugin)"
+                  r"/[\w/.-]*\.\w+")
+WORK = re.compile(r"\b[A-Z][\w-]+(?: et al\.)?,? \(?(?:1[89]|20)\d\d\b")
+PRINTS = re.compile(r"\bprintf?\b|std::cout|\bcat\(")
+
+
+def blocks(text):
+    """Paragraphs, items of lists and tables; of tables without the rows of properties and columns."""
+    for block in re.split(r"\n\s*\n", text):
+        if block.lstrip().startswith("|"):
+            yield "\n".join(row for row in block.splitlines() if not re.match(r" *\| [*`]", row))
+        elif not block.startswith("#"):
+            yield from re.split(r"\n(?= *(?:-|\d+\.) )", block)
+
+
+def figures(block):
+    return FIGURE.findall(re.sub(r"\s+", " ", OTHER.sub(" ", block)))
+
+
+def figures_without_source(page, top=TOP):
+    """Blocks whose figures no source produces: of a table, those of the blocks beside it count too."""
+    known = {path.stem: path for path in top.glob("Testing/**/*") if PROGRAM.match(path.name)}
+    missing, around = [], list(blocks(prose(page)))
+    for n, block in enumerate(around):
+        found = figures(block)
+        words = "\n".join(around[max(n - 1, 0):n + 2]) if block.lstrip().startswith("|") else block
+        sources = [known.get(name) for name in PROGRAM.findall(words)] + [top / name for name in FILE.findall(words)]
+        texts = [path.read_text(encoding="utf-8", errors="replace") for path in sources if path and path.is_file()]
+        forms = {form for each in found for form in forms_of(each)}
+        if found and not WORK.search(words) and not any(
+                PRINTS.search(text) or any(form in text for form in forms) for text in texts):
+            missing.append(f"{page.name}: {', '.join(found)}: {' '.join(block.split())[:90]}")
+    return missing
+
+
+def forms_of(figure):
+    """A figure as programs have it: 5 % is 5, 5.0 and 0.05."""
+    number = re.sub(r"[^\d.e-]", "", figure)
+    share = [f"{float(number) / 100.0:g}"] if "%" in figure else []
+    return [number, number.replace("e-0", "e-"), *share]
+
+
 class Documents(unittest.TestCase):
     """Pages of the tree, without Sphinx."""
 
@@ -108,6 +160,20 @@ class Documents(unittest.TestCase):
                         re.findall(r"\bDocumentation/[\w./-]+\.md", header.read_text(encoding="utf-8"))
                         if not (TOP / name).exists()]
         self.assertEqual(missing, [])
+
+    def test_measured_figures_have_a_source(self):
+        missing = [line for name in ("guide", "design") for page in sorted((TOP / "Documentation" / name).glob("*.md"))
+                   if page.name not in ("classes.md", "entries.md") for line in figures_without_source(page)]
+        self.assertEqual(missing, [], "name the test, benchmark or script that measures it, as in <!-- TestSea -->")
+
+    def test_figures_without_source_are_found(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page = Path(folder) / "a.md"
+            page.write_text("# A 0.25\n\nIt takes 3 ms.\n\nWithin 0.5 % <!-- TestSea -->, 2.31 by Airy (1845).\n\n"
+                            "- 1.25 times\n- ParaView 5.11 has 3 of 4 m; `0.25`\n\n| *Share* | 0.25 |\n\n"
+                            "By TestNothing 7 %.\n", encoding="utf-8")
+            self.assertEqual([line.split(":")[1] for line in figures_without_source(page)],
+                             [" 3 ms", " 1.25 times", " 7 %"])
 
     def test_page_of_classes(self):
         page = (TOP / "Documentation" / "guide" / "classes.md").read_text(encoding="utf-8")
