@@ -3,6 +3,7 @@
 """The Markdown pages: links, anchors, lists of contents, named files, the sources of measured figures, the
 architecture picture, the tables of the site."""
 
+import functools
 import os
 import re
 import subprocess
@@ -67,18 +68,18 @@ def broken_links(top=TOP):
 
 #: What is measured: shares, costs, factors, tolerances, scatter, and numbers of two decimals or more.
 FIGURE = re.compile(r"""(?<![\w.,])(?:
-    \d[\d ]*(?:\.\d+)?[ ](?:%|ns|µs|ms|kB|MB|GB|times(?=[ ,.;:)|]))
-  | ±[ ]?\d[\d.]*
+    \d[\d ]*(?:\.\d+)?[ ](?:%|(?:ns|µs|ms|kB|MB|GB|times)\b)
+  | ±[ ]?\d+(?:\.\d+)?
   | \d+(?:\.\d+)?e-\d+
-  | \d+\.\d\d+)(?![\d.])""", re.X)
+  | \d+\.\d\d+)(?!\.?\d)""", re.X)
 #: What is not: code, addresses, comments, versions after a name, defaults.
 OTHER = re.compile(r"`[^`]*`|\]\([^)]*\)|<!--.*?-->|\b(?:[A-Z]+[a-zA-Z]+|default(?: of)?) \d+\.[\d.]+", re.S)
 #: Where it is from: a test or benchmark by its name, a file of the tree, a work by author and year.
 PROGRAM = re.compile(r"\b(?:Test[A-Z]\w+|(?:vtk)?bench_\w+)\b")
 FILE = re.compile(r"\b(?:Testing|Examples|Documentation|Common|Support|Sources|Filters|IO|Wrapping|CMake|paraview-plugin)"
-                  r"/[\w/.-]*\.\w+")
+                  r"/[\w/.-]*\w")
 WORK = re.compile(r"\b[A-Z][\w-]+(?: et al\.)?,? \(?(?:1[89]|20)\d\d\b")
-PRINTS = re.compile(r"\bprintf?\b|std::cout|\bcat\(")
+PRINTS = re.compile(r"\bprintf?\b|std::cout|\bcat\(|\becho\b")
 
 
 def blocks(text):
@@ -94,27 +95,40 @@ def figures(block):
     return FIGURE.findall(re.sub(r"\s+", " ", OTHER.sub(" ", block)))
 
 
-def figures_without_source(page, top=TOP):
-    """Blocks whose figures no source produces: of a table, those of the blocks beside it count too."""
-    known = {path.stem: path for path in top.glob("Testing/**/*") if PROGRAM.match(path.name)}
+@functools.lru_cache
+def programs():
+    """Tests and benchmarks by their names."""
+    found = {}
+    for path in TOP.glob("Testing/*/**/*"):
+        if PROGRAM.fullmatch(path.stem):
+            found.setdefault(path.stem, []).append(path)
+    return found
+
+
+def sources(words):
+    """Texts of what is named as a source; what benchmarks measure is printed by their library."""
+    paths = [path for name in PROGRAM.findall(words) for path in programs().get(name, [])]
+    paths += [path for path in (TOP / name for name in FILE.findall(words)) if path.is_file()]
+    return ["print" if "Benchmarks" in path.parts else path.read_text(encoding="utf-8", errors="replace") for path in paths]
+
+
+def forms_of(figure):
+    """A figure as programs have it: 5 % is 5 and 0.05."""
+    number = re.search(r"\d[\d ]*(?:\.\d+)?(?:e-\d+)?", figure)[0].replace(" ", "")
+    return [number, *([f"{float(number) / 100.0:g}"] if "%" in figure else [])]
+
+
+def figures_without_source(page):
+    """Blocks with figures that no source holds or prints; of a table, sources of the blocks beside it count too."""
     missing, around = [], list(blocks(prose(page)))
     for n, block in enumerate(around):
         found = figures(block)
         words = "\n".join(around[max(n - 1, 0):n + 2]) if block.lstrip().startswith("|") else block
-        sources = [known.get(name) for name in PROGRAM.findall(words)] + [top / name for name in FILE.findall(words)]
-        texts = [path.read_text(encoding="utf-8", errors="replace") for path in sources if path and path.is_file()]
-        forms = {form for each in found for form in forms_of(each)}
+        forms = [form for figure in found for form in forms_of(figure)]
         if found and not WORK.search(words) and not any(
-                PRINTS.search(text) or any(form in text for form in forms) for text in texts):
+                PRINTS.search(text) or any(form in text for form in forms) for text in sources(words)):
             missing.append(f"{page.name}: {', '.join(found)}: {' '.join(block.split())[:90]}")
     return missing
-
-
-def forms_of(figure):
-    """A figure as programs have it: 5 % is 5, 5.0 and 0.05."""
-    number = re.sub(r"[^\d.e-]", "", figure)
-    share = [f"{float(number) / 100.0:g}"] if "%" in figure else []
-    return [number, number.replace("e-0", "e-"), *share]
 
 
 class Documents(unittest.TestCase):

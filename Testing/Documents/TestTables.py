@@ -58,6 +58,22 @@ class Terrain(unittest.TestCase):
         self.assertAlmostEqual(correlations["Bessel 2"][least], found["Bessel 2"][1], delta=0.005)
         self.assertAlmostEqual(r[least], found["Bessel 2"][2], delta=0.05)
 
+    def test_truncated_spectrum(self):
+        # Semivariance between neighbours of an exponential field of 10 cells that ends at a wavelength, over the model's.
+        x = np.linspace(0.0, np.pi, 401)
+        for wavelength, part in ((2.0, 0.65), (4.0, 0.37)):
+            w = np.linspace(0.0, 2.0 * np.pi / wavelength, 4001)
+            power = 100.0 * w * (1.0 + 100.0 * w * w) ** -1.5
+            bessel_j0 = integral(np.cos(np.outer(w, np.sin(x))), x) / np.pi
+            semivariance = integral(power * (1.0 - bessel_j0), w) / integral(power, w)
+            self.assertAlmostEqual(semivariance / (1.0 - np.exp(-0.1)), part, delta=0.005)
+
+    def test_images_of_the_spline(self):
+        # The transform of the B-spline of order 4 at waves of four nodes: power at the images, of the whole.
+        x = 0.25 * np.pi + np.pi * np.arange(-50, 51)
+        power = np.sinc(x / np.pi) ** 8
+        self.assertAlmostEqual(1.0 - power[50] / power.sum(), 1.55e-4, delta=1e-6)
+
 
 class Wind(unittest.TestCase):
     def test_variance_between_grid_points(self):

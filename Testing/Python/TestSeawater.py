@@ -21,6 +21,7 @@ assert (PURE < a).all() and (a < K).all() and (K < c).all(), (PURE, a, K, c)
 np.testing.assert_allclose(b, 16.06 * 4.72e-4 * (400.0 / WAVELENGTHS) ** 4.32, atol=6e-5)
 # The K of Smith and Baker's clearest sea, to their digits: molecules send half of what they scatter backwards.
 np.testing.assert_allclose(K, (0.310, 0.0648, 0.0194), rtol=0.006)
+assert round(seawater.GREY_EXTINCTION, 3) == 0.066
 assert abs(np.exp(-60.0 * seawater.GREY_EXTINCTION) - 0.02) < 1e-3
 
 shader = water.water_shader(water.THROUGH)

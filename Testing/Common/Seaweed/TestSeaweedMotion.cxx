@@ -239,7 +239,7 @@ TEST(SeaweedMotion, BendsAsABeam)
   plant.Run(60.0, 1.0 / 48.0);
   const double bending = 1e8 * Pi / 64.0 * std::pow(0.02, 4);
   const double tip = load * std::pow(length, 4) / (8.0 * bending);
-  EXPECT_NEAR(plant.Tip().x, tip, 0.01 * tip);
+  EXPECT_NEAR(plant.Tip().x, tip, 0.004 * tip);
 }
 
 TEST(SeaweedMotion, OneSegmentBendsAsItsSpring)
@@ -479,7 +479,7 @@ TEST(SeaweedMotion, ConvergesWithTheSquareOfTheStep)
 
 TEST(SeaweedMotion, PlantsOfAnyResolutionAndStiffnessFollowTheWater)
 {
-  // Long kelp in a current and waves: nothing outruns the water by far, at any step.
+  // Long kelp in a current and waves of 1 m/s together: nothing outruns the water by far, at any step.
   for (const int segments : { 2, 16, 64 })
   {
     for (const double modulus : { 1e4, 1e6, 1e9 })
@@ -490,9 +490,7 @@ TEST(SeaweedMotion, PlantsOfAnyResolutionAndStiffnessFollowTheWater)
         tissue.Thickness = 0.002;
         tissue.Tissue = SeaweedTissue::Blade;
         tissue.Across = { 0.0, 1.0, 0.0 };
-        SeaweedOptions options;
-        options.DragCoefficient = 1.0;
-        Plant plant(Stem(segments, 2.0, 0.2), tissue, options);
+        Plant plant(Stem(segments, 2.0, 0.2), tissue, SeaweedOptions());
         double fastest = 0.0;
         const int steps = static_cast<int>(std::lround(2.5 / step));
         for (int n = 0; n < steps; ++n)
@@ -511,7 +509,7 @@ TEST(SeaweedMotion, PlantsOfAnyResolutionAndStiffnessFollowTheWater)
           }
           fastest = std::max(fastest, glm::length(plant.Poses.back().Velocity));
         }
-        EXPECT_LT(fastest, 4.0) << segments << " segments of " << modulus << " Pa, step " << step;
+        EXPECT_LT(fastest, 4.4) << segments << " segments of " << modulus << " Pa, step " << step;
       }
     }
   }
