@@ -154,8 +154,8 @@ public:
 
   ///@{
   /**
-   * Flow accumulation of channel heads [cells], 1 to 10^6; default 50. Hillslopes, which have less, are graded to a tenth
-   * of the slope at a head.
+   * Flow accumulation of channel heads [cells], 1 to 10^6; default 50. Hillslopes, which have less, are graded to a
+   * tenth of the slope at a head.
    */
   vtkSetMacro(ChannelThreshold, double);
   vtkGetMacro(ChannelThreshold, double);

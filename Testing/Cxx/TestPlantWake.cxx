@@ -208,7 +208,8 @@ bool TestGoAndComeBack()
       std::cout << (isStem ? "stem" : "kelp") << (primitive ? ", doublet" : ", source")
                 << ": in a period a particle goes " << forth << " m forth and " << back << " m back\n";
       good &= Check(std::min(forth, back) > 1e-4, "a particle beside a plant does not go to and fro");
-      // The guide's centimetre to each side; a doublet of the tissue's volume moves a fiftieth, a hundredth of the strength.
+      // The guide's centimetre to each side; a doublet of the tissue's volume moves a fiftieth, a hundredth of the
+      // strength.
       good &= Check(isStem || std::abs(forth - 0.02) < 0.003, "kelp moves particles by another length");
       good &= Check(!isStem || std::abs(forth - back) < 0.1 * forth, "a particle does not come back");
     }

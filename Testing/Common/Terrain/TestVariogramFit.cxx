@@ -235,7 +235,7 @@ VariogramFit FitNoisy(CovarianceModel model, int size, double noise, int seed)
 
 }
 
-// Of smooth fields the noise is found. That of rough ones is fitted by another rough model too, with twice as much noise.
+// Of smooth fields the noise is found. That of rough ones is fitted by another rough model too, with twice as much.
 TEST(VariogramFit, NuggetIsThereWhereNoiseIs)
 {
   for (const double noise : { 0.0, 0.05 })
