@@ -129,8 +129,9 @@ def main(folder, frames=2, speed=10.0, quick=False):
     trees = make_trees(make_wind(speed))
     for sway, (preset, _, _) in zip(trees, SPECIES):
         trunk, branches = measure(sway, SAMPLES // 8 if quick else SAMPLES)
-        print(f"{preset:6} trunk: leans {trunk[0]:.3f} m, sways by {trunk[1]:.3f} m at {trunk[2]:.2f} Hz; branches "
-              f"besides: {branches[0]:.3f} m, {branches[1]:.3f} m, {branches[2]:.2f} Hz")
+        own = sway.GetOutput().GetFieldData().GetArray("Frequency").GetTuple1(0)
+        print(f"{preset:6} trunk: {own:.2f} Hz alone, leans {trunk[0]:.3f} m, sways by {trunk[1]:.3f} m at "
+              f"{trunk[2]:.2f} Hz; branches besides: {branches[0]:.3f} m, {branches[1]:.3f} m, {branches[2]:.2f} Hz")
         assert 0.0 < trunk[1] < 2.0 and branches[1] > 0.0, "nothing sways, or trees fall"
     os.makedirs(folder, exist_ok=True)
     draw(trees, folder, frames, (160, 90) if quick else (640, 360))

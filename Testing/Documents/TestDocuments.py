@@ -66,12 +66,13 @@ def broken_links(top=TOP):
     return broken
 
 
-#: What is measured: shares, costs, factors, tolerances, scatter, and numbers of two decimals or more.
+#: What is measured: shares, costs, factors, tolerances, scatter, fractions, and numbers of two decimals or more.
 FIGURE = re.compile(r"""(?<![\w.,])(?:
     \d[\d ]*(?:\.\d+)?[ ](?:%|(?:ns|µs|ms|kB|MB|GB|times)\b)
   | ±[ ]?\d+(?:\.\d+)?
   | \d+(?:\.\d+)?e-\d+
-  | \d+\.\d\d+)(?!\.?\d)""", re.X)
+  | \d+\.\d\d+
+  | 0\.\d(?![ ]m(?:\b|²)))(?!\.?\d)""", re.X)
 #: What is not: code, addresses, comments, versions after a name, defaults.
 OTHER = re.compile(r"`[^`]*`|\]\([^)]*\)|<!--.*?-->|\b(?:[A-Z]+[a-zA-Z]+|default(?: of)?) \d+\.[\d.]+", re.S)
 #: Where it is from: a test or benchmark by its name, a file of the tree, a work by author and year.

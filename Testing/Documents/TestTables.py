@@ -85,7 +85,8 @@ class Wind(unittest.TestCase):
             frequency = np.geomspace(1e-7, 0.5 / step, 4001)
             for values, z, mean in zip(cells, (2.0, 10.0, 40.0), speed):
                 n = frequency * z / mean
-                spectra = (1.0 + 50.0 * n) ** (-5.0 / 3.0), (1.0 + 9.5 * n) ** (-5.0 / 3.0), 1.0 / (1.0 + 10.0 * n ** (5.0 / 3.0))
+                spectra = ((1.0 + 50.0 * n) ** (-5.0 / 3.0), (1.0 + 9.5 * n) ** (-5.0 / 3.0),
+                           1.0 / (1.0 + 10.0 * n ** (5.0 / 3.0)))
                 for value, spectrum, decay in zip(values, spectra, (10.0, 10.0, 8.0)):
                     kept = (np.cos(np.pi * frequency * step) ** 2 if "along" in name
                             else 0.5 + 0.5 * np.exp(-frequency * decay * spacing / 10.0))

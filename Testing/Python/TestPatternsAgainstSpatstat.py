@@ -168,15 +168,16 @@ with tempfile.TemporaryDirectory() as folder:
             box, degree = [float(word) for word in words[2:6]], trends.count(words[1])
             trended = verdict_of(table, box, degree)
             per_area = len(table["x"]) / ((box[1] - box[0]) * (box[3] - box[2]))
-            thomas, discs = (fitted(trended, process, ("ClusterSize", "ClusterScale")) for process in ("Thomas", "MaternCluster"))
+            thomas, discs = (fitted(trended, process, ("ClusterSize", "ClusterScale"))
+                             for process in ("Thomas", "MaternCluster"))
             cox = fitted(trended, "LogGaussianCox", ("Variance", "Range"))
             ours = np.array([per_area / thomas[0], thomas[1], per_area / discs[0], discs[1], *cox])
             numbers = np.array(words[6:], dtype=float)
             there = np.isfinite(ours)  # no Cox process whose range is far below the mean distance
             assert there[:4].all(), ours
             differences = np.abs(ours / numbers[:6] - 1.0)[there]
-            print(f"{words[1]}, trend of degree {degree}: parameters within {differences.max():.1e}, kappa by spatstat's own "
-                  f"normalisation {numbers[6] / ours[0] - 1.0:.3f} more")
+            print(f"{words[1]}, trend of degree {degree}: parameters within {differences.max():.1e}, kappa by spatstat's "
+                  f"own normalisation {numbers[6] / ours[0] - 1.0:.3f} more")
             assert differences.max() < 1e-3
             assert abs(numbers[6] / ours[0] - 1.0) < 0.07
             continue
