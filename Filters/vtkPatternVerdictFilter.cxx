@@ -114,13 +114,15 @@ void WriteEnvelope(const littoral::PatternJudgement& judgement, bool isLength, v
   const auto column = [&](const char* name, const std::vector<double>& values) {
     littoral::AddColumn(table, name, rows, [&](std::size_t k) { return k < values.size() ? values[k] : NaN; });
   };
+  const auto curve = [&](const char* name, const std::vector<double>& values) {
+    column(name, isLength ? littoral::CenteredL(values, judgement.Distances) : values);
+  };
   column("Distance", judgement.Distances);
-  column("Measured", judgement.Measured);
-  littoral::AddColumn(
-    table, "Theoretical", rows, [&](std::size_t k) { return isLength ? judgement.Distances[k] : 1.0; });
-  column("Mean", envelope.Mean);
-  column("GlobalLow", envelope.GlobalLow);
-  column("GlobalHigh", envelope.GlobalHigh);
+  curve("Measured", judgement.Measured);
+  littoral::AddColumn(table, "Theoretical", rows, [&](std::size_t) { return isLength ? 0.0 : 1.0; });
+  curve("Mean", envelope.Mean);
+  curve("GlobalLow", envelope.GlobalLow);
+  curve("GlobalHigh", envelope.GlobalHigh);
 }
 
 }

@@ -18,9 +18,9 @@
  * `Quadrats`, `Level`, and `Trend`, the coefficients of 1, u, v, u^2, u v, v^2, u^3 ..., where u and v go from -1 to 1
  * over the bounding box of the window and the intensity [1/m2] is the exponential of the sum, if there is a trend.
  *
- * Output 1: a vtkTable with a row per `Distance` [m], ready for a line chart: the `Measured` function, `Theoretical`
- * (of a random pattern: 1 for g, r for L), and of the best row `Mean`, `GlobalLow` and `GlobalHigh`, the global
- * envelope.
+ * Output 1: a vtkTable with a row per `Distance` [m], ready for a line chart: the `Measured` function, g or L(r) - r in
+ * metres, `Theoretical` (of a random pattern: 1 or 0), and of the best row `Mean`, `GlobalLow` and `GlobalHigh`, the
+ * global envelope.
  *
  * Trends are fitted by composite likelihood (Waagepetersen 2007); Thomas, Matern cluster and log-Gaussian Cox processes
  * by minimum contrast, with a trend of the K or g of points weighted by 1 / intensity; Strauss by pseudo-likelihood,

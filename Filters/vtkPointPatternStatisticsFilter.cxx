@@ -18,6 +18,7 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -82,21 +83,33 @@ struct Comparison
   bool IsTested() const { return this->Options.Simulations > 0; }
 };
 
+/// The name of the drawn function.
+const char* DrawnName(littoral::PatternFunction function)
+{
+  return function == littoral::PatternFunction::L ? "L(r) - r" : littoral::NameOf(function);
+}
+
 void WriteChart(const Comparison& comparison, vtkTable* chart)
 {
   const littoral::PatternFunction function = comparison.Options.Function;
-  AddCurve(chart, "Distance", comparison.Distances);
-  AddCurve(chart, littoral::NameOf(function), comparison.Measured);
-  littoral::AddColumn(chart, "Theoretical", comparison.Distances,
+  const std::vector<double>& distances = comparison.Distances;
+  const auto add = [&](const char* name, const std::vector<double>& curve) {
+    AddCurve(chart, name, function == littoral::PatternFunction::L ? littoral::CenteredL(curve, distances) : curve);
+  };
+  std::vector<double> random(distances.size());
+  std::transform(distances.begin(), distances.end(), random.begin(),
     [&](double distance) { return littoral::RandomValue(function, distance, comparison.Intensity); });
+  AddCurve(chart, "Distance", distances);
+  add(DrawnName(function), comparison.Measured);
+  add("Theoretical", random);
   if (comparison.IsTested())
   {
     const littoral::CurveEnvelope& envelope = comparison.Envelope;
-    AddCurve(chart, "Mean", envelope.Mean);
-    AddCurve(chart, "Low", envelope.Low);
-    AddCurve(chart, "High", envelope.High);
-    AddCurve(chart, "GlobalLow", envelope.GlobalLow);
-    AddCurve(chart, "GlobalHigh", envelope.GlobalHigh);
+    add("Mean", envelope.Mean);
+    add("Low", envelope.Low);
+    add("High", envelope.High);
+    add("GlobalLow", envelope.GlobalLow);
+    add("GlobalHigh", envelope.GlobalHigh);
   }
 }
 
@@ -113,7 +126,7 @@ void WriteVerdict(const Comparison& comparison, vtkTable* verdict)
     littoral::AddColumn(verdict, name, row, [&](int) { return value; });
   };
   const bool isTested = comparison.IsTested();
-  add("Function", std::string(littoral::NameOf(options.Function)));
+  add("Function", std::string(DrawnName(options.Function)));
   add("Verdict", std::string(!isTested ? "" : envelope.IsRejected ? "differs" : "not distinguishable"));
   add("Pattern", isTested && comparison.IsRandomTested ? kind : std::string());
   add("PValue", isTested ? envelope.PValue : NaN);
@@ -281,8 +294,8 @@ void vtkPointPatternStatisticsFilter::ReadLaw(Pattern& pattern)
   }
   littoral::Require(littoral::WhyInvalid(law, pattern.Window));
   const double draws = littoral::ExpectedDraws(law, pattern.Window);
-  littoral::RequireMemory(
-    64.0 * draws, "the law of the table, which makes " + littoral::TextOf(draws) + " points,", "take that of this pattern");
+  littoral::RequireMemory(64.0 * draws, "the law of the table, which makes " + littoral::TextOf(draws) + " points,",
+    "take that of this pattern");
 }
 
 //----------------------------------------------------------------------------

@@ -10,18 +10,18 @@
  * random pattern.
  *
  * Output 0: a vtkTable for a line chart, with a row per distance: `Distance` r [m], the chosen function under its name
- * (`K` [m2], `L` [m], `PairCorrelation`, `NearestNeighbor`, `EmptySpace`, `J`, `MarkCorrelation`, `CrossK` [m2],
- * `CrossPairCorrelation`), `Theoretical` (its value for a random pattern: pi r^2, r, 1 - exp(-intensity pi r^2) or 1),
- * and of the simulations `Mean`, `Low` and `High` (pointwise at the level), `GlobalLow` and `GlobalHigh` (extreme rank
- * lengths, Myllymaeki et al. 2017). NaN where a function has no value: g, for one, at r = 0.
+ * (`K` [m2], `L` [m] as `L(r) - r`, `PairCorrelation`, `NearestNeighbor`, `EmptySpace`, `J`, `MarkCorrelation`,
+ * `CrossK` [m2], `CrossPairCorrelation`), `Theoretical` (its value for a random pattern: pi r^2, 0, 1 - exp(-intensity
+ * pi r^2) or 1), and of the simulations `Mean`, `Low` and `High` (pointwise at the level), `GlobalLow` and `GlobalHigh`
+ * (extreme rank lengths, Myllymaeki et al. 2017). NaN where a function has no value: g, for one, at r = 0.
  *
- * Output 1: a vtkTable of one row: `Function`, `Verdict` (`not distinguishable` from the law, or `differs` where the
- * measured curve leaves the global band, p <= Level; empty without simulations), `Pattern` (`random`, `regular` or
- * `clustered`, by the side on which it first leaves the band; empty where another law than the random one or labels are
- * tested), `PValue`, `Level`, `Simulations`, and `OutsideFrom` and `OutsideTo` [m], the shortest and the longest
- * distance out of the band, NaN without one.
+ * Output 1: a vtkTable of one row: `Function` as in output 0, `Verdict` (`not distinguishable` from the law, or
+ * `differs` where the measured curve leaves the global band, p <= Level; empty without simulations), `Pattern`
+ * (`random`, `regular` or `clustered`, by the side on which it first leaves the band; empty where another law than the
+ * random one or labels are tested), `PValue`, `Level`, `Simulations`, and `OutsideFrom` and `OutsideTo` [m], the
+ * shortest and the longest distance out of the band, NaN without one.
  *
- * Output 2: a vtkTable of all functions by `Distance` that the input admits, without simulations.
+ * Output 2: a vtkTable of all functions by `Distance` that the input admits, without simulations; L as `L` [m].
  *
  * Field data of all: `Points`, `Intensity` [1/m2], `WindowArea` [m2].
  *

@@ -652,4 +652,11 @@ std::vector<double> BesagL(const std::vector<double>& k)
   return l;
 }
 
+std::vector<double> CenteredL(const std::vector<double>& l, const std::vector<double>& distances)
+{
+  std::vector<double> centered(l.size());
+  std::transform(l.begin(), l.end(), distances.begin(), centered.begin(), std::minus<>());
+  return centered;
+}
+
 }

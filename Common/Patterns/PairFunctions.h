@@ -108,6 +108,9 @@ PairFunctions FindCrossFunctions(const std::vector<PlanePosition>& from, const s
 /// Besag's L(r) = sqrt(K(r) / pi) [m]; r for a random pattern.
 std::vector<double> BesagL(const std::vector<double>& k);
 
+/// L(r) - r [m], as charts show it: beside the slope of L nobody sees its band. 0 for a random pattern.
+std::vector<double> CenteredL(const std::vector<double>& l, const std::vector<double>& distances);
+
 }
 
 #endif

@@ -3,6 +3,7 @@
 // Statistics of point patterns through the pipeline: columns, verdicts, windows, marks, species, laws, every bad input.
 #include "Check.h"
 #include "ErrorCounter.h"
+#include "Numerics/Constants.h"
 #include "vtkPatternVerdictFilter.h"
 #include "vtkPointPatternStatisticsFilter.h"
 #include "vtkPointProcessSource.h"
@@ -121,8 +122,9 @@ bool LatticeIsRegular()
     good &= Check(Number(chart, row, "GlobalLow") <= mean && Number(chart, row, "Low") <= mean &&
         mean <= Number(chart, row, "High") && mean <= Number(chart, row, "GlobalHigh"),
       name + ": bands out of order");
-    good &= Check(std::abs(Number(chart, row, "Mean") / Number(chart, row, "Theoretical") - 1.0) < 0.12,
-      name + ": simulations are not random");
+    const double random = Number(chart, row, "Theoretical");
+    const double scale = function == Filter::L ? Number(chart, row, "Distance") : random;
+    good &= Check(std::abs(mean - random) < 0.12 * scale, name + ": simulations are not random");
   }
   // K(r) of 4 next neighbors from 1 m, corrected by the border: 4 places of 1 m2.
   filter->SetFunction(Filter::K);
@@ -194,6 +196,53 @@ bool LawIsRecognized()
   }
   vtkSMPTools::Initialize();
   return Check(high[0] == high[2] && high[1] == high[3], "another result on one thread") && good;
+}
+
+/// L is drawn as L(r) - r, here and for a verdict: below 1 m a lattice has no neighbors, at 1 m four on 1 m2 each.
+bool LIsDrawnAboutZero()
+{
+  const auto points = Lattice();
+  const auto filter = OnLattice(points);
+  filter->SetEdgeCorrection(Filter::Border);
+  filter->SetMaximumDistance(1.3);
+  filter->SetNumberOfSteps(13);
+  filter->SetNumberOfSimulations(19);
+  filter->Update();
+  vtkTable* chart = Output(filter, 0);
+  bool good = Check(Word(filter, "Function") == "L(r) - r", "the drawn function is " + Word(filter, "Function"));
+  for (const vtkIdType row : { 9, 10 })
+  {
+    const double distance = Number(chart, row, "Distance");
+    const double wanted = (row < 10 ? 0.0 : std::sqrt(4.0 / littoral::Pi)) - distance;
+    good &= Check(std::abs(Number(chart, row, "L(r) - r") - wanted) < 1e-12, "another L(r) - r");
+    good &= Check(Number(chart, row, "Theoretical") == 0.0, "random patterns are not at 0");
+    good &= Check(std::abs(Number(Output(filter, 2), row, "L") - distance - wanted) < 1e-12, "another L");
+    good &= Check(Number(chart, row, "GlobalLow") < 0.0 && Number(chart, row, "Low") < 0.0 &&
+        Number(chart, row, "High") > 0.0 && Number(chart, row, "GlobalHigh") > 0.0,
+      "a band that is not about 0");
+  }
+  vtkNew<vtkPatternVerdictFilter> verdict;
+  verdict->SetInputData(points);
+  verdict->SetSize(10.0, 10.0);
+  verdict->SetFunctionToBesagL();
+  verdict->SetNumberOfSimulations(19);
+  verdict->SetMaximumDistance(1.3);
+  verdict->Update();
+  chart = Output(verdict, 1);
+  good &= Check(chart->GetNumberOfRows() > 10, "a verdict without distances");
+  for (vtkIdType row = 0; row < chart->GetNumberOfRows(); ++row)
+  {
+    const double distance = Number(chart, row, "Distance");
+    const double measured = Number(chart, row, "Measured");
+    good &= Check(distance > 0.99 || measured == -distance, "L(r) - r of a verdict is not -r");
+    good &= Check(Number(chart, row, "Theoretical") == 0.0, "random patterns of a verdict are not at 0");
+    for (const char* name : { "Mean", "GlobalLow", "GlobalHigh" })
+    {
+      const double value = Number(chart, row, name); // NaN without a best process
+      good &= Check(std::isnan(value) || (value >= -distance && value < 0.5), "a band of a verdict not about 0");
+    }
+  }
+  return good;
 }
 
 /// Thomas clusters are no random pattern, and one of the process that a verdict finds for them; not of what it rejects.
@@ -384,7 +433,7 @@ bool BadInputIsRefused()
 
 int TestPointPatternStatistics(int, char*[])
 {
-  return LatticeIsRegular() && LawIsRecognized() && ProcessIsRecognized() && KindsAreRead() && BadInputIsRefused()
+  return LatticeIsRegular() && LIsDrawnAboutZero() && LawIsRecognized() && ProcessIsRecognized() && KindsAreRead() && BadInputIsRefused()
     ? EXIT_SUCCESS
     : EXIT_FAILURE;
 }

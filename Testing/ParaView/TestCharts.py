@@ -128,6 +128,12 @@ assert bars.XArrayName == "Points" and set(bars.SeriesVisibility) == {"Observed"
 assert view.BottomAxisTitle == "Points per quadrat" and view.BottomAxisLogScale == 0
 compare(view, "chart-quadrats")
 
+# L is drawn about that of a random pattern.
+pattern = simple.PointPatternStatistics(Input=analysis.Input, NumberOfSimulations=19)
+chart, view = show(pattern, 0)
+assert set(chart.SeriesVisibility) == {"L(r) - r", "Theoretical", "GlobalLow", "GlobalHigh"}, chart.SeriesVisibility
+assert pairs(chart.SeriesLabel)["L(r) - r"] == "L(r) - r"
+
 COMPONENTS = ("Along", "Across", "Up")
 for port, x, name, logarithmic in ((0, "Frequency", "spectrum", (1, 1)), (1, "Frequency", "coherence", (1, 0)),
                                    (2, "Height", "profile", (1, 0))):

@@ -129,7 +129,7 @@ for process in ("Thomas", "Matern II", "Log Gaussian Cox", "Strauss"):
     result += digest_by("SiteId", found)
 statistics = simple.PointPatternStatistics(Input=cloud, Size=[40.0, 30.0], NumberOfSimulations=19)
 verdict = simple.PatternVerdict(Input=cloud, Size=[40.0, 30.0], NumberOfSimulations=19)
-for table, columns in ((statistics, ("L", "GlobalHigh")), (verdict, ("PValue", "ClusterScale"))):
+for table, columns in ((statistics, ("L(r) - r", "GlobalHigh")), (verdict, ("PValue", "ClusterScale"))):
     found = servermanager.Fetch(simple.OutputPort(table, 0))
     result += [vtk_to_numpy(found.GetColumnByName(name)).tobytes().hex() for name in columns]
 stand = servermanager.Fetch(simple.StandInventory(Inventory=inventory()))
