@@ -7,7 +7,8 @@ import numpy as np
 import quick
 import drags
 from littoral.seawater import GREY_EXTINCTION
-from paraview import simple
+from paraview import servermanager, simple
+from paraview.modules.vtkRemotingServerManager import vtkSMProxyManager, vtkSMUndoStack, vtkSMUndoStackBuilder
 from states import visible
 from TestScenes import check
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -70,19 +71,43 @@ def check_foam(_):
     assert 0.001 < white < 0.1, f"Sea: foam on {white:.2%}"
 
 
-def check_depth(depth):
-    """The bed and the particles go along with the depth of the water."""
+def sight():
+    """Heights of the eye and of what it looks at [m]."""
+    camera = simple.GetActiveView().GetActiveCamera()
+    return np.array([camera.GetPosition()[2], camera.GetFocalPoint()[2]])
+
+
+def check_depth(depth, seen):
+    """The bed, the particles and the sight, in depths of the water, are those of a depth."""
     water = simple.FindSource("Water")
-    simple.FindSource("Underwater1").WaterDepth = depth
     simple.FindSource("Relief").UpdatePipeline()
     low, high = simple.FindSource("Relief").PointData["Elevation"].GetRange()
     assert low < -depth < high < 0.0 and np.isclose(water.Bounds[4], -depth), f"a bed from {low} to {high} m"
+    assert np.allclose(sight(), depth * seen), f"a sight from {sight()} m at {depth} m"
+
+
+def check_depths():
+    """Parts and camera go along with the depth of the water, also by undo and redo."""
+    seen = sight() / 6.0
+    builder = vtkSMProxyManager.GetProxyManager().GetUndoStackBuilder()
+    stack = builder.GetUndoStack()
+    builder.Begin("Apply")
+    simple.FindSource("Underwater1").WaterDepth = 12.0
+    builder.End()
+    builder.PushToStack()
+    check_depth(12.0, seen)
+    for act, depth in ((stack.Undo, 6.0), (stack.Redo, 12.0)):
+        act()
+        servermanager.ProxyManager().SMProxyManager.UpdateRegisteredProxiesInOrder(False)
+        check_depth(depth, seen)
+    for depth in (2.0, 6.0):
+        simple.FindSource("Underwater1").WaterDepth = depth
+        check_depth(depth, seen)
 
 
 def check_water(name):
     drags.around(name, simple.GetActiveView(), lowest=-5.4, highest=-0.7, steps=2, directions=1, closers=(1.0,))
-    for depth in (2.0, 6.0):
-        check_depth(depth)
+    check_depths()
     check_murk("Bed")
     if POINTS_FADE:
         check_murk("Particles")
@@ -90,4 +115,8 @@ def check_water(name):
 
 if __name__ == "__main__":
     check("Sea", then=check_foam)
+    undo = vtkSMUndoStackBuilder()  # from before the proxies: it tells what is another
+    undo.SetUndoStack(vtkSMUndoStack())
+    vtkSMProxyManager.GetProxyManager().SetUndoStackBuilder(undo)
     check("Underwater", change=False, then=check_water)
+    vtkSMProxyManager.GetProxyManager().SetUndoStackBuilder(None)

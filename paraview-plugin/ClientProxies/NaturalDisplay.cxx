@@ -158,19 +158,32 @@ void NaturalDisplay::Watch()
     this->Manager = this->Owner->GetSessionProxyManager();
     this->RegisterObserver = this->Manager->AddObserver(vtkCommand::RegisterEvent, this, &NaturalDisplay::OnRegister);
   }
+  const double ratio = this->FollowDepth();
+  if (ratio != 1.0 && !IsLoadingState(this->Manager))
+  {
+    ScaleDepths(this->Owner, this->Scene, ratio);
+  }
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::TakeBack()
+{
   this->FollowDepth();
 }
 
 //----------------------------------------------------------------------------
-/// Changes by a state file, or by undo and redo, have those of the parts with them.
-void NaturalDisplay::FollowDepth()
+/// Takes the camera along with the depth, and tells by how much the depth is another. A state file has its camera.
+double NaturalDisplay::FollowDepth()
 {
   const double before = this->Depth;
   this->DepthRatio();
-  if (before > 0.0 && this->Depth > 0.0 && before != this->Depth && this->Manager && !IsLoadingState(this->Manager))
+  if (before <= 0.0 || this->Depth <= 0.0 || before == this->Depth || !this->Manager ||
+    this->Manager->GetInLoadXMLState())
   {
-    ScaleDepths(this->Owner, this->Scene, this->Depth / before);
+    return 1.0;
   }
+  this->Drag.ScaleDepths(this->Depth / before);
+  return this->Depth / before;
 }
 
 //----------------------------------------------------------------------------

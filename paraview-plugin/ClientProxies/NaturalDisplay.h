@@ -76,6 +76,9 @@ public:
   /// Starts to follow the session; called when the owner has one, and whenever its properties have changed.
   void Watch();
 
+  /// After undo and redo, which bring back the parts of a scene but not the camera.
+  void TakeBack();
+
   /// Attributes that take the place of the hint.
   void SetLook(vtkPVXMLElement* look);
 
@@ -103,7 +106,7 @@ private:
   void OnVisibility(vtkObject* property, unsigned long, void*);
   void SetUpView(int port);
   void KeepSide();
-  void FollowDepth();
+  double FollowDepth();
   double DepthRatio();
 
   vtkSMSourceProxy* Owner;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneDrag.h"
 
+#include "FirstCamera.h"
+
 #include "Numerics/Constants.h"
 
 #include "vtkCamera.h"
@@ -79,6 +81,20 @@ void SceneDrag::Keep(vtkSMRenderViewProxy* view, vtkSMProxy* source, const EyeHe
   if (view)
   {
     this->Observer = view->AddObserver(vtkCommand::StartEvent, this, &SceneDrag::OnStart, BeforeOthers);
+  }
+}
+
+//----------------------------------------------------------------------------
+void SceneDrag::ScaleDepths(double ratio)
+{
+  const double level = ValueOf(this->Source, "SeaLevel", 0.0);
+  const Sight sight = this->View ? SightOf(this->View->GetActiveCamera()) : Sight();
+  if (this->View && sight.Eye.z < level)
+  {
+    vtkCamera* camera = this->View->GetActiveCamera();
+    camera->SetPosition(sight.Eye.x, sight.Eye.y, level + ratio * (sight.Eye.z - level));
+    camera->SetFocalPoint(sight.Focus.x, sight.Focus.y, level + ratio * (sight.Focus.z - level));
+    TurnAboutFocus(this->View);
   }
 }
 

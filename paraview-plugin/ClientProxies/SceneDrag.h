@@ -40,6 +40,9 @@ public:
   /// Starts with the next still picture of a view.
   void Keep(vtkSMRenderViewProxy* view, vtkSMProxy* source, const EyeHeights& heights);
 
+  /// Scales the depths of an eye under water and of what it looks at.
+  void ScaleDepths(double ratio);
+
 private:
   struct Sight
   {

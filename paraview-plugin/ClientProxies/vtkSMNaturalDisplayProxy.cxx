@@ -143,6 +143,13 @@ void vtkSMNaturalDisplayProxy::UpdateVTKObjects()
 }
 
 //----------------------------------------------------------------------------
+void vtkSMNaturalDisplayProxy::LoadState(const vtkSMMessage* message, vtkSMProxyLocator* locator)
+{
+  this->Superclass::LoadState(message, locator);
+  this->Display->TakeBack();
+}
+
+//----------------------------------------------------------------------------
 void vtkSMNaturalDisplayProxy::SetLook(vtkPVXMLElement* look)
 {
   this->Display->SetLook(look);

@@ -32,6 +32,9 @@ public:
 
   void UpdateVTKObjects() override;
 
+  /// Takes the state of undo and redo.
+  void LoadState(const vtkSMMessage* message, vtkSMProxyLocator* locator) override;
+
   /**
    * Attributes that take the place of the hint NaturalDisplay of the type, for a part of a scene.
    */
