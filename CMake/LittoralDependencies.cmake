@@ -137,8 +137,7 @@ if (NOT LITTORAL_WITH_PARAVIEW)
 endif ()
 message(STATUS "VTK ${VTK_VERSION} in ${VTK_DIR}")
 
-# --- Help pages: ParaView 5.12 and 5.13 cannot make them with Qt 6.
-if (NOT LITTORAL_WITH_PARAVIEW OR NOT PARAVIEW_USE_QT OR
-    (PARAVIEW_QT_MAJOR_VERSION GREATER 5 AND ParaView_VERSION VERSION_LESS 6))
+# --- Help pages are for ParaView's window.
+if (NOT LITTORAL_WITH_PARAVIEW OR NOT PARAVIEW_USE_QT)
   set(LITTORAL_BUILD_HELP OFF)
 endif ()

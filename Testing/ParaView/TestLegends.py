@@ -43,6 +43,11 @@ def first_view():
     simple.SetActiveView(simple.GetRenderViews()[0])
 
 
+def check_twin():
+    """In the client: the macro has made a twin of the terrain."""
+    assert simple.FindSource("Twin") and simple.FindSource("Ground"), "no twin"
+
+
 def check_export(scene):
     """File > Export Scene: what is shown, by the names of the pipeline browser, with camera and sun."""
     assert below_root(scene) == ["Camera", "Drainage1", "Sun"], below_root(scene)
@@ -66,6 +71,14 @@ def steps(session):
     session.call(first_view)
     session.eye(0, 0, 1)
     session.call(check, "the first view: hidden")
+
+
+def macros(session):
+    """After the steps: the macros of the plugin, which are in the menu without import."""
+    session.event(f"{WINDOW}/menubar/menu_Macros", "activate", "forest_from_inventory")  # which asks for a table
+    session.select(0)
+    session.event(f"{WINDOW}/menubar/menu_Macros", "activate", "twin_from_raster")
+    session.call(check_twin)
 
 
 def main():

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython
-"""One window of ParaView, played with the mouse: legends, a mistake put right, undone and redone, a list of the guide."""
+"""One window of ParaView, played with the mouse: legends, a mistake put right, undone and redone, a list of the guide.
+The macros are in the menu without import."""
 
 import guide
 import guide_patterns
@@ -12,6 +13,7 @@ from player import Session
 
 session = Session(TestLegends.__file__)
 TestLegends.steps(session)
+TestLegends.macros(session)
 undo = TestUndo.Undo(TestUndo.__file__)
 TestUndo.steps(undo)
 session.join(undo)

@@ -94,12 +94,21 @@ std::string OwnPath()
   return dladdr(reinterpret_cast<void*>(&OwnPath), &info) ? info.dli_fname : "";
 }
 
-// Icons are resources of Qt. Not lazily: where Qt's symbols are not those of the process, there are no icons.
-void LoadIcons()
+// What needs Qt: icons, which are its resources, macros and help. Not lazily: where Qt's symbols are not those of the
+// process, there are none.
+void LoadWindowParts()
 {
-  if (!FindLibrary("libQt5Core").empty() || !FindLibrary("libQt6Core").empty())
+  if (FindLibrary("libQt5Core").empty() && FindLibrary("libQt6Core").empty())
   {
-    dlopen((OwnPath() + ".icons").c_str(), RTLD_NOW);
+    return;
+  }
+  const std::string path = OwnPath();
+  dlopen((path + ".icons").c_str(), RTLD_NOW);
+  void* window = dlopen((path + ".window").c_str(), RTLD_NOW);
+  const auto add = window ? reinterpret_cast<void (*)(const char*)>(dlsym(window, "littoral_add_to_window")) : nullptr;
+  if (add)
+  {
+    add(path.substr(0, path.rfind('/')).c_str());
   }
 }
 
@@ -120,7 +129,7 @@ void* LoadPlugin()
   {
     return Refuse(dlerror());
   }
-  LoadIcons();
+  LoadWindowParts();
   const auto instance = reinterpret_cast<void* (*)()>(dlsym(plugin, "pv_plugin_instance_Littoral"));
   return instance ? instance() : Refuse("its library is not whole.");
 }
