@@ -22,15 +22,22 @@ QObject* FindApplication()
   return core ? core() : nullptr;
 }
 
-/// Calls pqApplicationCore::registerDocumentation(const QString&) for a file, if it is there.
+/// Calls pqApplicationCore's helpEngine() and registerDocumentation(const QString&) for a file, if it is there.
 void AddHelp(const QString& file)
 {
   QObject* application = FindApplication();
+  const auto engine =
+    reinterpret_cast<QObject* (*)(QObject*)>(dlsym(RTLD_DEFAULT, "_ZN17pqApplicationCore10helpEngineEv"));
   const auto add = reinterpret_cast<void (*)(QObject*, const QString&)>(
     dlsym(RTLD_DEFAULT, "_ZN17pqApplicationCore21registerDocumentationERK7QString"));
-  if (application && add && QFileInfo::exists(file))
+  if (application && engine && add && QFileInfo::exists(file))
   {
-    add(application, file);
+    QObject* help = engine(application);
+    if (help)
+    {
+      help->setProperty("readOnly", false); // as that of Qt 6 is, unlike that of Qt 5
+      add(application, file);
+    }
   }
 }
 
