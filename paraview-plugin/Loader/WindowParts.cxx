@@ -22,20 +22,21 @@ QObject* FindApplication()
   return core ? core() : nullptr;
 }
 
-/// Calls pqApplicationCore's helpEngine() and registerDocumentation(const QString&) for a file, if it is there.
+/// Calls pqApplicationCore's helpEngine() and registerDocumentation(const QString&) for a file, if it is there. Qt 6 makes
+/// a help engine that is read-only, unlike Qt 5: it is set up anew before, by QHelpEngineCore::setupData().
 void AddHelp(const QString& file)
 {
   QObject* application = FindApplication();
   const auto engine =
     reinterpret_cast<QObject* (*)(QObject*)>(dlsym(RTLD_DEFAULT, "_ZN17pqApplicationCore10helpEngineEv"));
+  const auto setUp = reinterpret_cast<bool (*)(QObject*)>(dlsym(RTLD_DEFAULT, "_ZN15QHelpEngineCore9setupDataEv"));
   const auto add = reinterpret_cast<void (*)(QObject*, const QString&)>(
     dlsym(RTLD_DEFAULT, "_ZN17pqApplicationCore21registerDocumentationERK7QString"));
-  if (application && engine && add && QFileInfo::exists(file))
+  if (application && engine && setUp && add && QFileInfo::exists(file))
   {
     QObject* help = engine(application);
-    if (help)
+    if (help && help->setProperty("readOnly", false) && setUp(help))
     {
-      help->setProperty("readOnly", false); // as that of Qt 6 is, unlike that of Qt 5
       add(application, file);
     }
   }
