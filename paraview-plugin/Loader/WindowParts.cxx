@@ -10,6 +10,7 @@
 #include <QEvent>
 #include <QMetaObject>
 #include <QTimer>
+#include <QVariant>
 
 #include <dlfcn.h>
 
