@@ -142,7 +142,7 @@ int vtkTextTableReader::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   return littoral::WithoutExceptions(
-    this, request, outputs, "Cannot read ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+    this, request, outputs, "", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -226,6 +226,10 @@ std::string FileMessage(const std::string& verb, const std::string& path, const 
     reason.erase(at, folder.size());
   }
   reason.erase(reason.find_last_not_of('.') + 1);
+  std::error_code error;
+  const bool isMissing =
+    reason.find("o such file") != std::string::npos && !folder.empty() && !std::filesystem::exists(folder, error);
+  reason = isMissing ? "there is no folder " + file.parent_path().string() : reason;
   for (const char* action : { "set ", "choose ", "give " })
   {
     const std::size_t cut = reason.rfind(std::string("; ") + action);

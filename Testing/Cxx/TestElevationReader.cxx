@@ -117,7 +117,9 @@ bool BadInput(const fs::path& folder, const std::string& grid, const std::string
   errors->Watch(reader);
   bool good = errors->ExpectOneNaming("FileName is empty");
   reader->SetFileName("/no/such/raster.tif");
-  good &= errors->ExpectOneNaming("Cannot read raster.tif: there is no such file");
+  good &= errors->ExpectOneNaming("Cannot read raster.tif: there is no folder /no/such.");
+  reader->SetFileName((folder / "raster.tif").string().c_str());
+  good &= errors->ExpectOneNaming("Cannot read raster.tif: there is no such file.");
   reader->SetFileName(Write(folder / "words.tif", "This is no raster.").c_str());
   good &= errors->ExpectOneNaming("words.tif");
   reader->SetFileName(degrees.c_str());

@@ -112,7 +112,7 @@ bool BadInput(const std::string& path)
   const std::vector<Mistake> mistakes = {
     { [](vtkElevationWriter* writer) { writer->SetFileName(nullptr); }, "FileName is empty" },
     { [](vtkElevationWriter* writer) { writer->SetFileName("/no/such/folder/heights.tif"); },
-      "Cannot write heights.tif: No such" },
+      "Cannot write heights.tif: there is no folder /no/such/folder." },
     { [](vtkElevationWriter* writer) { writer->SetCompression(2); }, "Compression" },
     { [](vtkElevationWriter* writer) { writer->SetCoordinateSystem("nowhere"); }, "nowhere" },
     { [](vtkElevationWriter* writer) { writer->SetCoordinateSystem("EPSG:4326"); }, "projection" },

@@ -156,7 +156,7 @@ bool BadInput(const std::string& path)
   using Writer = vtkGLTFSceneWriter;
   const std::vector<Mistake> mistakes = {
     { [](Writer* writer) { writer->SetFileName(nullptr); }, "FileName is empty" },
-    { [](Writer* writer) { writer->SetFileName("/no/such/folder/scene.glb"); }, "Cannot write scene.glb: No such" },
+    { [](Writer* writer) { writer->SetFileName("/no/such/folder/scene.glb"); }, "Cannot write scene.glb: there is no folder /no/such/folder." },
     { [](Writer* writer) { writer->SetInstanceForm(2); }, "InstanceForm" },
     { [](Writer* writer) { writer->SetLevelForm(-1); }, "LevelForm" },
     { [](Writer* writer) { writer->SetSourceKind(0, 10); }, "source 0" },

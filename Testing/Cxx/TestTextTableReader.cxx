@@ -53,7 +53,9 @@ bool Refused(const char* words, const std::string& path)
   reader->SetFileName(path.c_str());
   vtkNew<ErrorCounter> errors;
   errors->Watch(reader);
-  return Check(errors->ExpectOneNaming(words), words);
+  const bool good = errors->ExpectOneNaming(words);
+  const std::size_t verb = errors->Last.find("Cannot read");
+  return Check(good && errors->Last.find("Cannot read", verb + 1) == std::string::npos, words);
 }
 
 }
@@ -64,6 +66,7 @@ int TestTextTableReader(int argc, char* argv[])
   bool good = Columns(folder);
   good &= Refused("Cannot read quote.csv: close the quote of row 2", Write(folder / "quote.csv", "a,b\n1,\"x\n2,y\n"));
   good &= Refused("Cannot read none.csv: No such file", (folder / "none.csv").string());
+  good &= Refused("Cannot read none.csv: there is no folder ", (folder / "nowhere" / "none.csv").string());
   good &= Refused("it is a folder", folder.string());
   good &= Refused("Cannot read a table: FileName is empty", "");
   return good ? EXIT_SUCCESS : EXIT_FAILURE;

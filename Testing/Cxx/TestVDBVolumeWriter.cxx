@@ -603,7 +603,7 @@ const BadCase BadCases[] = {
     [](vtkImageData* image, Writer*) { image->SetOrigin(std::numeric_limits<double>::infinity(), 0.0, 0.0); } },
   { "Tolerance", [](vtkImageData*, Writer* writer) { writer->SetTolerance(-1.0); } },
   { "Tolerance", [](vtkImageData*, Writer* writer) { writer->SetTolerance(std::nan("")); } },
-  { "Cannot write x.vdb: No such file or directory",
+  { "Cannot write x.vdb: there is no folder ",
     [](vtkImageData*, Writer* writer) { writer->SetFileName(InFolder("nowhere/x.vdb").c_str()); } },
   { "Cannot write x.vdb", [](vtkImageData*, Writer* writer) { writer->SetFileName("/proc/x.vdb"); } },
   { "Is a directory", [](vtkImageData*, Writer* writer) { writer->SetFileName(folder.string().c_str()); } },

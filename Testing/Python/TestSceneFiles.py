@@ -492,7 +492,7 @@ class Refused(unittest.TestCase):
 
     def test_files(self):
         self.assertIn("FileName is empty", complaint({"A": sites()}, filename=""))
-        self.assertIn("No such file or directory", complaint({"A": sites()}, filename="nowhere/a.glb"))
+        self.assertIn("there is no folder nowhere.", complaint({"A": sites()}, filename="nowhere/a.glb"))
         with tempfile.TemporaryDirectory() as folder:
             self.assertIn("Is a directory", complaint({"A": sites()}, filename=folder))
 
