@@ -320,6 +320,7 @@ void NaturalDisplay::MakeSceneOf(vtkSMProxy* representation)
   this->Look = nullptr;
   vtkSMPropertyHelper(representation, "Visibility").Set(0);
   representation->UpdateVTKObjects();
+  this->Hidden = representation;
   this->WaitForLegend(representation); // which is that of something hidden
   MakeScene(this->Owner, this->Scene, view);
   ScaleDepths(this->Owner, this->Scene, this->DepthRatio());
@@ -567,7 +568,15 @@ void NaturalDisplay::OnStartOfPicture(vtkObject* object, unsigned long, void*)
       this->Colored.push_back(one);
     }
   }
-  if (this->Colored.empty())
+  if (this->Hidden && vtkSMPropertyHelper(this->Hidden, "Visibility").GetAsInt() != 0)
+  {
+    this->Hidden = nullptr;
+  }
+  if (this->Hidden && vtkSMViewProxy::FindView(this->Hidden) == view)
+  {
+    this->TakeLegendAway(this->Hidden, view); // the window shows it after other pictures of a view that is not empty
+  }
+  if (this->Colored.empty() && !this->Hidden)
   {
     StopObserving(this->Pictures);
   }

@@ -119,7 +119,8 @@ private:
   unsigned long DataObserver = 0;
   /// Representations whose legends would mean nothing, until the next pictures.
   std::vector<vtkWeakPointer<vtkSMProxy>> Colored;
-  std::vector<Observation> Pictures;     ///< of all views, as long as some are colored
+  vtkWeakPointer<vtkSMProxy> Hidden;     ///< representation that has no legend until it is shown
+  std::vector<Observation> Pictures;     ///< of all views, as long as some are colored or hidden
   std::vector<Observation> Visibilities; ///< of all representations
   FirstCamera Camera;
   SceneDrag Drag;
