@@ -84,9 +84,6 @@ def macros(session):
 def main():
     session = Session(__file__)
     steps(session)
-    session.source("SwayingForest")  # whose wind is hidden
-    session.apply()
-    session.call(check, "a scene beside something else")
     exports = "export" in sys.argv[1:] and hasattr(servermanager.writers, "GLTFSceneWriter")
     if exports:
         session.menu("menu_File", "actionExport")
