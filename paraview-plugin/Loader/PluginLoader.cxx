@@ -94,8 +94,8 @@ std::string OwnPath()
   return dladdr(reinterpret_cast<void*>(&OwnPath), &info) ? info.dli_fname : "";
 }
 
-// What needs Qt: icons, which are its resources, macros and help. Not lazily: where Qt's symbols are not those of the
-// process, there are none.
+// Icons, which are resources of Qt, macros and help need Qt. Not lazily: where Qt's symbols are not those of the process,
+// there are none.
 void LoadWindowParts()
 {
   if (FindLibrary("libQt5Core").empty() && FindLibrary("libQt6Core").empty())
