@@ -179,7 +179,7 @@ TruncatedLognormal WithSkew(double skew, double cut)
     gaussians.push_back(boost::math::quantile(normal, cut + (1.0 - 2.0 * cut) * TruncatedLognormal::Position(point)));
   }
   const double shape = RootBetween(
-    MinimumShape, MaximumShape, [&](double shape) { return TruncatedLognormal(shape, gaussians).Skew - skew; });
+    MinimumShape, MaximumShape, [&](double tried) { return TruncatedLognormal(tried, gaussians).Skew - skew; });
   return { shape, gaussians };
 }
 
@@ -245,7 +245,7 @@ HeightQuantiles LognormalQuantiles(double mean, double deviation, double integra
   const double size = std::abs(skew);
   const double wanted = skew < 0.0 ? 1.0 - integral : integral;
   const TruncatedLognormal cut = WithSkew(
-    size, RootBetween(MinimumCut, MaximumCut, [&](double cut) { return WithSkew(size, cut).Integral - wanted; }));
+    size, RootBetween(MinimumCut, MaximumCut, [&](double tried) { return WithSkew(size, tried).Integral - wanted; }));
   HeightQuantiles quantiles;
   for (int n = 0; n <= TruncatedLognormal::Points; ++n)
   {
