@@ -563,3 +563,60 @@ TEST(DrainageCarving, RefusesNumbersThatContradictEachOther)
   numbers.Concavity = 1.5;
   EXPECT_EQ(WhyInvalid(numbers), "Concavity is 1.5; it must be from 0 to 1.");
 }
+
+TEST(DrainageCarving, TheBorderIsNoWall)
+{
+  const GridSamples place = RiverGround(64, 56, 0.4, 3);
+  const CarvingTarget target = TargetOf(place);
+  GridSamples twin = TwinOf(place, target, 1);
+  CarvingParameters parameters;
+  parameters.MaximumIterations = 1;
+  CarveDrainage(twin, target, parameters);
+  double rise = 0.0;
+  for (int i = 1; i < 63; ++i)
+  {
+    rise += twin.At(i, 0) - twin.At(i, 1) + twin.At(i, 55) - twin.At(i, 54);
+  }
+  for (int j = 1; j < 55; ++j)
+  {
+    rise += twin.At(0, j) - twin.At(1, j) + twin.At(63, j) - twin.At(62, j);
+  }
+  EXPECT_NEAR(rise / 232.0, 0.0, 0.1 * target.Measures.StandardDeviation);
+}
+
+// Channels keep the least slope of the place's law, a fifth of it, at the same area in square metres: on cells of a
+// quarter of the size, too.
+TEST(DrainageCarving, ChannelsFallByTheAreaOfThePlaceNotByItsCells)
+{
+  const CarvingTarget target = TargetOf(RiverGround(80, 72, 0.4, 3));
+  GridSamples twin = NormalNoise(160, 144, { 25.0, 25.0 }, 2);
+  const double step = 0.5 / (160 * 25.0);
+  std::vector<double> sizes;
+  for (int ring = 0; ring < 320; ++ring)
+  {
+    sizes.push_back(std::sqrt(target.Spectrum.At(ring * step)) / 25.0);
+  }
+  MultiplyRings(twin, step, sizes);
+  InverseCosineTransform(twin);
+  CarvingParameters parameters;
+  parameters.MaximumIterations = 1;
+  CarveDrainage(twin, target, parameters);
+  const OutletMask outlets = BorderOutlets(160, 144);
+  const FlowRouting routing = RouteFlow(twin, outlets);
+  const std::vector<CellIndex> cells = FlowAccumulation(routing);
+  const std::vector<double> slopes = SlopesToReceivers(twin, routing);
+  double channels = 0.0;
+  double flat = 0.0;
+  for (std::size_t n = 0; n < cells.size(); ++n)
+  {
+    const double area = cells[n] * 25.0 * 25.0;
+    if (!outlets[n] && area > 4e5 && area < 2e6 && slopes[n] > 0.0)
+    {
+      const double law = target.Measures.ChannelSlope * std::pow(area / (100.0 * 2500.0), -0.4);
+      channels += 1.0;
+      flat += slopes[n] < 0.15 * law ? 1.0 : 0.0;
+    }
+  }
+  EXPECT_GT(channels, 200.0);
+  EXPECT_LT(flat / channels, 0.25);
+}

@@ -191,6 +191,85 @@ TEST(GroundStatistics, GradedValley)
   EXPECT_EQ(ground.Streams[0].Streams, 1);
 }
 
+/// The relation of slope and area of rough ground, whose pits have slopes below 0, from its definition.
+TEST(GroundStatistics, SlopesByArea)
+{
+  std::mt19937_64 engine(3);
+  std::normal_distribution<double> normal;
+  const GridSamples rough =
+    Surface(160, 120, 2.0, 3.0, [&](double x, double y) { return 0.2 * x + 0.1 * y + normal(engine); });
+  const OutletMask outlets = BorderOutlets(160, 120);
+  const GroundMeasures measures = MeasureGround(rough, outlets);
+  const FlowRouting routing = RouteFlow(rough, outlets);
+  const std::vector<CellIndex> cells = FlowAccumulation(routing);
+  std::vector<double> counts(20, 0.0);
+  std::vector<double> areas(20, 0.0);
+  std::vector<double> falls(20, 0.0);
+  double sum = 0.0;
+  double count = 0.0;
+  int pits = 0;
+  for (std::size_t n = 0; n < cells.size(); ++n)
+  {
+    const auto receiver = static_cast<std::size_t>(routing.Receiver[n]);
+    if (outlets[n] || cells[n] < 100)
+    {
+      continue;
+    }
+    const double across = n % 160 == receiver % 160 ? 0.0 : 2.0;
+    const double along = n / 160 == receiver / 160 ? 0.0 : 3.0;
+    const double slope = (rough.Values[n] - rough.Values[receiver]) / std::hypot(across, along);
+    pits += slope < 0.0;
+    for (int bin = 0; bin < 20; ++bin)
+    {
+      const auto edge = [](int k) { return 100.0 * std::pow(1920.0 / 100.0, k / 20.0); };
+      if (cells[n] >= edge(bin) && cells[n] < edge(bin + 1))
+      {
+        counts[bin] += 1.0;
+        areas[bin] += cells[n];
+        falls[bin] += slope > 0.0 ? slope : 0.0;
+      }
+    }
+    if (cells[n] <= 200 && slope > 0.0)
+    {
+      sum += slope;
+      count += 1.0;
+    }
+  }
+  EXPECT_GT(pits, 50);
+  EXPECT_NEAR(measures.ChannelSlope, sum / count, 1e-12);
+  std::size_t next = 0;
+  for (int bin = 0; bin < 20; ++bin)
+  {
+    if (falls[bin] > 0.0)
+    {
+      ASSERT_LT(next, measures.SlopeArea.size());
+      const SlopeAreaBin& found = measures.SlopeArea[next++];
+      EXPECT_EQ(found.Count, counts[bin]) << bin;
+      EXPECT_NEAR(found.Cells, areas[bin] / counts[bin], 1e-9) << bin;
+      EXPECT_NEAR(found.Slope, falls[bin] / counts[bin], 1e-12) << bin;
+    }
+  }
+  EXPECT_EQ(next, measures.SlopeArea.size());
+}
+
+/// A power law is itself between its lags, and there is none beyond them.
+TEST(GroundStatistics, SemivarianceBetweenLags)
+{
+  GroundMeasures measures;
+  for (const double lag : { 2.0, 4.0, 10.0, 30.0 })
+  {
+    measures.Lags.push_back(lag);
+    measures.Semivariance.push_back(3.0 * std::pow(lag, 1.3));
+  }
+  for (const double lag : { 2.0, 2.3, 3.9, 4.0, 7.0, 25.0, 30.0 })
+  {
+    EXPECT_NEAR(measures.SemivarianceAt(lag), 3.0 * std::pow(lag, 1.3), 1e-12 * 300.0) << lag;
+  }
+  EXPECT_EQ(measures.SemivarianceAt(0.5), measures.Semivariance.front());
+  EXPECT_TRUE(std::isnan(measures.SemivarianceAt(0.0)));
+  EXPECT_TRUE(std::isnan(measures.SemivarianceAt(30.1)));
+}
+
 /// Threads change no byte.
 TEST(GroundStatistics, AnyThreads)
 {

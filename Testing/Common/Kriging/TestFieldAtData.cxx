@@ -4,6 +4,7 @@
 
 #include "Kriging/FieldAtData.h"
 #include "Kriging/Kriging.h"
+#include "Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
@@ -123,5 +124,33 @@ TEST(FieldAtData, HasTheModelsCovariance)
     const double near = 0.5 * (a2 + b2) / seeds - ab / seeds;
     const double truth = 9.0 - covariance(places[0], places[1]);
     EXPECT_NEAR(near / truth, 1.0, 3.0 * std::sqrt(2.0 / seeds)) << static_cast<int>(model);
+  }
+}
+
+// Beside a point of the grid a field has nearly the value there, whichever way its axes point: the difference has the
+// variance 2 gamma(h).
+TEST(FieldAtData, IsContinuousAtThePoints)
+{
+  for (const double angle : { 0.0, 0.5, 0.25 * Pi, 0.75 * Pi, 2.0 })
+  {
+    TurningBandsParameters parameters = Parameters(CovarianceModel::SimpleExponential, 7);
+    parameters.AnisotropyAngle = angle;
+    const Grown grown(parameters);
+    std::vector<KrigingPlace> places;
+    for (int n = 0; n < 60; ++n)
+    {
+      places.push_back(PlaceOfPoint(Grid, n % 31, n % 21));
+      places.back().X += n % 31 == 30 ? -0.002 : 0.002;
+    }
+    const std::vector<double> values = FieldAtData(grown.Field, parameters, Grid, Window, places);
+    double squares = 0.0;
+    for (int n = 0; n < 60; ++n)
+    {
+      squares += std::pow(values[n] - grown.Values[(n % 21) * 31 + n % 31], 2);
+    }
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    const double variance = 2.0 * (9.0 - Covariance(parameters.Field, 0.002 * std::hypot(c, 1.6 * s)));
+    EXPECT_NEAR(squares / 60.0, variance, 4.0 * variance * std::sqrt(2.0 / 60.0)) << angle;
   }
 }

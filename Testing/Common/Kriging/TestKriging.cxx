@@ -11,6 +11,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -390,4 +391,67 @@ TEST(DataVariogram, OfAPlaneIsFlatWithoutIt)
   EXPECT_NE(why(SomeData(10, false)).find("only 10 data"), std::string::npos);
   data.Values.assign(300, 1.0);
   EXPECT_NE(why(data).find("do not vary"), std::string::npos);
+}
+
+// Pairs up to half the diagonal, in 15 classes of equal width, one by one.
+TEST(DataVariogram, CountsThePairsOfItsClasses)
+{
+  const KrigingData data = SomeData(200, false);
+  double low[2] = { 1e300, 1e300 };
+  double high[2] = { -1e300, -1e300 };
+  for (const KrigingPlace& place : data.Places)
+  {
+    low[0] = std::min(low[0], place.X);
+    low[1] = std::min(low[1], place.Y);
+    high[0] = std::max(high[0], place.X);
+    high[1] = std::max(high[1], place.Y);
+  }
+  const double width = std::hypot(high[0] - low[0], high[1] - low[1]) / 30.0;
+  const std::vector<LagBin> bins = DataVariogram(data, KrigingType::Simple);
+  ASSERT_EQ(bins.size(), 15u);
+  for (int index = 0; index < 15; ++index)
+  {
+    double pairs = 0.0;
+    double lags = 0.0;
+    double squares = 0.0;
+    for (std::size_t a = 0; a < 200; ++a)
+    {
+      for (std::size_t b = 0; b < a; ++b)
+      {
+        const double lag = std::hypot(data.Places[a].X - data.Places[b].X, data.Places[a].Y - data.Places[b].Y);
+        if (lag >= index * width && lag < (index + 1) * width)
+        {
+          pairs += 1.0;
+          lags += lag;
+          squares += std::pow(data.Values[a] - data.Values[b], 2);
+        }
+      }
+    }
+    EXPECT_EQ(bins[index].Pairs, pairs);
+    EXPECT_NEAR(bins[index].Lag, lags / pairs, 1e-9);
+    EXPECT_NEAR(bins[index].Semivariance, 0.5 * squares / pairs, 1e-9);
+  }
+}
+
+// Data that rise all the way have no range within reach: ranges stop at the last lag, that of a sphere, its diameter,
+// at two and that of a fractal at four of them.
+TEST(DataVariogram, RangesEndWhereItsLagsEnd)
+{
+  KrigingData data = SomeData(300, false);
+  for (std::size_t n = 0; n < 300; ++n)
+  {
+    data.Values[n] = 0.3 * data.Places[n].X + 0.1 * data.Places[n].Y;
+  }
+  const double last = DataVariogram(data, KrigingType::Ordinary).back().Lag;
+  double longest = 0.0;
+  double fractal = 0.0;
+  for (const KrigingModel& model : FitToData(data, KrigingType::Ordinary))
+  {
+    const bool isFractal = model.Field.Model == CovarianceModel::Fractal;
+    const double part = model.Field.Model == CovarianceModel::Spherical ? 0.5 : 1.0;
+    double& range = isFractal ? fractal : longest;
+    range = std::max(range, part * model.Field.Range);
+  }
+  EXPECT_NEAR(longest, last, 1e-6 * last);
+  EXPECT_NEAR(fractal, 4.0 * last, 1e-6 * last);
 }

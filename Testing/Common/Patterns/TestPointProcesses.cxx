@@ -295,6 +295,53 @@ TEST_P(AllProcesses, WindowsShowPartsOfOnePattern)
   EXPECT_EQ(SimulateProcess(process, {}, triangle).Points, inside);
 }
 
+// So do small windows anywhere: clusters and older points reach into them over each of their sides.
+TEST(PointProcesses, SmallWindowsShowPartsOfOnePatternToo)
+{
+  for (const int id : { 1, 2, 4 })
+  {
+    PointProcessParameters process = Process(id);
+    if (id == 4)
+    {
+      process.Distance = 0.055; // as dense as it can be
+    }
+    const std::vector<PlanePosition> all = SimulateProcess(process, {}, Box(0.0, 0.0, 4.0, 4.0)).Points;
+    for (int window = 0; window < 256; ++window)
+    {
+      const double x = 0.5 + 0.19 * (window % 16);
+      const double y = 0.5 + 0.19 * (window / 16.0);
+      std::vector<PlanePosition> inside;
+      for (const PlanePosition& point : all)
+      {
+        if (point[0] >= x && point[0] <= x + 0.2 && point[1] >= y && point[1] <= y + 0.2)
+        {
+          inside.push_back(point);
+        }
+      }
+      std::vector<PlanePosition> shown = SimulateProcess(process, {}, Box(x, y, x + 0.2, y + 0.2)).Points;
+      std::sort(inside.begin(), inside.end());
+      std::sort(shown.begin(), shown.end());
+      ASSERT_EQ(shown, inside) << id << " " << x << " " << y;
+    }
+  }
+}
+
+// Perfect simulation ends at beta (1 - gamma) pi R^2 = 4, of discs and of points that only avoid each other.
+TEST(PointProcesses, StraussPointsAreExactUpToALimit)
+{
+  PointProcessParameters process = Process(5);
+  process.Distance = 0.05;
+  for (const double interaction : { 0.0, 0.75 })
+  {
+    process.Interaction = interaction;
+    const double unit = 1.0 / ((1.0 - interaction) * Pi * process.Distance * process.Distance);
+    process.Activity = 2.2 * unit;
+    EXPECT_TRUE(SimulateProcess(process, {}, Box(0.0, 0.0, 0.3, 0.3)).IsExact) << interaction;
+    process.Activity = 4.01 * unit;
+    EXPECT_FALSE(SimulateProcess(process, {}, Box(0.0, 0.0, 0.01, 0.01)).IsExact) << interaction;
+  }
+}
+
 TEST(PointProcesses, InhibitedPointsKeepTheirDistanceUnderARasterToo)
 {
   const IntensityRaster raster = Thirds();

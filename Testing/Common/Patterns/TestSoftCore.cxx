@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MappedPatterns.h"
+#include "Patterns/ProcessDraws.h"
 #include "Patterns/ProcessFit.h"
 #include "Patterns/ProcessPattern.h"
 #include "Patterns/SoftCoreChain.h"
@@ -96,6 +97,21 @@ TEST(SoftCore, ForcesBalanceAsInEquilibrium)
     const double error = std::sqrt((squares - sum * sum / seeds) * seeds / (seeds - 1.0));
     EXPECT_NEAR(sum, 0.0, 3.0 * error) << distance << " " << softness;
     EXPECT_LT(error, 0.15 * laplacians) << distance << " " << softness; // the test sees a difference
+  }
+}
+
+// A chain has the steps that its crowding asks for, whatever the unit of length: 20, and 4 more for each hundredth of
+// intensity times squared distance, at most 200.
+TEST(SoftCore, CrowdedPointsTakeMoreSweeps)
+{
+  for (const double unit : { 0.01, 1.0, 50.0 })
+  {
+    const auto sweeps = [unit](
+                          double crowding) { return SoftCoreSweeps(SoftCore(crowding / (unit * unit), unit, 0.4)); };
+    EXPECT_EQ(sweeps(0.01), 24);
+    EXPECT_EQ(sweeps(0.1), 60);
+    EXPECT_EQ(sweeps(0.3), 140);
+    EXPECT_EQ(sweeps(1.0), 200);
   }
 }
 
