@@ -539,12 +539,14 @@ private:
     const FoundColumn& column, const std::set<double>& codes, double metres, const char* name, std::size_t row) const
   {
     const double number = LengthIn(this->Table, column, row, 1.0);
-    const bool isMissing = !(number != 0.0) || codes.count(number) > 0;
-    if (!isMissing && number < 0.0)
+    const bool isMissing = std::isnan(number) || number == 0.0 || codes.count(number) > 0;
+    const double length = metres * number;
+    if (!isMissing && !(length > 0.0 && IsSensible(length)))
     {
-      Refuse(name, " of row ", row + 1, " is ", TextOf(metres * number), " m; it must be positive.");
+      Refuse(name, " of row ", row + 1, " is ", TextOf(length), " m; it must be ",
+        number < 0.0 ? "positive." : "the length of a tree.");
     }
-    return isMissing ? std::numeric_limits<double>::quiet_NaN() : metres * number;
+    return isMissing ? std::numeric_limits<double>::quiet_NaN() : length;
   }
 
   /// The species, with its genus where that has a column of its own.

@@ -17,9 +17,9 @@ no test looks at. A list names a file and its mutations:
 tests of that room of Common are asked, and those elsewhere that include the file's header; then, unless one of them
 fails, those of a line `?`, or all of Testing/Cxx if there is none. With `--rooms` those of Testing/Cxx are not asked,
 the copy is built without VTK, and the lists of files outside of Common are left out. Mutations of the plugin ask tests
-of Testing/ParaView alone, as `ParaView/TestTextures`, in a build of their own, unless they name one of Testing/Cxx. A
-mutation that no test can notice, since the results are the same, has a line `=` with the reason; it must survive.
-Tests of the tier `all` are not asked.
+of Testing/ParaView alone, as `ParaView/TestTextures`, in a build of their own, unless they name one of Testing/Cxx; so
+do those that name tests of Testing/Python. A mutation that no test can notice, since the results are the same, has a
+line `=` with the reason; it must survive. Tests of the tier `all` are not asked.
 
 Built are only the programs that are asked. A second run builds what has changed since the first.
 """
@@ -46,6 +46,9 @@ USUAL = ["-DLITTORAL_BUILD_BENCHMARKS=OFF", "-DLITTORAL_BUILD_HELP=OFF"]
 ROOMS = ("build-rooms", ["-DLITTORAL_WITH_VTK=OFF", *USUAL])
 ALL = ("build", ["-DLITTORAL_WITH_PYTHON=OFF", *USUAL])
 PLUGIN = ("build-plugin", USUAL)
+
+#: Folders of tests that are scripts.
+SCRIPTS = ("ParaView", "Python")
 
 #: The program of the tests in Testing/Cxx.
 CLASSES = "LittoralCxxTests"
@@ -96,7 +99,7 @@ def why_unfit(mutation, source=SOURCE):
         return f"{mutation.file}: '{mutation.old}' is not changed"
     for test in mutation.tests:
         path = os.path.join(source, "Testing", test)
-        if not os.path.isfile(path + (".py" if test.startswith("ParaView/") else ".cxx")):
+        if not os.path.isfile(path + (".py" if test.startswith(SCRIPTS) else ".cxx")):
             return f"{mutation.file}: there is no test {test}"
     return "" if place(text, mutation.old) >= 0 else f"{mutation.file}: '{mutation.old}' does not stand there once"
 
@@ -128,15 +131,16 @@ def class_tests(mutation):
 
 
 def plugin_tests(mutation):
-    """The arguments of ctest for the tests in ParaView that are asked: those of the list."""
-    names = [os.path.basename(test) for test in mutation.tests if test.startswith("ParaView/")]
-    return ["-R", f"paraview.({'|'.join(names)})$"] if names else ["-L", "paraview"]
+    """The arguments of ctest for the scripts that are asked: those of the list."""
+    names = [test.lower().split("/")[0] + "." + os.path.basename(test) for test in mutation.tests if test.startswith(SCRIPTS)]
+    return ["-R", f"^({'|'.join(names)})$"] if names else ["-L", "paraview"]
 
 
 def kind_of(mutation, rooms):
     """Build that shows a mutation."""
     of_plugin = mutation.file.startswith("paraview-plugin/") and not any(test.startswith("Cxx/") for test in mutation.tests)
-    return ROOMS if rooms else PLUGIN if of_plugin else ALL
+    asks_python = any(test.startswith("Python/") for test in mutation.tests)
+    return ROOMS if rooms else PLUGIN if of_plugin or asks_python else ALL
 
 
 def run(command, log):
@@ -215,7 +219,7 @@ def failing_test(mutation, rooms, log):
     if run([environment, "xvfb-run", "-a", *ctest(folder), "--parallel", str(os.cpu_count()), *chosen], log):
         return ""
     with open(log, encoding="utf-8", errors="replace") as output:
-        failed = re.findall(r"(?:Cxx-|paraview\.)(\w+) .*\*\*\*", output.read())
+        failed = re.findall(r"(?:Cxx-|paraview\.|python\.)(\w+) .*\*\*\*", output.read())
     return " ".join(failed) or "ctest"
 
 

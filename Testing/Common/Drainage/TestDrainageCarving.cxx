@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 using namespace littoral;
@@ -258,6 +259,33 @@ TEST(HeightQuantiles, LognormalHasTheGivenNumbers)
     EXPECT_NEAR(std::sqrt(second), 20.0, 0.05);
     EXPECT_NEAR(third / std::pow(second, 1.5), skew, 0.01);
     EXPECT_NEAR((mean - low) / (high - low), integral, 0.002);
+  }
+}
+
+// Ground upside down has the opposite skew, and what is above its mean was below it.
+TEST(HeightQuantiles, IntegralsOfANegativeSkewAreThoseOfGroundUpsideDown)
+{
+  for (const double skew : { 0.3, 1.0 })
+  {
+    const auto [least, most] = HypsometricIntegralRange(skew);
+    const auto [mirroredLeast, mirroredMost] = HypsometricIntegralRange(-skew);
+    EXPECT_LT(least, most);
+    EXPECT_LT(most, 0.5);
+    EXPECT_DOUBLE_EQ(mirroredLeast, 1.0 - most);
+    EXPECT_DOUBLE_EQ(mirroredMost, 1.0 - least);
+  }
+}
+
+// Borders are mirrors: nothing is lost there.
+TEST(ValleySpreading, KeepsTheSum)
+{
+  for (const double deviation : { 0.6, 2.5, 6.0 })
+  {
+    const GridSamples noise = RandomGround(14, 9, { 1.0, 1.0 }, 3);
+    std::vector<double> smooth = noise.Values;
+    SmoothGrid(smooth, 14, 9, deviation);
+    const double sum = std::accumulate(noise.Values.begin(), noise.Values.end(), 0.0);
+    EXPECT_NEAR(std::accumulate(smooth.begin(), smooth.end(), 0.0), sum, 1e-12 * sum);
   }
 }
 

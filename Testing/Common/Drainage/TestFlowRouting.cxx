@@ -235,6 +235,27 @@ TEST(DepressionBreaching, GoesAroundWhatIsHigh)
   EXPECT_LT(ground.At(10, 5), 0.0);
 }
 
+// As many cells lie between a pit and each side, but they are narrower along one axis.
+TEST(DepressionBreaching, CostsAreOfLengthsNotOfCells)
+{
+  for (const int axis : { 0, 1 })
+  {
+    const std::array<double, 2> spacing = { axis == 0 ? 2.0 : 3.0, axis == 0 ? 3.0 : 2.0 };
+    GridSamples ground = Ground(11, 11, spacing, [](double, double) { return 10.0; });
+    ground.At(5, 5) = 0.0;
+    BreachDepressions(ground, BorderOutlets(11, 11), BreachPath::LeastCost);
+    double alongX = 0.0;
+    double alongY = 0.0;
+    for (int n = 0; n < 11; ++n)
+    {
+      alongX += 10.0 - ground.At(n, 5);
+      alongY += 10.0 - ground.At(5, n);
+    }
+    EXPECT_GT(axis == 0 ? alongX : alongY, 50.0);
+    EXPECT_NEAR(axis == 0 ? alongY : alongX, 10.0, 1e-12);
+  }
+}
+
 TEST(DepressionBreaching, LowersAnOutletThatIsNotLower)
 {
   GridSamples ground = Ground(9, 9, { 1.0, 1.0 }, [](double x, double y) { return std::hypot(x - 4.0, y - 4.0); });
@@ -242,6 +263,8 @@ TEST(DepressionBreaching, LowersAnOutletThatIsNotLower)
   EXPECT_GT(BreachDepressions(ground, outlets, BreachPath::LeastCost).Lowered, 2u);
   EXPECT_EQ(FloodDepressions(ground, outlets).DepressionCells, 0u);
   EXPECT_EQ(ground.At(4, 4), 0.0);
+  // Four cells to the border, each lower by 1e-7 of the relief.
+  EXPECT_NEAR(*std::min_element(ground.Values.begin(), ground.Values.end()), -4e-7 * std::hypot(4.0, 4.0), 1e-15);
 }
 
 TEST(FlowRouting, AgreesWithFollowingEachCell)

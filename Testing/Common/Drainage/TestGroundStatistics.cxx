@@ -250,6 +250,7 @@ TEST(GroundStatistics, SlopesByArea)
     }
   }
   EXPECT_EQ(next, measures.SlopeArea.size());
+  EXPECT_NEAR(measures.CurvatureSkewness, ShapeOf(LaplaciansOf(rough)).Skew, 1e-12);
 }
 
 /// A power law is itself between its lags, and there is none beyond them.

@@ -659,3 +659,81 @@ TEST(SeaweedDynamics, ABuoyantPairKeepsItsEnergyForMinutes)
   EXPECT_LT(most - start, 1e-6 * (start - least));
   EXPECT_GT(mover.Energy() - least, 0.85 * (start - least));
 }
+
+// A direction that turns for twenty minutes stays of unit length.
+TEST(SeaweedDynamics, DirectionsStayOfUnitLength)
+{
+  const Chain chain = MakeChain(1, 40.0, 0.0, false);
+  Mover mover(chain, Still());
+  double most = 0.0;
+  for (int part = 0; part < 20; ++part)
+  {
+    mover.Run(1500, 1.0 / 24.0);
+    most = std::max(most, std::abs(glm::length(mover.States[0].Shape) - 1.0));
+  }
+  EXPECT_LT(most, 1e-15);
+}
+
+// A spring that the step does not resolve turns a rod by the midpoint rule with its numerical damping, of which each
+// step is known: I q' = I q0' - g (K (q0 + g q') + c_f (2 q' - q0')), c_f = K g s / (1 + s), s = (g^2 K / I)^2.
+TEST(SeaweedDynamics, StiffSpringsAreDampedAsTheirEquationSays)
+{
+  for (const double perStep : { 0.5, 2.0, 20.0 }) // g^2 K / I
+  {
+    Chain chain = MakeChain(1, 0.0, 0.0, false);
+    SeaweedLink& link = chain.Links[0];
+    const double half = 0.5 / 48.0;
+    const double inertia = link.Mass * link.Length * link.Length / 3.0;
+    link.Stiffness = perStep * inertia / (half * half);
+    chain.Q << 0.02, 0.0;
+    chain.Rates << 0.3, 0.0;
+    Mover mover(chain, Still());
+    const double s = perStep * perStep;
+    const double filter = link.Stiffness * half * s / (1.0 + s);
+    double q = 0.02;
+    double rate = 0.3;
+    for (int step = 0; step < 3; ++step)
+    {
+      mover.Run(1, 2.0 * half);
+      const double middle = (inertia * rate - half * link.Stiffness * q + half * filter * rate) /
+        (inertia + half * half * link.Stiffness + 2.0 * half * filter);
+      q += 2.0 * half * middle;
+      rate = 2.0 * middle - rate;
+      EXPECT_NEAR(std::acos(glm::dot(link.Axis, mover.States[0].Shape)), std::abs(q), 1e-7) << perStep << " " << step;
+    }
+  }
+}
+
+// A leaf on a long arm without mass that goes along its own axis: m dv/dt = -rho/2 C_f A v^2, v = v_0 / (1 + c t).
+TEST(SeaweedDynamics, FrictionAlongTheAxisSlowsAsItsEquationSays)
+{
+  constexpr double Reach = 1e6;
+  constexpr double Start = 0.5;
+  Chain chain = MakeChain(2, 0.0, 0.0, false);
+  SeaweedLink& arm = chain.Links[0];
+  SeaweedLink& leaf = chain.Links[1];
+  arm.Axis = { 1.0, 0.0, 0.0 };
+  arm.Side = leaf.Axis = { 0.0, 1.0, 0.0 };
+  leaf.Side = { 1.0, 0.0, 0.0 };
+  arm.Length = Reach;
+  arm.Mass = 1e-9;
+  arm.AxialInertia = 1e-9;
+  arm.WettedArea = arm.FrontalArea = arm.EdgeFrontalArea = 0.0;
+  leaf.Foot = arm.Foot + Reach * arm.Axis;
+  leaf.Mass = 1.0;
+  leaf.FrontalArea = leaf.EdgeFrontalArea = 0.0;
+  leaf.WettedArea = 1.0;
+  SeaweedOptions options = Still();
+  options.FrictionCoefficient = 0.1;
+  chain.Q.setZero();
+  chain.Rates.setZero();
+  Mover mover(chain, options);
+  mover.States[0].Rate = Start / Reach * glm::cross(arm.Axis, Vector3(0.0, 1.0, 0.0));
+  mover.Motion.Pose(mover.States.data(), 0, 2, mover.Poses.data());
+  const double c = 0.5 * options.WaterDensity * options.FrictionCoefficient * leaf.WettedArea * Start / leaf.Mass;
+  for (int step = 1; step <= 20; ++step)
+  {
+    mover.Run(1, 1.0 / 48.0);
+    EXPECT_NEAR(mover.Poses[1].Velocity.y, Start / (1.0 + c * step / 48.0), 1e-5 * Start) << step;
+  }
+}
