@@ -397,6 +397,10 @@ std::string Utf8Of(const std::string& bytes)
 TextTable ReadTable(const std::string& bytes)
 {
   const std::string text = Utf8Of(bytes);
+  if (text.find('\0') != std::string::npos)
+  {
+    Refuse("the file is no text.");
+  }
   RowParser rows(text);
   if (rows.IsAtEnd())
   {

@@ -31,8 +31,8 @@ std::string Utf8Of(const std::string& bytes);
  * Reads separated values of a file: a row of names, and a row a line. The separator is the one of comma, semicolon and
  * tab that the names have most of, or that of a line `sep=;` before them. Lines of `#` before the names and blank lines
  * are left out. A cell in quotes may hold separators, quotes (two) and line breaks, but no whole rows. Columns without
- * a name are left out; numbers are as PlainNumbers() makes them. Throws InvalidInput for a row that is too long, a
- * quote that is not closed, two columns of one name, and too many columns.
+ * a name are left out; numbers are as PlainNumbers() makes them. Throws InvalidInput for what is no text, a row that is
+ * too long, a quote that is not closed, two columns of one name, and too many columns.
  */
 TextTable ReadTable(const std::string& bytes);
 

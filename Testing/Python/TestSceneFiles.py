@@ -271,6 +271,74 @@ class Meshes(Written):
                  if block(tiles.GetOutput(), name) and block(tiles.GetOutput(), name).GetNumberOfCells() > 0]
         self.assertEqual(levels, shown)
 
+    def land(self, heights, spacing=(2.0, 5.0)):
+        """Positions, normals and colors of a terrain in its own order, NaN where it has a hole."""
+        image = vtkImageData()
+        image.SetDimensions(heights.shape[1], heights.shape[0], 1)
+        image.SetSpacing(*spacing, 1.0)
+        values = numpy_to_vtk(heights.ravel().astype(float), deep=True)
+        values.SetName("Elevation")
+        image.GetPointData().SetScalars(values)
+        g = self.write({"Land": image})
+        node, = g.named("Land")
+        at = g.attribute(node, "POSITION") + g.nodes[node].get("translation", (0.0, 0.0, 0.0))
+        rows = np.rint(at[:, 1] / spacing[1]).astype(int), np.rint(at[:, 0] / spacing[0]).astype(int)
+        found = []
+        for name in ("NORMAL", "COLOR_0"):
+            whole = np.full((*heights.shape, 3), np.nan)
+            whole[rows] = g.attribute(node, name)[:, :3]
+            found.append(whole)
+        return found
+
+    def test_normals_of_a_plane(self):
+        """A plane has one normal, also at its border and beside a hole, and whatever the spacing."""
+        x, y = np.meshgrid(2.0 * np.arange(9), 5.0 * np.arange(7))
+        plane = 0.3 * x - 0.2 * y
+        plane[3, 4] = np.nan
+        normals, _ = self.land(plane)
+        there = np.isfinite(normals[..., 0])
+        self.assertEqual(there.sum(), plane.size - 1)
+        wanted = np.array((-0.3, 0.2, 1.0)) / np.sqrt(1.13)
+        np.testing.assert_allclose(normals[there], np.broadcast_to(wanted, normals[there].shape), atol=1e-6)
+
+    def test_colors_of_the_ground(self):
+        """Meadows are green, what is steeper than 45 degrees is grey rock; a land on a plateau has the colors of the same
+        land by the sea, and its upland is not green."""
+        x = np.broadcast_to(2.0 * np.arange(40), (12, 40))
+        land = np.where(x < 30.0, 0.0, 1.5 * (x - 30.0))
+        _, colors = self.land(land)
+        flat, steep = colors[:, 5], colors[:, 30]
+        self.assertGreater((flat[:, 1] - flat[:, [0, 2]].max(axis=1)).min(), 0.02)
+        self.assertGreater((steep[:, 0] - steep[:, 1]).min(), 0.0)
+        np.testing.assert_allclose(steep, np.broadcast_to(linear(np.array((128.0, 122.0, 112.0)) / 255.0), steep.shape),
+                                   atol=1e-4)
+        hills = np.broadcast_to(0.4 * 2.0 * np.arange(40), (12, 40))
+        np.testing.assert_allclose(self.land(hills + 1000.0)[1], self.land(hills)[1], atol=1e-5)
+        ends = self.land(hills)[1]
+        self.assertGreater(np.abs(ends[:, 1] - ends[:, -2]).max(), 0.02)
+
+    def test_opacity_and_points_without_a_normal(self):
+        """Opacity is linear, unlike colors; a normal of no length points up; vertices may be as many as a type has."""
+        data = points_of([(0, 0, 0), (1, 0, 0), (0, 1, 0)])
+        data.Allocate(1)
+        data.InsertNextCell(5, 3, [0, 1, 2])
+        shades = np.array([(200, 100, 50, 128), (200, 100, 50, 255), (200, 100, 50, 0)], np.uint8)
+        colors = numpy_to_vtk(shades, deep=True)
+        colors.SetName("RGB")
+        data.GetPointData().AddArray(colors)
+        normals = numpy_to_vtk(np.array([(0, 0, 0), (0, 3, 0), (-2, 0, 0)], np.float32), deep=True)
+        normals.SetName("Normals")
+        data.GetPointData().SetNormals(normals)
+        g = self.write({"A": data})
+        node, = g.named("A")
+        np.testing.assert_allclose(g.attribute(node, "COLOR_0")[:, 3], shades[:, 3] / 255.0, atol=1e-5)
+        np.testing.assert_allclose(g.attribute(node, "COLOR_0")[:, :3], linear(shades[:, :3] / 255.0), atol=1e-5)
+        np.testing.assert_array_equal(g.attribute(node, "NORMAL"), [(0, 0, 1), (0, 1, 0), (-1, 0, 0)])
+        # 65535 says that a strip ends, and so is no index of 16 bits.
+        for count, kind in ((65535, 5123), (65536, 5125)):
+            g = self.write({"A": points_of(np.zeros((count, 3)))})
+            self.assertEqual(g.accessors[g.primitive(g.named("A")[0])["indices"]]["componentType"], kind)
+
     def test_wet_ground(self):
         """Where water gathers, the color of the ground is another one; on ridges it is as on dry ground."""
         x, y = np.meshgrid(np.arange(-20, 21), np.arange(41))

@@ -433,6 +433,28 @@ TEST(DataVariogram, CountsThePairsOfItsClasses)
   }
 }
 
+// Of 4001 data every second is taken, with its own place and value.
+TEST(DataVariogram, ThinsManyDataEvenly)
+{
+  KrigingData all = SomeData(4001, false);
+  all.Places[0] = { 0.0, 0.0, 0.0 };
+  all.Places[2] = { 100.0, 60.0, 0.0 };
+  KrigingData half;
+  for (std::size_t n = 0; n < all.Places.size(); n += 2)
+  {
+    half.Places.push_back(all.Places[n]);
+    half.Values.push_back(all.Values[n]);
+  }
+  const std::vector<LagBin> bins = DataVariogram(all, KrigingType::Simple);
+  const std::vector<LagBin> wanted = DataVariogram(half, KrigingType::Simple);
+  ASSERT_EQ(bins.size(), wanted.size());
+  for (std::size_t n = 0; n < bins.size(); ++n)
+  {
+    EXPECT_EQ(bins[n].Pairs, wanted[n].Pairs);
+    EXPECT_EQ(bins[n].Semivariance, wanted[n].Semivariance);
+  }
+}
+
 // Data that rise all the way have no range within reach: ranges stop at the last lag, that of a sphere, its diameter,
 // at two and that of a fractal at four of them.
 TEST(DataVariogram, RangesEndWhereItsLagsEnd)

@@ -113,6 +113,7 @@ TEST(TextTable, OneMessageForWhatIsNoTable)
   EXPECT_EQ(WhyNot("a,b\n1,2,3\n"), "row 2 has 3 cells, and the first row has 2.");
   EXPECT_EQ(WhyNot("a,b\n1,2,,\n"), "");
   EXPECT_EQ(WhyNot(" \n"), "the file has no rows.");
+  EXPECT_EQ(WhyNot(std::string("a,b\n1,\0\n", 8)), "the file is no text.");
   EXPECT_EQ(WhyNot(""), "the file has no rows.");
   std::string wide = "x0";
   for (int column = 1; column < 100000; ++column)

@@ -474,6 +474,25 @@ TEST(StandPlausibility, OneMessageForWhatNoStandHas)
     Says(WhyNot(pines + "80,2,12,80\n80,8,12,80\n80,14,12,80\n86,8,12,80\n86,14,12,80\n"), "cannot be; check"));
 }
 
+// A tree is at most four times as thick as the upper tenth of the others, or 3 m, and never more than 12 m.
+TEST(StandPlausibility, ThickTreesNeedOthers)
+{
+  const auto likely = [](double others) { return LargestLikelyDiameter(std::vector<double>(20, others)); };
+  EXPECT_DOUBLE_EQ(likely(0.3), 3.0);
+  EXPECT_DOUBLE_EQ(likely(1.5), 6.0);
+  EXPECT_DOUBLE_EQ(likely(5.0), 12.0);
+  EXPECT_DOUBLE_EQ(LargestLikelyDiameter({}), 3.0);
+}
+
+// Two trees of 150 feet are among those of 60, though 150 m would be a code.
+TEST(StandPlausibility, HeightsInFeetAreNoCodes)
+{
+  const std::string text = Grid(5, "x,y,height (ft)", ",60") + "30,2,150\n40,2,150\n";
+  EXPECT_NEAR(Read(text).Trees[25].Height, 45.72, 1e-9);
+  EXPECT_TRUE(Read(text).MissingCodes.empty());
+  EXPECT_EQ(Read(Grid(5, "x,y,height (ft)", ",60") + "30,2,450\n40,2,450\n").MissingCodes.size(), 1u);
+}
+
 TEST(StandPlausibility, ATreeMistypedByKilometres)
 {
   std::string text = Grid(6, "x,y", "");
@@ -481,6 +500,12 @@ TEST(StandPlausibility, ATreeMistypedByKilometres)
   EXPECT_TRUE(Says(WhyNot(text + "2003,3\n"), "the tree of row 37 stands 1983 m along x from the others"));
   EXPECT_TRUE(Says(
     WhyNot(text + "3,-3000\n"), "the tree of row 37 stands 3000 m along y from the others, which are within 20 m"));
+  // Others within 20 m may have one at 100 m, those within 316 m one at 632 m.
+  EXPECT_EQ(WhyNot(text + "3,118\n"), "");
+  EXPECT_TRUE(Says(WhyNot(text + "3,122\n"), "102 m along y"));
+  const std::string wide = Grid(80, "x,y", "");
+  EXPECT_EQ(WhyNot(wide + "3,946\n"), "");
+  EXPECT_TRUE(Says(WhyNot(wide + "3,950\n"), "634 m along y"));
   InventoryOptions options;
   options.AllowImplausible = true;
   EXPECT_EQ(WhyNot(text + "2003,3\n", options), "");
@@ -529,6 +554,59 @@ TEST(StandInventory, NoColumnIsIgnoredInSilence)
   EXPECT_DOUBLE_EQ(Read("x,y,dbh1,dbh2\n1,2,10,12\n", options).Trees[0].Diameter, 0.1);
   const StandInventory rest = Read("id,x,y,quadrat,dbh,agb,crown base height,status\n1,1,2,7,10,3,2,A\n");
   EXPECT_EQ(rest.Unread, (std::vector<std::string>{ "quadrat", "agb", "crown base height" }));
+}
+
+// Trees in a row take a strip of a tenth of its length, or another part that is asked for; a tree alone, one of a
+// metre.
+TEST(StandInventory, AreaOfARow)
+{
+  const StandInventory row = Read("x,y\n0,3\n10,3\n20,3\n30,3\n40,3\n");
+  EXPECT_NEAR(AreaOf(row, 0.1), 60.0 * 6.0, 1e-9);
+  EXPECT_NEAR(AreaOf(row, 0.5), 60.0 * 30.0, 1e-9);
+  EXPECT_NEAR(AreaOf(Read("x,y\n0,3\n"), 0.1), 0.01, 1e-12);
+}
+
+// Twenty trees a square metre are no stand: 36 trees with a distance of 0.26 m are, of 0.2 m are not.
+TEST(StandInventory, NoStandIsDenserThanTwentyTreesASquareMetre)
+{
+  InventoryOptions options;
+  const std::string six = Grid(6, "x,y", ""); // 4 m apart
+  options.CoordinateScale = 0.26 / 4.0;
+  EXPECT_EQ(WhyNot(six, options), "");
+  options.CoordinateScale = 0.2 / 4.0;
+  EXPECT_TRUE(Says(WhyNot(six, options), "are no stand"));
+  EXPECT_EQ(WhyNot(Grid(4, "x,y", ""), options), ""); // 16 trees: too few to tell
+}
+
+// Of nine diameters no others are drawn, of ten are, between them too.
+TEST(StandInventory, DrawsFromTenMeasuredDiameters)
+{
+  const auto drawn = [](int measured) {
+    std::string text = Grid(8, "x,y,dbh", ",");
+    for (int tree = 0; tree < measured; ++tree)
+    {
+      text += std::to_string(40 + 4 * tree) + ",2," + std::to_string(80 + tree) + "\n";
+    }
+    const StandInventory stand = Read(text);
+    std::vector<double> diameters;
+    for (std::size_t tree = 0; tree < 64; ++tree)
+    {
+      diameters.push_back(stand.Trees[tree].Diameter);
+    }
+    return diameters;
+  };
+  for (const double diameter : drawn(9))
+  {
+    EXPECT_LT(diameter, 0.79); // by the density
+  }
+  double off = 0.0;
+  for (const double diameter : drawn(10))
+  {
+    EXPECT_GE(diameter, 0.8);
+    EXPECT_LE(diameter, 0.89 + 1e-12);
+    off = std::max(off, std::abs(100.0 * diameter - std::round(100.0 * diameter)));
+  }
+  EXPECT_GT(off, 0.3);
 }
 
 TEST(StandSpecies, TablesOfUsers)
