@@ -37,7 +37,7 @@ set(standard_TestPlantMeshes *) # all grow all plants
 set(standard_TestPlantSway PlantSway.AnyTimeWithoutHistoryBitwise PlantSway.InterpolatedIsCloseForATree)
 set(standard_TestPointProcesses
   *SameBytesOnAnyThreads/* *RasterChangesTheIntensity/* *SimulatedPairsFollowTheClosedForm/*
-  PointProcesses.StraussPointsObeyTheirConditionalIntensity
+  PointProcesses.StraussPointsObeyTheirConditionalIntensity PointProcesses.StraussPointsInteractUnderARasterToo
   PointProcesses.StraussPointsWhoseBoundsDoNotMeetAreNotCalledExact
   PointProcesses.StraussPointsWithoutInteractionArePoisson)
 set(standard_TestProcessFits

@@ -90,6 +90,18 @@ class Motion(Moving):
         self.assertLessEqual(len([m for m in g.meshes if "JOINTS_0" in m["primitives"][0]["attributes"]]), 4)
         colors = [g.nodes[k].get("extras", {}).get("tint", (1, 1, 1)) for k, n in enumerate(g.nodes) if "skin" in n]
         self.assertGreater(np.std(colors), 0.01, "all plants have one tint")
+        self.check_tints(g, block(source.GetOutput(), "High", "Leaves"))
+
+    def check_tints(self, g, leaves):
+        """Colors of the mesh of a group times the tint of a plant are its own, in linear light."""
+        own = TestSceneFiles.linear(array(leaves, "RGB")[:, :3] / 255.0)
+        for node in g.nodes:
+            words = node.get("name", "").split()
+            if "skin" in node and words[-2] == "High" and "tint" in node.get("extras", {}):
+                leaf = g.meshes[node["mesh"]]["primitives"][1]["attributes"]["COLOR_0"]
+                shown = g.array(leaf)[:, :3].sum(axis=0) * node["extras"]["tint"]
+                wanted = own[array(leaves, "PlantId") == int(words[-1])].sum(axis=0)
+                np.testing.assert_allclose(shown, wanted, rtol=1e-3)
 
     def test_curves_between_few_samples(self):
         """Cubic curves of the film's rate, at samples and between them, keep fewer numbers than all samples would."""

@@ -422,6 +422,35 @@ TEST(PointProcesses, StraussPointsObeyTheirConditionalIntensity)
   }
 }
 
+// Where a raster is low, Strauss points are those of a lower activity, and avoid each other as there.
+TEST(PointProcesses, StraussPointsInteractUnderARasterToo)
+{
+  IntensityRaster halves;
+  halves.Center = { 0.25, 0.5 };
+  halves.Spacing = { 0.5, 1.0 };
+  halves.Count = { 2, 1 };
+  halves.Values = { 1.0, 3.0 };
+  Sample counts[2];
+  for (const bool hasRaster : { false, true })
+  {
+    PointProcessParameters process = Process(5);
+    process.Distance = 0.05;
+    process.Activity = hasRaster ? 300.0 : 150.0; // of the mean of the raster, twice its low half
+    for (int seed = 1; seed <= 30; ++seed)
+    {
+      ProcessOptions options;
+      options.Seed = seed;
+      options.Raster = hasRaster ? &halves : nullptr;
+      const std::vector<PlanePosition> points = SimulateProcess(process, options, Box(0.0, 0.0, 1.0, 1.0)).Points;
+      counts[hasRaster].Add(static_cast<double>(
+        std::count_if(points.begin(), points.end(), [](const PlanePosition& point) { return point[0] < 0.4; })));
+    }
+  }
+  const double error = std::hypot(counts[0].Error(), counts[1].Error());
+  EXPECT_LT(3.0 * error, 0.15 * counts[0].Mean());
+  EXPECT_NEAR(counts[1].Mean(), counts[0].Mean(), 3.0 * error);
+}
+
 TEST(PointProcesses, StraussPointsWithoutInteractionArePoisson)
 {
   PointProcessParameters process = Process(5);

@@ -137,6 +137,29 @@ TEST(SoftCore, IntensityIsThatAskedFor)
   EXPECT_NEAR(mean, 60.3, 3.0 * error);
 }
 
+// Points leave a torus on one side and come in on the other: those that hardly feel each other stay uniform.
+TEST(SoftCore, PointsMoveOnATorus)
+{
+  PatternArea torus;
+  torus.Size = { 3.0, 2.0 };
+  SoftCoreChain chain(SoftCore(100.0, 0.001, 0.4), torus, 3);
+  chain.Fill(600);
+  for (int sweep = 1; sweep < 40; ++sweep)
+  {
+    chain.Sweep(sweep);
+  }
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    int outer = 0;
+    for (const PlanePosition& place : chain.GetPlaces())
+    {
+      ASSERT_TRUE(place[axis] >= 0.0 && place[axis] < torus.Size[axis]);
+      outer += place[axis] < 0.01 * torus.Size[axis] || place[axis] > 0.99 * torus.Size[axis];
+    }
+    EXPECT_NEAR(outer, 12.0, 3.0 * std::sqrt(12.0)) << axis;
+  }
+}
+
 // The table of potentials is as near to the formula as it says, up to its ends.
 TEST(SoftCore, PotentialsAreTabulated)
 {
