@@ -491,6 +491,20 @@ class Instances(Written):
             self.assertTrue(all("EXT_mesh_gpu_instancing" in g.nodes[part]["extensions"] for part in parts))
         self.assertEqual(found, {"Trees": {"bark", "leaf", "blade"}, "Grass": {"grass"}})
 
+    def test_a_scale_for_each_axis(self):
+        """Plants of an inventory are as wide as their trunks and as high as they are."""
+        blocks = vtkMultiBlockDataSet()
+        blocks.ShallowCopy(self.forest.GetOutput())
+        points = block(blocks, "Instances")
+        wide = array(points, "Scale")
+        scales = numpy_to_vtk(np.column_stack((0.5 * wide, 0.7 * wide, 2.0 * wide)).astype(np.float32), deep=True)
+        scales.SetName("Scale")
+        points.GetPointData().AddArray(scales)
+        g = self.write({"Forest": blocks}, LevelForm=2)
+        high = g.child(g.named("Forest")[0], "0 High")
+        index = g.nodes[g.nodes[high]["children"][0]]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["SCALE"]
+        np.testing.assert_array_equal(g.array(index), vtk_to_numpy(scales)[array(points, "Species") == 0])
+
     def test_nodes(self):
         tints = array(self.points, "Tint") ** 2.2
         g = self.write({"Forest": self.forest}, InstanceForm=1, LevelForm=2)

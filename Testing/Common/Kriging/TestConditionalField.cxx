@@ -264,6 +264,10 @@ TEST(KrigingSurvey, DriftAtTheData)
 TEST(KrigingSurvey, NeighborsAndScores)
 {
   KrigingSurvey survey = Survey();
+  survey.Type = KrigingType::Simple;
+  survey.Data.Values = { 1.0, 2.0, 6.0 };
+  TakeMean(true, survey);
+  EXPECT_DOUBLE_EQ(survey.Mean, 3.0);
   TakeNeighbors(0, survey);
   EXPECT_EQ(survey.Neighbors, 3u);
   TakeNeighbors(2, survey);

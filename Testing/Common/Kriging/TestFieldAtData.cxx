@@ -65,6 +65,9 @@ TEST(FieldAtData, IsTheGridsAtItsPoints)
     }
     SnapToGrid(Grid, places);
     EXPECT_EQ(places[2].X, 114.0);
+    std::vector<KrigingPlace> off{ { 114.0002, -11.0, 0.0 } };
+    SnapToGrid(Grid, off);
+    EXPECT_EQ(off[0].X, 114.0002); // not within a millionth of the spacing
     const std::vector<double> values = FieldAtData(grown.Field, parameters, Grid, Window, places);
     EXPECT_EQ(values[0], grown.Values[0]);
     EXPECT_EQ(values[1], grown.Values[20 * 31 + 30]);

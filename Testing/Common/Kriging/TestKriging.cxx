@@ -191,7 +191,25 @@ TEST(Kriging, MeetsExactData)
       {
         EXPECT_NEAR(estimates[n], data.Values[n], 1e-9 * 2.0) << kind << " " << neighbors;
         EXPECT_NEAR(variances[n], 0.0, 1e-9) << kind << " " << neighbors;
+        EXPECT_GE(variances[n], 0.0) << kind << " " << neighbors;
       }
+    }
+  }
+}
+
+TEST(Kriging, NoVarianceIsNegative)
+{
+  const KrigingData data = SomeData(80, false);
+  for (const std::size_t neighbors : { 0, 12 })
+  {
+    for (int kind = 0; kind < NumberOfCovarianceModels; ++kind)
+    {
+      const KrigingModel model = ModelOf(static_cast<CovarianceModel>(kind));
+      const Kriging kriging(model, data, OptionsOf(KrigingType::Simple, neighbors));
+      std::vector<double> estimates(80);
+      std::vector<double> variances(80);
+      kriging.Estimate(data.Places.data(), 80, estimates.data(), variances.data());
+      EXPECT_GE(*std::min_element(variances.begin(), variances.end()), 0.0) << kind << " " << neighbors;
     }
   }
 }
@@ -233,6 +251,21 @@ TEST(Kriging, LeavesOneOut)
       EXPECT_NEAR(closed[n].Variance, truth.Variance + 0.1 + data.ErrorVariances[n], 1e-6) << type;
     }
   }
+}
+
+// Without the only datum beside a line no plane is determined; without another one it is.
+TEST(Kriging, LeavesOutNoDatumThatTheDriftNeeds)
+{
+  KrigingData data;
+  data.Places = { { 0.0, 5.0, 0.0 }, { 10.0, 5.0, 0.0 }, { 20.0, 5.0, 0.0 }, { 7.0, 9.0, 0.0 } };
+  data.Values = { 1.0, 3.0, 2.0, 4.0 };
+  const Kriging kriging(ModelOf(CovarianceModel::SimpleExponential), data, OptionsOf(KrigingType::LinearDrift));
+  const std::vector<LeaveOneOutEstimate> left = kriging.LeaveOneOut();
+  for (int n = 0; n < 3; ++n)
+  {
+    EXPECT_TRUE(std::isfinite(left[n].Estimate) && left[n].Variance > 0.0) << n;
+  }
+  EXPECT_TRUE(std::isnan(left[3].Estimate) && std::isnan(left[3].Variance));
 }
 
 TEST(Kriging, LeavesOneOutOfNeighborhoods)

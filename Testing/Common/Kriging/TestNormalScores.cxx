@@ -23,6 +23,8 @@ TEST(NormalScores, OfRanks)
   EXPECT_EQ(scores.ValueOf(9.0), 100.0);
   EXPECT_EQ(scores.ValueOf(-9.0), -1.0);
   EXPECT_NEAR(scores.ScoreOf(scores.ValueOf(0.1)), 0.1, 1e-14);
+  // Linear between values: a fourth of the way from 2 to 5
+  EXPECT_NEAR(scores.ScoreOf(2.75), 0.75 * scores.ScoreOf(2.0) + 0.25 * scores.ScoreOf(5.0), 1e-14);
 }
 
 TEST(NormalScores, OfEqualValues)
