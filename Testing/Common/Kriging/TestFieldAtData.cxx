@@ -157,3 +157,26 @@ TEST(FieldAtData, IsContinuousAtThePoints)
     EXPECT_NEAR(squares / 60.0, variance, 4.0 * variance * std::sqrt(2.0 / 60.0)) << angle;
   }
 }
+
+// So have data that are beside each other between the points.
+TEST(FieldAtData, IsContinuousBetweenThePoints)
+{
+  const TurningBandsParameters parameters = Parameters(CovarianceModel::SimpleExponential, 7);
+  const Grown grown(parameters);
+  std::vector<KrigingPlace> places;
+  for (int n = 0; n < 60; ++n)
+  {
+    places.push_back(PlaceOfPoint(Grid, (n / 2) % 30, (n / 2) % 20));
+    places.back().X += n % 2 == 0 ? 1.0 : 1.002;
+    places.back().Y += 1.5;
+  }
+  const std::vector<double> values = FieldAtData(grown.Field, parameters, Grid, Window, places);
+  double squares = 0.0;
+  for (int n = 0; n < 60; n += 2)
+  {
+    squares += std::pow(values[n] - values[n + 1], 2);
+  }
+  const double variance =
+    2.0 * (9.0 - Covariance(parameters.Field, 0.002 * std::hypot(std::cos(0.5), 1.6 * std::sin(0.5))));
+  EXPECT_NEAR(squares / 30.0, variance, 4.0 * variance * std::sqrt(2.0 / 30.0));
+}
