@@ -41,7 +41,10 @@ class Mutations(unittest.TestCase):
 
     def test_mutations_of_the_plugin_ask_tests_in_paraview(self):
         mutation = mutate.Mutation("paraview-plugin/A.cxx", "a", "b", ["ParaView/TestTextures"], "")
-        self.assertEqual(mutate.plugin_tests(mutation), ["-R", "paraview.(TestTextures)$"])
+        self.assertEqual(mutate.plugin_tests(mutation), ["-R", "^(paraview.TestTextures)$"])
+        scene = mutate.Mutation("IO/SceneFile.cxx", "a", "b", ["Python/TestSceneFiles", "Python/TestHoles"], "")
+        self.assertEqual(mutate.kind_of(scene, False), mutate.PLUGIN)
+        self.assertEqual(mutate.plugin_tests(scene), ["-R", "^(python.TestSceneFiles|python.TestHoles)$"])
         self.assertEqual(mutate.plugin_tests(mutation._replace(tests=[])), ["-L", "paraview"])
         self.assertEqual((mutate.kind_of(mutation, False), mutate.targets_of(mutation, mutate.PLUGIN)),
                          (mutate.PLUGIN, ["all"]))

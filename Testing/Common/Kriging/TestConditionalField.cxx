@@ -107,7 +107,7 @@ TEST(ConditionalField, EstimateFromOneDatum)
 TEST(ConditionalField, SeedsHaveTheKrigingVariance)
 {
   KrigingSurvey survey = Survey();
-  survey.Data.ErrorVariances = { 1.0, 0.0, 0.0 };
+  survey.Data.ErrorVariances = { 3.0, 0.0, 0.0 };
   ConditionalOptions options;
   options.Simulates = false;
   const Filled kriged = Fill(survey, options, survey.Window);
