@@ -462,8 +462,8 @@ public:
     }
     tree.X = this->PlaceIn(this->Columns.X, row);
     tree.Y = this->PlaceIn(this->Columns.Y, row);
-    tree.Diameter = this->MeasureIn(this->Columns.Diameter, this->DiameterCodes, this->MetresOfDiameter(), "DBH", row);
-    tree.Height = this->MeasureIn(this->Columns.Height, this->HeightCodes, MetresOf(this->Heights), "Height", row);
+    tree.Diameter = this->MeasureIn(this->Columns.Diameter, this->DiameterCodes, this->MetresOfDiameter(), row);
+    tree.Height = this->MeasureIn(this->Columns.Height, this->HeightCodes, MetresOf(this->Heights), row);
     tree.Name = this->NameIn(row);
     tree.Species = this->Species.RowOf(tree.Name, this->Options.DefaultSpecies);
     if (!tree.Name.empty() && !this->Species.Has(tree.Name) && this->Met.insert(tree.Name).second)
@@ -535,15 +535,14 @@ private:
   }
 
   /// A positive length [m]; NaN where it was not measured, which 0 and codes say too.
-  double MeasureIn(
-    const FoundColumn& column, const std::set<double>& codes, double metres, const char* name, std::size_t row) const
+  double MeasureIn(const FoundColumn& column, const std::set<double>& codes, double metres, std::size_t row) const
   {
     const double number = LengthIn(this->Table, column, row, 1.0);
     const bool isMissing = std::isnan(number) || number == 0.0 || codes.count(number) > 0;
     const double length = metres * number;
     if (!isMissing && !(length > 0.0 && IsSensible(length)))
     {
-      Refuse(name, " of row ", row + 1, " is ", TextOf(length), " m; it must be ",
+      Refuse(this->Table.Names[column.Index], " of row ", row + 1, " is ", TextOf(length), " m; it must be ",
         number < 0.0 ? "positive." : "the length of a tree.");
     }
     return isMissing ? std::numeric_limits<double>::quiet_NaN() : length;

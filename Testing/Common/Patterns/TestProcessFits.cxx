@@ -75,6 +75,21 @@ TEST(ProcessFits, RedwoodIsThatOfSpatstat)
   }
 }
 
+// The contrast is the integral of a squared difference of powers q of K: of a length to 4 q + 1, here 2.
+TEST(ProcessFits, ContrastsAreOfTheirUnit)
+{
+  std::vector<PlanePosition> points = Mapped("redwood");
+  const ProcessFit own = FitProcess(PointProcess::Thomas, points, RedwoodWindow(), {});
+  for (PlanePosition& point : points)
+  {
+    point = { 10.0 * point[0], 10.0 * point[1] };
+  }
+  const auto window = ObservationWindow::Rectangle({ 0.0, -10.0 }, { 10.0, 0.0 });
+  const ProcessFit wide = FitProcess(PointProcess::Thomas, points, window, {});
+  EXPECT_NEAR(wide.Contrast / own.Contrast, 100.0, 0.01);
+  EXPECT_NEAR(wide.Process.ClusterScale / own.Process.ClusterScale, 10.0, 1e-3);
+}
+
 // Strauss process of cells with the distance 0.1 and border 0.1: ppm of spatstat 3.2 (nd = 256) gives the activity 2380
 // and the interaction 0.00242; its sums differ by their dummy points.
 TEST(ProcessFits, CellsAreThoseOfSpatstat)

@@ -380,8 +380,8 @@ TEST(StandInventory, OneMessageEach)
   commas.Columns = { { "3,5" }, { "4" } };
   EXPECT_TRUE(Says(
     WhyRefused([&] { ReadInventory(commas, Species(), {}); }), "row 1 has '3,5' for x, which is no number, or two"));
-  EXPECT_TRUE(Says(WhyNot("x,y,dbh\n1,2,-3\n"), "DBH of row 1 is -0.03 m"));
-  EXPECT_TRUE(Says(WhyNot("x,y,height\n1,2,5e-324\n"), "Height of row 1 is 4.94066e-324 m; it must be the length"));
+  EXPECT_TRUE(Says(WhyNot("x,y,dbh\n1,2,-3\n"), "dbh of row 1 is -0.03 m"));
+  EXPECT_TRUE(Says(WhyNot("x,y,height\n1,2,5e-324\n"), "height of row 1 is 4.94066e-324 m; it must be the length"));
   EXPECT_TRUE(Says(WhyNot("x,y\n1,NA\n"), "row 1 has no place: its y is 'NA'"));
   // Millimetres said to be centimetres, and feet said to be metres.
   EXPECT_TRUE(Says(WhyNot(Grid(3, "x,y,dbh", ",452")), "set DiameterUnit, to mm."));
