@@ -497,10 +497,11 @@ TEST(DataVariogram, RangesEndWhereItsLagsEnd)
   {
     data.Values[n] = 0.3 * data.Places[n].X + 0.1 * data.Places[n].Y;
   }
-  const double last = DataVariogram(data, KrigingType::Ordinary).back().Lag;
+  const std::vector<LagBin> variogram = DataVariogram(data, KrigingType::Ordinary);
+  const double last = variogram.back().Lag;
   double longest = 0.0;
   double fractal = 0.0;
-  for (const KrigingModel& model : FitToData(data, KrigingType::Ordinary))
+  for (const KrigingModel& model : FitToData(data, variogram))
   {
     const bool isFractal = model.Field.Model == CovarianceModel::Fractal;
     const double part = model.Field.Model == CovarianceModel::Spherical ? 0.5 : 1.0;
