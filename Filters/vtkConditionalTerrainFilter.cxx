@@ -304,10 +304,13 @@ void vtkConditionalTerrainFilter::FindModel(vtkInformationVector** inputVector, 
   littoral::TakeMean(this->UseDataMean && !fits, survey);
   littoral::TakeNeighbors(this->NumberOfNeighbors, survey);
   const littoral::ParallelFor parallel = littoral::AbortableFor(this);
-  survey.Variogram = littoral::DataVariogram(survey.Data, survey.Type, parallel);
   if (!fits && this->Model == FittedToData)
   {
     littoral::FitModel(survey, parallel);
+  }
+  else
+  {
+    survey.Variogram = littoral::DataVariogram(survey.Data, survey.Type, parallel);
   }
 }
 

@@ -126,6 +126,7 @@ void FitModel(KrigingSurvey& survey, const ParallelFor& parallel)
 {
   std::string first;
   const KrigingOptions options = survey.OptionsAtData();
+  survey.Variogram = DataVariogram(survey.Data, survey.Type, parallel);
   const std::size_t step = (survey.Data.Places.size() + PlacesTried - 1) / PlacesTried;
   for (const KrigingModel& model : FitToData(survey.Data, survey.Variogram, parallel))
   {

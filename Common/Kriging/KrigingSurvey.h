@@ -61,7 +61,7 @@ void TakeDrift(std::vector<double> drift, KrigingSurvey& survey);
 /// Turns the values into normal scores.
 void TakeScores(KrigingSurvey& survey);
 
-/// Takes the best of the models fitted to the variogram of the data (FitToData) whose system can be solved.
+/// Takes the variogram of the data, and the best of the models fitted to it (FitToData) whose system can be solved.
 void FitModel(KrigingSurvey& survey, const ParallelFor& parallel = SerialFor);
 
 /// Takes this number of neighbours, at most all data; 0: all of up to 2000 data, else 50.
