@@ -34,8 +34,8 @@
  * interpolated, else one of a Weibull law whose mean follows from the density of the stand (Reineke 1933), see
  * QuadraticMeanDiameter.
  *
- * Plots whose rectangles overlap are set in a row along x, 20 m apart. Of the stems of a tree, by treeid, the thickest
- * is taken. Rows of dead trees are left out.
+ * Plots whose rectangles overlap are set in a row along x, 20 m apart. Of the stems of a tree, by treeid and within
+ * 2 m, the thickest is taken. Rows of dead trees are left out.
  *
  * A column that is not there, columns of which none is known but places, plots and numbers, a cell that is no
  * number, trees at the same place, dimensions that no stand has in the unit that was said, a tree that is too thick,

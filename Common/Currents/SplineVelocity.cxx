@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace littoral
@@ -24,13 +25,24 @@ bool AreLevel(const SampledVelocity& samples)
   return id == count;
 }
 
+/// The samples that splines go through: with land they continue those of the water.
+std::function<Vector3(std::size_t)> SamplesOf(const SampledVelocity& samples, const WaterMask& mask)
+{
+  if (mask.IsOpen())
+  {
+    return [&samples](std::size_t id) { return samples.Sample(id); };
+  }
+  return [values = mask.Continued(samples)](std::size_t id) { return values[id]; };
+}
+
 }
 
 SplineVelocity::SplineVelocity(std::shared_ptr<const SampledVelocity> samples, const ParallelFor& parallel)
   : Samples(std::move(samples))
+  , Mask(*this->Samples)
   , Spline(
       { SplineAxis(this->Samples->Nodes(0)), SplineAxis(this->Samples->Nodes(1)), SplineAxis(this->Samples->Nodes(2)) },
-      [this](std::size_t id) { return this->Samples->Sample(id); }, this->Samples->IsSingle(), parallel)
+      SamplesOf(*this->Samples, this->Mask), this->Samples->IsSingle(), parallel)
   , IsLevelAnywhere(AreLevel(*this->Samples))
 {
 }
@@ -58,7 +70,8 @@ bool SplineVelocity::IsLevelAt(double height) const
 
 Vector3 SplineVelocity::Velocity(const Vector3& position) const
 {
-  return this->Spline.At(this->Samples->PositionOf(position));
+  const Vector3 along = this->Samples->PositionOf(position);
+  return this->Mask.ShareAt(along) * this->Spline.At(along);
 }
 
 }

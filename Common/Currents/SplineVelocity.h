@@ -5,6 +5,7 @@
 
 #include "Currents/VelocityGrid.h"
 #include "Currents/VelocitySpline.h"
+#include "Currents/WaterMask.h"
 #include "Numerics/Parallel.h"
 
 #include <memory>
@@ -12,7 +13,8 @@
 namespace littoral
 {
 
-/// Samples of a velocity field interpolated by cubic splines (VelocitySpline).
+/// Samples of a velocity field interpolated by cubic splines (VelocitySpline). In the cells of a coast what the water
+/// beside it would have is multiplied by the part of water, linear between the samples.
 class SplineVelocity : public VelocityGrid
 {
 public:
@@ -28,6 +30,7 @@ public:
 
 private:
   std::shared_ptr<const SampledVelocity> Samples;
+  WaterMask Mask;
   VelocitySpline Spline;
   bool IsLevelAnywhere; ///< as in data of horizontal velocities alone
 };

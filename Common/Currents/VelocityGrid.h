@@ -49,6 +49,9 @@ public:
   /// The sample with the number i + Nodes(0).size() (j + Nodes(1).size() k).
   virtual Vector3 Sample(std::size_t id) const = 0;
 
+  /// Whether the sample of a number is water; at rest where it is not.
+  virtual bool IsWater(std::size_t id) const = 0;
+
   /// Whether samples are in single precision.
   virtual bool IsSingle() const = 0;
 };

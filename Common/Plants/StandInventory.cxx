@@ -13,6 +13,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace littoral
@@ -22,6 +23,7 @@ namespace
 {
 
 constexpr double PlotGap = 20.0;        // between plots that are set in a row [m]
+constexpr double StemsOfTree = 2.0;     // to which the stems of one tree stand apart [m]
 constexpr double ThickestMean = 2.5;    // quadratic mean diameter of a stand [m]
 constexpr double TallestLikely = 130.0; // height that is no code for a missing one [m]
 constexpr double DensestStand = 20.0;   // trees a square metre
@@ -380,38 +382,48 @@ void SetApart(StandInventory& stand)
   }
 }
 
-/// Keeps the thickest of the stems of one tree. Other trees must not stand at one place unless that is allowed.
-void JoinStems(const std::vector<std::string>& identities, bool allowed, StandInventory& stand)
+/// Keeps the thickest of the stems of one tree, which have its name and stand close together.
+void JoinStems(const std::vector<std::string>& identities, StandInventory& stand)
 {
-  std::map<std::tuple<double, double, int>, std::size_t> first;
+  if (identities.empty())
+  {
+    return;
+  }
+  std::map<std::pair<std::string, int>, std::vector<std::size_t>> known; // places among those kept
   std::vector<StandTree> kept;
   for (const StandTree& tree : stand.Trees)
   {
-    const auto [found, isNew] = first.emplace(std::tuple(tree.X, tree.Y, tree.Plot), kept.size());
-    if (isNew)
+    const std::string& identity = identities[tree.Row];
+    std::vector<std::size_t>& others = known[{ identity, tree.Plot }];
+    const auto same = identity.empty() ? others.end() : std::find_if(others.begin(), others.end(), [&](std::size_t at) {
+      return std::hypot(tree.X - kept[at].X, tree.Y - kept[at].Y) <= StemsOfTree;
+    });
+    if (same == others.end())
     {
+      others.push_back(kept.size());
       kept.push_back(tree);
       continue;
     }
-    StandTree& other = kept[found->second];
-    const bool isSame =
-      !identities.empty() && !identities[tree.Row].empty() && identities[tree.Row] == identities[other.Row];
-    if (isSame)
+    StandTree& other = kept[*same];
+    ++stand.Dropped;
+    other = !(tree.Diameter <= other.Diameter) && std::isfinite(tree.Diameter) ? tree : other;
+  }
+  stand.Trees = std::move(kept);
+}
+
+/// Refuses two trees at one place.
+void RequireApart(const StandInventory& stand)
+{
+  std::map<std::tuple<double, double, int>, std::size_t> first;
+  for (const StandTree& tree : stand.Trees)
+  {
+    const auto [found, isNew] = first.emplace(std::tuple(tree.X, tree.Y, tree.Plot), tree.Row);
+    if (!isNew)
     {
-      ++stand.Dropped;
-      other = !(tree.Diameter <= other.Diameter) && std::isfinite(tree.Diameter) ? tree : other;
-    }
-    else if (allowed)
-    {
-      kept.push_back(tree);
-    }
-    else
-    {
-      Refuse("rows ", other.Row + 1, " and ", tree.Row + 1, " stand at the same place (", TextOf(tree.X), ", ",
+      Refuse("rows ", found->second + 1, " and ", tree.Row + 1, " stand at the same place (", TextOf(tree.X), ", ",
         TextOf(tree.Y), ") m; remove one, give stems of one tree the same treeID, or set AllowCoincident.");
     }
   }
-  stand.Trees = std::move(kept);
 }
 
 void RequireRoom(const StandInventory& stand)
@@ -639,7 +651,11 @@ StandInventory ReadInventory(const TextTable& table, const StandSpeciesTable& sp
   }
   stand.Unread = rows.GetColumns().Unread;
   const int tree = rows.GetColumns().Tree.Index;
-  JoinStems(tree < 0 ? std::vector<std::string>() : table.Columns[tree], options.AllowCoincident, stand);
+  JoinStems(tree < 0 ? std::vector<std::string>() : table.Columns[tree], stand);
+  if (!options.AllowCoincident)
+  {
+    RequireApart(stand);
+  }
   RequireRoom(stand);
   RequirePlausible(stand, rows.GetDiameterUnit(), rows.GetHeightUnit(), options);
   if (!options.AllowImplausible)

@@ -62,17 +62,29 @@ public:
 
   bool IsSingle() const { return this->Single != nullptr; }
 
-  /// Velocity of a point; none where it is no number, or as large as what ocean models write on land.
+  /// Velocity of a point; none on land.
   Vector3 operator()(vtkIdType id) const
   {
-    const Vector3 value = this->Single
-      ? Vector3(this->Single[3 * id], this->Single[3 * id + 1], this->Single[3 * id + 2])
-      : Vector3(this->Double[3 * id], this->Double[3 * id + 1], this->Double[3 * id + 2]);
-    const double largest = std::max({ std::abs(value.x), std::abs(value.y), std::abs(value.z) });
-    return IsFinite(value) && largest <= MaximumMagnitude ? value : Vector3(0.0);
+    const Vector3 value = this->Stored(id);
+    return IsWater(value) ? value : Vector3(0.0);
   }
 
+  bool IsWater(vtkIdType id) const { return IsWater(this->Stored(id)); }
+
 private:
+  Vector3 Stored(vtkIdType id) const
+  {
+    return this->Single ? Vector3(this->Single[3 * id], this->Single[3 * id + 1], this->Single[3 * id + 2])
+                        : Vector3(this->Double[3 * id], this->Double[3 * id + 1], this->Double[3 * id + 2]);
+  }
+
+  /// Land has no number, or one as large as ocean models write there.
+  static bool IsWater(const Vector3& value)
+  {
+    const double largest = std::max({ std::abs(value.x), std::abs(value.y), std::abs(value.z) });
+    return IsFinite(value) && largest <= MaximumMagnitude;
+  }
+
   vtkSmartPointer<vtkDataArray> Array;
   const float* Single = nullptr;
   const double* Double = nullptr;
@@ -115,6 +127,8 @@ public:
   }
 
   Vector3 Sample(std::size_t id) const override { return this->Values(static_cast<vtkIdType>(id)); }
+
+  bool IsWater(std::size_t id) const override { return this->Values.IsWater(static_cast<vtkIdType>(id)); }
 
   bool IsSingle() const override { return this->Values.IsSingle(); }
 
@@ -180,6 +194,8 @@ public:
   Vector3 PositionOf(const Vector3& place) const override { return place; }
 
   Vector3 Sample(std::size_t id) const override { return this->Values(static_cast<vtkIdType>(id)); }
+
+  bool IsWater(std::size_t id) const override { return this->Values.IsWater(static_cast<vtkIdType>(id)); }
 
   bool IsSingle() const override { return this->Values.IsSingle(); }
 

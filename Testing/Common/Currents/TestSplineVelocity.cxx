@@ -38,6 +38,7 @@ public:
     return this->Field(Vector3(10.0) +
       2.0 * Vector3(static_cast<double>(id % 5), static_cast<double>(row % 5), static_cast<double>(layer)));
   }
+  bool IsWater(std::size_t id) const override { return id % 5 < this->FirstOfLand; }
   bool IsSingle() const override { return false; }
   GridHeights Heights() const override { return { 10.0, 18.0, 2.0, 2.0 }; }
   bool IsLevelAt(double height) const override { return height == 10.0; }
@@ -45,6 +46,7 @@ public:
 
   std::vector<double> Axes[3] = { { 0.0, 1.0, 2.0, 3.0, 4.0 }, { 0.0, 1.0, 2.0, 3.0, 4.0 },
     { 0.0, 1.0, 2.0, 3.0, 4.0 } };
+  std::size_t FirstOfLand = 5; ///< columns from here on are land
 
 private:
   double Rise;
@@ -92,5 +94,33 @@ TEST(SplineVelocity, NeedsSamplesInOrderAlongEachAxis)
     EXPECT_TRUE(SplineVelocity::CanBe(samples));
     samples.Axes[axis] = { 0.0, 1.0, 1.0, 3.0, 4.0 };
     EXPECT_FALSE(SplineVelocity::CanBe(samples));
+  }
+}
+
+/// A current along a coast, which is land from a column on.
+class CoastalCurrent : public Samples
+{
+public:
+  CoastalCurrent()
+    : Samples(0.0)
+  {
+    this->FirstOfLand = 3;
+  }
+  Vector3 Sample(std::size_t id) const override { return this->IsWater(id) ? Vector3(0.0, 0.5, 0.0) : Vector3(0.0); }
+};
+
+TEST(SplineVelocity, LandDoesNotSwingTheWaterBesideIt)
+{
+  const SplineVelocity spline(std::make_shared<CoastalCurrent>());
+  // Water up to the last column of it at x = 14; the cell of the coast slows down evenly; land rests.
+  for (const double y : { 10.0, 12.3, 18.0 })
+  {
+    for (const double x : { 10.0, 11.7, 13.9, 14.0 })
+    {
+      EXPECT_LT(glm::length(spline.Velocity({ x, y, 13.1 }) - Vector3(0.0, 0.5, 0.0)), 1e-12) << x;
+    }
+    EXPECT_NEAR(spline.Velocity({ 14.5, y, 13.1 }).y, 0.375, 1e-12);
+    EXPECT_NEAR(spline.Velocity({ 16.0, y, 13.1 }).y, 0.0, 1e-12);
+    EXPECT_NEAR(spline.Velocity({ 17.2, y, 13.1 }).y, 0.0, 1e-12);
   }
 }

@@ -289,6 +289,9 @@ TEST(StandInventory, SeveralPlotsAndStems)
   InventoryOptions options;
   options.Plot = "B";
   EXPECT_EQ(Read(text, options).Trees.size(), 2u);
+  // Stems stand within 2 m of each other; trees of one name farther apart are several.
+  EXPECT_EQ(Read("x,y,dbh,treeid\n0,0,20,1\n0.3,0,25,1\n9,9,30,1\n9,10.9,28,1\n3,3,30,\n3.1,3,30,\n").Trees.size(), 4u);
+  EXPECT_DOUBLE_EQ(Read("x,y,dbh,treeid\n0,0,20,1\n0.3,0,25,1\n5,5,9,2\n").Trees[0].X, 0.3);
   // Plots apart stay where they are.
   const StandInventory apart = Read("plot,x,y\nA,0,0\nA,9,9\nB,100,100\nB,109,120\n");
   EXPECT_DOUBLE_EQ(apart.Trees[2].X, 100.0);

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Currents/WaterMask.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// A sample acts on a spline by 0.27 a sample: after these the rest is below 1e-9 of it.
+constexpr int ContinuedSamples = 16;
+
+/// The sample before a position and the part of the way to the next.
+struct Between
+{
+  std::size_t First = 0;
+  double Part = 0.0;
+};
+
+Between PlaceAmong(const std::vector<double>& nodes, double position)
+{
+  if (nodes.size() == 1)
+  {
+    return {};
+  }
+  const bool rises = nodes.front() < nodes.back();
+  const auto next = std::upper_bound(
+    nodes.begin() + 1, nodes.end() - 1, position, [=](double x, double node) { return rises ? x < node : x > node; });
+  const auto first = static_cast<std::size_t>(next - nodes.begin()) - 1;
+  return { first, std::clamp((position - nodes[first]) / (nodes[first + 1] - nodes[first]), 0.0, 1.0) };
+}
+
+}
+
+WaterMask::WaterMask(const SampledVelocity& samples)
+  : Nodes{ samples.Nodes(0), samples.Nodes(1), samples.Nodes(2) }
+{
+  const std::size_t count = this->Nodes[0].size() * this->Nodes[1].size() * this->Nodes[2].size();
+  for (std::size_t id = 0; id < count; ++id)
+  {
+    if (!samples.IsWater(id))
+    {
+      this->Water.resize(count, 1);
+      this->Water[id] = 0;
+    }
+  }
+}
+
+double WaterMask::ShareAt(const Vector3& position) const
+{
+  if (this->IsOpen())
+  {
+    return 1.0;
+  }
+  const std::size_t strides[3] = { 1, this->Nodes[0].size(), this->Nodes[0].size() * this->Nodes[1].size() };
+  Between at[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    at[axis] = PlaceAmong(this->Nodes[axis], position[axis]);
+  }
+  double share = 0.0;
+  for (unsigned int corner = 0; corner < 8; ++corner)
+  {
+    double weight = 1.0;
+    std::size_t id = 0;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      const bool isNext = (corner >> axis & 1) != 0;
+      weight *= isNext ? at[axis].Part : 1.0 - at[axis].Part;
+      id += strides[axis] * (at[axis].First + (isNext && at[axis].Part > 0.0 ? 1 : 0));
+    }
+    share += weight * this->Water[id];
+  }
+  return share;
+}
+
+std::vector<Vector3> WaterMask::Continued(const SampledVelocity& samples) const
+{
+  const std::size_t columns = this->Nodes[0].size();
+  const std::size_t rows = this->Nodes[1].size();
+  std::vector<Vector3> values(this->Water.size());
+  std::vector<std::size_t> land;
+  for (std::size_t id = 0; id < values.size(); ++id)
+  {
+    values[id] = this->Water[id] ? samples.Sample(id) : Vector3(0.0);
+    if (!this->Water[id])
+    {
+      land.push_back(id);
+    }
+  }
+  std::vector<unsigned char> known = this->Water;
+  for (int round = 0; round < ContinuedSamples && !land.empty(); ++round)
+  {
+    std::vector<std::size_t> rest;
+    std::vector<std::size_t> found;
+    for (const std::size_t id : land)
+    {
+      const std::size_t i = id % columns;
+      const std::size_t j = id / columns % rows;
+      Vector3 sum(0.0);
+      int number = 0;
+      const auto add = [&](bool isInside, std::size_t other) {
+        if (isInside && known[other])
+        {
+          sum += values[other];
+          ++number;
+        }
+      };
+      add(i > 0, id - 1);
+      add(i + 1 < columns, id + 1);
+      add(j > 0, id - columns);
+      add(j + 1 < rows, id + columns);
+      (number > 0 ? found : rest).push_back(id);
+      values[id] = number > 0 ? sum / static_cast<double>(number) : values[id];
+    }
+    for (const std::size_t id : found)
+    {
+      known[id] = 1; // for the next round: whatever the order in this one
+    }
+    land = std::move(rest);
+  }
+  return values;
+}
+
+}
