@@ -109,9 +109,32 @@ def check_screenshot(forest, view, where):
         stand(view, 20.0)
 
 
+def check_beside(forest, view, other, where):
+    """The active view, which shows nothing of the forest, leaves its levels to the camera of the other view."""
+    simple.SetActiveView(other)
+    stand(view, 20.0)
+    near = counts(forest)
+    for one in (other, view, other):
+        simple.Render(one)
+    assert counts(forest) == near and near[0] > 0, f"{where}: {counts(forest)} plants beside a sphere, not {near}"
+    stand(view, 2000.0)
+    simple.Render(other)
+    assert counts(forest)[0] == 0, f"{where}: it follows the camera of the active view"
+    simple.SetActiveView(view)
+
+
+def sphere_beside():
+    """A view of something else far away."""
+    view = simple.CreateView("RenderView")
+    view.ViewSize = [100, 100]
+    simple.Show(simple.Sphere(Center=[5000.0, 0.0, 0.0]), view)
+    simple.ResetCamera(view)
+    return view
+
+
 def check_here(where):
     """Ticked, not ticked, and after a state file."""
-    view = simple.GetActiveViewOrCreate("RenderView")
+    view = next(iter(simple.GetViews(viewtype="RenderView")), None) or simple.CreateView("RenderView")
     view.ViewSize = [200, 150]
     forest = forest_in(view)
     forest.UseCulling = 0
@@ -131,14 +154,20 @@ def check_here(where):
     assert counts(forest) == before, f"{where}: it follows though it should not"
     forest.FollowCamera = 1
 
+    other = sphere_beside()
+    check_beside(forest, view, other, where)
+    simple.SetActiveView(other)
     state = os.path.abspath(f"follow-{where}.pvsm")
     simple.SaveState(state)
     simple.ResetSession()
     simple.LoadState(state)
-    forest, view = simple.FindSource("Forest"), simple.GetActiveViewOrCreate("RenderView")
+    forest = simple.FindSource("Forest")
+    views = simple.GetViews(viewtype="RenderView")
+    view = next(one for one in views if any(getattr(shown, "Input", None) == forest for shown in one.Representations))
     # ParaView 5.13 with Qt 6 warns of its frame buffer where a new view's first picture waits for data that change.
     simple.Render(view)
     check_follows(forest, view, f"{where}, after a state")
+    check_beside(forest, view, next(one for one in views if one != view), f"{where}, after a state")
 
 
 if __name__ != "TestFollowCamera":

@@ -68,6 +68,29 @@ def check(name, source, **how):
         simple.Delete(one)
 
 
+def check_after_state(source, state):
+    """A drag has a level horizon after a state, in which another view is the active one."""
+    view, other = small_view(SIZE), small_view(SIZE)
+    simple.SetActiveView(view)
+    simple.Show(source, view)
+    view.ResetCamera()
+    picture(view)
+    simple.SetActiveView(other)
+    simple.SaveState(state)
+    simple.ResetSession()
+    simple.LoadState(state)
+    view = next(one for one in simple.GetViews(viewtype="RenderView") if len(one.Representations) > 0)
+    simple.SetActiveView(next(one for one in simple.GetViews(viewtype="RenderView") if one != view))
+    picture(view)
+    interactor = vtkGenericRenderWindowInteractor()
+    view.SMProxy.SetupInteractor(interactor)
+    interactor.Initialize()
+    before = np.array(view.CameraPosition)
+    drag(view, interactor, 40, 25, 5)
+    assert np.linalg.norm(np.array(view.CameraPosition) - before) > 1.0, "the camera was not dragged"
+    assert list(view.CameraViewUp) == [0.0, 0.0, 1.0], f"the horizon is rolled: up is {list(view.CameraViewUp)}"
+
+
 def around(name, view, lowest=-math.inf, highest=math.inf, steps=8, directions=8, least=0.5, closers=(1.0, 2.0)):
     """Each drag, from the first look and from nearer, leaves a share of what is shown, and the eye between two heights [m]."""
     center, focus = np.array(view.CenterOfRotation), np.array(view.CameraFocalPoint)

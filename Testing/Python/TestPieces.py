@@ -84,6 +84,7 @@ def integrals(made, pieces):
     """Those of all outputs in so many pieces."""
     sums = {}
     for piece in range(pieces):
+        made.Modified()  # since VTK 9.3 another piece of a table is no other request
         for port in range(made.GetNumberOfOutputPorts()):
             ask(made, port, piece, pieces)
             for key, value in integrals_of(made.GetOutputDataObject(port)).items():

@@ -6,12 +6,14 @@
 
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
+#include "vtkNew.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVDataSetAttributesInformation.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMProxyIterator.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMProxySelectionModel.h"
 #include "vtkSMRenderViewProxy.h"
@@ -291,9 +293,11 @@ void ChartDisplay::WaitForView(vtkSMProxy* representation, int port)
   StopObserving(this->Views);
   this->Homeless = representation;
   this->HomelessPort = port;
-  for (unsigned int k = 0; k < this->Manager->GetNumberOfProxies("views"); ++k)
+  vtkNew<vtkSMProxyIterator> next; // two views can have the same name
+  next->SetSessionProxyManager(this->Manager);
+  for (next->Begin("views"); !next->IsAtEnd(); next->Next())
   {
-    vtkSMProxy* view = this->Manager->GetProxy("views", this->Manager->GetProxyName("views", k));
+    vtkSMProxy* view = next->GetProxy();
     this->Views.push_back({ view, view->AddObserver(vtkCommand::PropertyModifiedEvent, this, &ChartDisplay::OnView) });
   }
 }

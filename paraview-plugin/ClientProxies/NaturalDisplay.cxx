@@ -147,6 +147,7 @@ NaturalDisplay::~NaturalDisplay()
   if (this->Manager)
   {
     this->Manager->RemoveObserver(this->RegisterObserver);
+    this->Manager->RemoveObserver(this->StateObserver);
   }
 }
 
@@ -157,6 +158,7 @@ void NaturalDisplay::Watch()
   {
     this->Manager = this->Owner->GetSessionProxyManager();
     this->RegisterObserver = this->Manager->AddObserver(vtkCommand::RegisterEvent, this, &NaturalDisplay::OnRegister);
+    this->StateObserver = this->Manager->AddObserver(vtkCommand::LoadStateEvent, this, &NaturalDisplay::OnState);
   }
   const double ratio = this->FollowDepth();
   if (ratio != 1.0 && !IsLoadingState(this->Manager))
@@ -253,11 +255,11 @@ void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
     return;
   }
   this->WatchVisibility(representation);
-  this->KeepSide();
   if (IsLoadingState(this->Manager))
   {
     return;
   }
+  this->KeepSide(vtkSMRenderViewProxy::SafeDownCast(ViewOfScene(this->Manager)));
   if (this->Scene && IsLastOfPipeline(this->Owner))
   {
     this->MakeSceneOf(representation);
@@ -622,7 +624,14 @@ void NaturalDisplay::OnVisibility(vtkObject* object, unsigned long, void*)
 }
 
 //----------------------------------------------------------------------------
-void NaturalDisplay::KeepSide()
+/// Only then a view tells what it shows.
+void NaturalDisplay::OnState(vtkObject*, unsigned long, void*)
+{
+  this->KeepSide(ViewThatShows(this->Manager, this->Owner));
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::KeepSide(vtkSMRenderViewProxy* view)
 {
   vtkPVXMLElement* look =
     this->Scene ? this->Scene.Get() : this->Owner->GetHints()->FindNestedElementByName("NaturalDisplay");
@@ -630,9 +639,9 @@ void NaturalDisplay::KeepSide()
   const bool hasLowest = look && look->GetScalarAttribute("lowest", &heights.Lowest) != 0;
   const bool hasHighest = look && look->GetScalarAttribute("highest", &heights.Highest) != 0;
   const bool hasElevation = look && look->GetScalarAttribute("least-elevation", &heights.Elevation) != 0;
-  if (hasLowest || hasHighest || hasElevation)
+  if (view && (hasLowest || hasHighest || hasElevation))
   {
-    this->Drag.Keep(vtkSMRenderViewProxy::SafeDownCast(ViewOfScene(this->Manager)), this->Owner, heights);
+    this->Drag.Keep(view, this->Owner, heights);
   }
 }
 

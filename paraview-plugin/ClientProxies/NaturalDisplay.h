@@ -105,7 +105,8 @@ private:
   void WatchVisibility(vtkSMProxy* representation);
   void OnVisibility(vtkObject* property, unsigned long, void*);
   void SetUpView(int port);
-  void KeepSide();
+  void OnState(vtkObject*, unsigned long, void*);
+  void KeepSide(vtkSMRenderViewProxy* view);
   double FollowDepth();
   double DepthRatio();
 
@@ -114,6 +115,7 @@ private:
   vtkSmartPointer<vtkPVXMLElement> Scene;
   vtkWeakPointer<vtkSMSessionProxyManager> Manager;
   unsigned long RegisterObserver = 0;
+  unsigned long StateObserver = 0;
   vtkWeakPointer<vtkSMProxy> Empty; ///< representation of a source that was shown without data
   int EmptyPort = 0;
   unsigned long DataObserver = 0;

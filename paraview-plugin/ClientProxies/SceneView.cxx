@@ -2,12 +2,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneView.h"
 
+#include "Scene.h"
+
+#include "vtkNew.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxyIterator.h"
 #include "vtkSMProxySelectionModel.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSessionProxyManager.h"
 
+#include <vector>
+
 namespace littoral
 {
+namespace
+{
+
+/// All views in three dimensions; two may have one name.
+std::vector<vtkSMRenderViewProxy*> RenderViews(vtkSMSessionProxyManager* manager)
+{
+  std::vector<vtkSMRenderViewProxy*> views;
+  vtkNew<vtkSMProxyIterator> next;
+  next->SetSessionProxyManager(manager);
+  for (next->Begin("views"); !next->IsAtEnd(); next->Next())
+  {
+    if (auto* view = vtkSMRenderViewProxy::SafeDownCast(next->GetProxy()))
+    {
+      views.push_back(view);
+    }
+  }
+  return views;
+}
+
+}
 
 //----------------------------------------------------------------------------
 vtkSMProxy* ViewOfScene(vtkSMSessionProxyManager* manager)
@@ -18,10 +45,38 @@ vtkSMProxy* ViewOfScene(vtkSMSessionProxyManager* manager)
   {
     return active;
   }
-  for (unsigned int k = 0; k < manager->GetNumberOfProxies("views"); ++k)
+  const std::vector<vtkSMRenderViewProxy*> views = RenderViews(manager);
+  return views.empty() ? nullptr : views.front();
+}
+
+//----------------------------------------------------------------------------
+bool Shows(vtkSMProxy* view, vtkSMProxy* source)
+{
+  const vtkSMPropertyHelper shown(view, "Representations", true);
+  for (unsigned int k = 0; k < shown.GetNumberOfElements(); ++k)
   {
-    vtkSMProxy* view = manager->GetProxy("views", manager->GetProxyName("views", k));
-    if (vtkSMRenderViewProxy::SafeDownCast(view))
+    vtkSMProxy* one = shown.GetAsProxy(k);
+    vtkSMProxy* input = one && one->GetProperty("Input") ? vtkSMPropertyHelper(one, "Input").GetAsProxy() : nullptr;
+    const bool isVisible = one && vtkSMPropertyHelper(one, "Visibility", true).GetAsInt() != 0;
+    if (isVisible && input && (input == source || UpstreamOf(input).count(source) == 1))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//----------------------------------------------------------------------------
+vtkSMRenderViewProxy* ViewThatShows(vtkSMSessionProxyManager* manager, vtkSMProxy* source)
+{
+  auto* active = vtkSMRenderViewProxy::SafeDownCast(ViewOfScene(manager));
+  if (active && Shows(active, source))
+  {
+    return active;
+  }
+  for (vtkSMRenderViewProxy* view : RenderViews(manager))
+  {
+    if (Shows(view, source))
     {
       return view;
     }

@@ -4,6 +4,7 @@
 #define LittoralSceneView_h
 
 class vtkSMProxy;
+class vtkSMRenderViewProxy;
 class vtkSMSessionProxyManager;
 
 namespace littoral
@@ -12,7 +13,13 @@ namespace littoral
 /// The active view, or the first one in three dimensions where a table or a chart is active; null if there is none.
 vtkSMProxy* ViewOfScene(vtkSMSessionProxyManager* manager);
 
-/// Makes it the active view.
+/// Whether a source, or what is made of it, is visible in a view.
+bool Shows(vtkSMProxy* view, vtkSMProxy* source);
+
+/// The view of a scene if it shows a source, else the first other one that does; null if none does.
+vtkSMRenderViewProxy* ViewThatShows(vtkSMSessionProxyManager* manager, vtkSMProxy* source);
+
+/// Makes the view of a scene the active one.
 void ActivateViewOfScene(vtkSMSessionProxyManager* manager);
 
 }

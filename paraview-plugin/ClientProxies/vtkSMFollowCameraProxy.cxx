@@ -6,6 +6,7 @@
 #include "Geometry/ViewFrustum.h"
 #include "Numerics/Constants.h"
 #include "Pipeline/CameraView.h"
+#include "SceneView.h"
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
@@ -107,11 +108,19 @@ void vtkSMFollowCameraProxy::WatchSelection(vtkObject* selection)
   {
     this->Selection->RemoveObserver(this->SelectionObserver);
   }
+  if (this->Manager)
+  {
+    this->Manager->RemoveObserver(this->StateObserver);
+    this->Manager = nullptr;
+  }
   this->Selection = selection;
   if (selection)
   {
     this->SelectionObserver =
       selection->AddObserver(vtkCommand::CurrentChangedEvent, this, &vtkSMFollowCameraProxy::OnActiveView);
+    this->Manager = this->GetSessionProxyManager();
+    this->StateObserver =
+      this->Manager->AddObserver(vtkCommand::LoadStateEvent, this, &vtkSMFollowCameraProxy::OnActiveView);
   }
 }
 
@@ -142,15 +151,25 @@ void vtkSMFollowCameraProxy::OnActiveView()
   {
     this->WatchView(nullptr);
   }
-  else if (auto* view = vtkSMRenderViewProxy::SafeDownCast(selection->GetCurrentProxy()))
+  else if (auto* view = littoral::ViewThatShows(this->GetSessionProxyManager(), this))
   {
-    this->WatchView(view); // a chart that becomes active leaves the last one
+    this->WatchView(view);
+  }
+  else if (auto* active = vtkSMRenderViewProxy::SafeDownCast(selection->GetCurrentProxy()))
+  {
+    this->WatchView(active); // a chart that becomes active leaves the last one
   }
 }
 
 //----------------------------------------------------------------------------
 void vtkSMFollowCameraProxy::OnPicture(vtkObject*, unsigned long, void* isInteractive)
 {
+  vtkSMRenderViewProxy* drawn = this->View;
+  this->OnActiveView(); // since then something may be shown elsewhere, as in a state
+  if (this->View != drawn)
+  {
+    return;
+  }
   // Before its first camera a level of detail would show nothing: ParaView draws once, and places the camera by that.
   if (!this->View || !this->View->GetActiveCamera() || this->IsTaking || littoral::HasFirstCamera(this->View))
   {

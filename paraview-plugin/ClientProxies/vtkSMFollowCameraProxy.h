@@ -5,10 +5,11 @@
  * @brief   a filter that follows the camera of the active view
  *
  * While the property FollowCamera of the proxy is on, the properties ViewPoint, ViewDirection, ViewUp, ViewAngle,
- * ParallelProjection, ParallelScale, AspectRatio and ViewHeight take the values of the active render view before each
- * of its pictures, and DetailFactor that of InteractiveDetail while the camera is dragged, if these differ by more than
- * MoveTolerance and TurnTolerance: else nothing downstream would change, yet be drawn anew. It lives in the client,
- * with or without a window: in ParaView, in pvpython, and in front of a server; a state file keeps it.
+ * ParallelProjection, ParallelScale, AspectRatio and ViewHeight take the values of the active render view, or of
+ * another one where that shows nothing of it, before each of its pictures, and DetailFactor that of InteractiveDetail
+ * while the camera is dragged, if these differ by more than MoveTolerance and TurnTolerance: else nothing downstream
+ * would change, yet be drawn anew. It lives in the client, with or without a window: in ParaView, in pvpython, and in
+ * front of a server; a state file keeps it.
  */
 #ifndef vtkSMFollowCameraProxy_h
 #define vtkSMFollowCameraProxy_h
@@ -18,6 +19,7 @@
 #include "vtkWeakPointer.h" // for what is watched
 
 class vtkSMRenderViewProxy;
+class vtkSMSessionProxyManager;
 
 namespace littoral
 {
@@ -49,8 +51,10 @@ private:
   void Take(const littoral::View& view);
 
   vtkWeakPointer<vtkObject> Selection; ///< of the active view
+  vtkWeakPointer<vtkSMSessionProxyManager> Manager;
   vtkWeakPointer<vtkSMRenderViewProxy> View;
   unsigned long SelectionObserver = 0;
+  unsigned long StateObserver = 0;
   unsigned long ViewObserver = 0;
   bool IsTaking = false;
 };
