@@ -7,6 +7,7 @@
 #include "vtkNew.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxySelectionModel.h"
 #include "vtkSMSessionProxyManager.h"
@@ -29,8 +30,7 @@ namespace littoral
 namespace
 {
 
-constexpr int DefaultFrames = 10;   // of ParaView
-constexpr int FramesPerSecond = 24; // of a film instead
+constexpr int FramesPerSecond = 24; // of a film
 
 using Parts = std::map<std::string, vtkSMSourceProxy*>;
 
@@ -146,7 +146,7 @@ void SetFrames(vtkSMSourceProxy* part)
     }
   }
   vtkSMPropertyHelper frames(animation, "NumberOfFrames");
-  if (part->GetProperty("TimeRange") && frames.GetAsInt() == DefaultFrames)
+  if (part->GetProperty("TimeRange") && animation->GetProperty("NumberOfFrames")->IsValueDefault())
   {
     const std::vector<double> range = vtkSMPropertyHelper(part, "TimeRange").GetDoubleArray();
     frames.Set(static_cast<int>(std::lround(FramesPerSecond * (range[1] - range[0]))) + 1);
