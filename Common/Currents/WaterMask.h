@@ -14,7 +14,7 @@
 namespace littoral
 {
 
-/// Which samples of a field are water, and which are land.
+/// Mask of the samples of a field: water or land.
 class WaterMask
 {
 public:
