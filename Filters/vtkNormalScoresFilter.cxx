@@ -56,8 +56,7 @@ int vtkNormalScoresFilter::FillInputPortInformation(int port, vtkInformation* in
 int vtkNormalScoresFilter::RequestInformation(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  // Otherwise each rank would be asked for the whole image.
-  outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  littoral::AnnounceParts(outputs->GetInformationObject(0)); // else each rank would be asked for the whole image
   return this->Superclass::RequestInformation(request, inputs, outputs);
 }
 

@@ -199,6 +199,15 @@ PieceRange RequestedPart(vtkInformation* output, long long count)
   return { bound(std::max(0, piece)), bound(std::max(0, piece) + 1ll) };
 }
 
+void AnnounceParts(vtkInformation* output)
+{
+  output->Remove(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT());
+  if (output->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  {
+    output->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  }
+}
+
 void RequestAll(vtkInformation* input)
 {
   if (input)

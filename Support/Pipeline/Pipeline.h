@@ -95,6 +95,9 @@ PieceRange RequestedPart(vtkInformation* output, long long count);
 /// Asks an input for all of its data, whatever piece is asked of the algorithm. Null (no input) is allowed.
 void RequestAll(vtkInformation* input);
 
+/// Announces that an output can be made in parts if it has an extent: VTK divides any output of which this is said.
+void AnnounceParts(vtkInformation* output);
+
 /**
  * Keeps an image's request from being joined to the next one if this one is refused: VTK asks for the box around both,
  * which may lie beyond what there is by then. For the beginning of RequestData.

@@ -6,8 +6,8 @@
 import quick
 from drags import check
 from paraview import simple
-import classes
 import mistakes
+from mistakes import classes
 
 # Heights of the eye [m]
 SIDES = {"Forest": (45.0, 1e9), "SwayingForest": (3.0, 1e9), "Sea": (3.0, 1e9), "Underwater": (-5.4, -0.7),
