@@ -230,6 +230,7 @@ std::string FileMessage(const std::string& verb, const std::string& path, const 
   const bool isMissing =
     reason.find("o such file") != std::string::npos && !folder.empty() && !std::filesystem::exists(folder, error);
   reason = isMissing ? "there is no folder " + file.parent_path().string() : reason;
+  reason = std::filesystem::is_directory(file, error) ? "it is a folder; give the name of a file in it" : reason;
   for (const char* action : { "set ", "choose ", "give " })
   {
     const std::size_t cut = reason.rfind(std::string("; ") + action);

@@ -113,6 +113,8 @@ bool BadInput(const std::string& path)
     { [](vtkElevationWriter* writer) { writer->SetFileName(nullptr); }, "FileName is empty" },
     { [](vtkElevationWriter* writer) { writer->SetFileName("/no/such/folder/heights.tif"); },
       "Cannot write heights.tif: there is no folder /no/such/folder." },
+    { [](vtkElevationWriter* writer) { writer->SetFileName(".."); },
+      "Give the name of a file in it: cannot write .., it is a folder." },
     { [](vtkElevationWriter* writer) { writer->SetCompression(2); }, "Compression" },
     { [](vtkElevationWriter* writer) { writer->SetCoordinateSystem("nowhere"); }, "nowhere" },
     { [](vtkElevationWriter* writer) { writer->SetCoordinateSystem("EPSG:4326"); }, "projection" },

@@ -606,7 +606,7 @@ const BadCase BadCases[] = {
   { "Cannot write x.vdb: there is no folder ",
     [](vtkImageData*, Writer* writer) { writer->SetFileName(InFolder("nowhere/x.vdb").c_str()); } },
   { "Cannot write x.vdb", [](vtkImageData*, Writer* writer) { writer->SetFileName("/proc/x.vdb"); } },
-  { "Is a directory", [](vtkImageData*, Writer* writer) { writer->SetFileName(folder.string().c_str()); } },
+  { "it is a folder", [](vtkImageData*, Writer* writer) { writer->SetFileName(folder.string().c_str()); } },
   { "Cannot write null: it is not a regular file",
     [](vtkImageData*, Writer* writer) { writer->SetFileName("/dev/null"); } },
 };
