@@ -877,7 +877,7 @@ class Written(Rasters):
         image = image_from_array(RANDOM.normal(size=(400, 400)).astype(np.float32), (10.0, 10.0))
         with self.assertRaisesRegex(OSError, "there is no folder"):
             write_tif(image, self.path("none/a.tif"))
-        with self.assertRaisesRegex(OSError, "Is a directory"):
+        with self.assertRaisesRegex(OSError, "it is a folder"):
             write_tif(image, self.folder)
         with full_disk(100000) as disk:
             name = os.path.join(disk, "a.tif")
