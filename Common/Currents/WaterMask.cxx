@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Currents/WaterMask.h"
 
-#include <algorithm>
-#include <cmath>
+#include "Currents/LinearVelocity.h"
+
 #include <utility>
 
 namespace littoral
@@ -14,26 +14,6 @@ namespace
 
 /// A sample acts on a spline by 0.27 a sample: after these the rest is below 1e-9 of it.
 constexpr int ContinuedSamples = 16;
-
-/// The sample before a position and the part of the way to the next.
-struct Between
-{
-  std::size_t First = 0;
-  double Part = 0.0;
-};
-
-Between PlaceAmong(const std::vector<double>& nodes, double position)
-{
-  if (nodes.size() == 1)
-  {
-    return {};
-  }
-  const bool rises = nodes.front() < nodes.back();
-  const auto next = std::upper_bound(
-    nodes.begin() + 1, nodes.end() - 1, position, [=](double x, double node) { return rises ? x < node : x > node; });
-  const auto first = static_cast<std::size_t>(next - nodes.begin()) - 1;
-  return { first, std::clamp((position - nodes[first]) / (nodes[first + 1] - nodes[first]), 0.0, 1.0) };
-}
 
 }
 
@@ -57,26 +37,18 @@ double WaterMask::ShareAt(const Vector3& position) const
   {
     return 1.0;
   }
-  const std::size_t strides[3] = { 1, this->Nodes[0].size(), this->Nodes[0].size() * this->Nodes[1].size() };
-  Between at[3];
+  std::array<AxisPlace, 3> at;
+  std::array<int, 3> samples{};
   for (int axis = 0; axis < 3; ++axis)
   {
-    at[axis] = PlaceAmong(this->Nodes[axis], position[axis]);
-  }
-  double share = 0.0;
-  for (unsigned int corner = 0; corner < 8; ++corner)
-  {
-    double weight = 1.0;
-    std::size_t id = 0;
-    for (unsigned int axis = 0; axis < 3; ++axis)
+    samples[axis] = static_cast<int>(this->Nodes[axis].size());
+    if (!FindPlace(this->Nodes[axis], position[axis], at[axis]))
     {
-      const bool isNext = (corner >> axis & 1) != 0;
-      weight *= isNext ? at[axis].Part : 1.0 - at[axis].Part;
-      id += strides[axis] * (at[axis].First + (isNext && at[axis].Part > 0.0 ? 1 : 0));
+      return 0.0;
     }
-    share += weight * this->Water[id];
   }
-  return share;
+  const auto isWater = [this](long long id) { return Vector3(this->Water[static_cast<std::size_t>(id)]); };
+  return Trilinear(isWater, samples, at).x;
 }
 
 std::vector<Vector3> WaterMask::Continued(const SampledVelocity& samples) const

@@ -23,7 +23,7 @@ public:
   /// Whether all samples are water.
   bool IsOpen() const { return this->Water.empty(); }
 
-  /// Part of water at a position along the axes, linear between the samples.
+  /// Part of water at a position along the axes, 0 to 1, linear between the samples; 0 outside of those with land.
   double ShareAt(const Vector3& position) const;
 
   /**

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Geometry/PlaceUnits.h"
 
+#include "Numerics/Constants.h"
 #include "Numerics/InvalidInput.h"
 
 #include <algorithm>
@@ -78,7 +79,7 @@ const UnitOfLength* FindUnitOfLength(const std::string& name)
 const UnitOfLength* FindUnitOfHeight(const std::string& name)
 {
   // z = Phi / g0, for the geopotential Phi of weather models
-  static const UnitOfLength geopotential{ 1.0 / 9.80665, "geopotential over 9.80665 m/s2",
+  static const UnitOfLength geopotential{ 1.0 / Gravity, "geopotential over 9.80665 m/s2",
     { "m^2/s^2", "m2/s2", "m2 s-2", "m**2 s**-2", "m^2 s^-2", "m^2 s-2" } };
   static const UnitOfLength geopotentialMetres{ 1.0, "geopotential metres", { "gpm" } };
   const std::string word = Lower(name);
