@@ -94,7 +94,7 @@ endif ()
 # Components are named so that only their dependencies are looked up. What the tests add is
 # optional: VTK would otherwise insist on the development files of every image format.
 set(littoral_vtk_components
-  CommonCore CommonDataModel CommonExecutionModel RenderingCore)
+  CommonCore CommonDataModel CommonExecutionModel RenderingCore RenderingOpenGL2)
 set(littoral_vtk_test_components)
 if (LITTORAL_WITH_OPENVDB OR LITTORAL_WITH_TINYGLTF OR LITTORAL_WITH_GDAL)
   list(APPEND littoral_vtk_components FiltersCore IOCore IOImage ParallelCore utf8)
@@ -105,7 +105,7 @@ endif ()
 if (LITTORAL_BUILD_TESTING)
   set(littoral_vtk_test_components
     FiltersCore FiltersGeneral FiltersGeometry FiltersHybrid FiltersSources ImagingCore InteractionStyle IOXML
-    RenderingOpenGL2 TestingCore TestingRendering)
+    TestingCore TestingRendering)
 endif ()
 list(REMOVE_ITEM littoral_vtk_test_components ${littoral_vtk_components})
 set(littoral_find_vtk_arguments REQUIRED

@@ -44,6 +44,15 @@ set(LITTORAL_VTK_HEADERS ${LITTORAL_STANDARD_HEADERS}
   <vtkPoints.h> <vtkPolyData.h> <vtkSmartPointer.h> <vtkStreamingDemandDrivenPipeline.h> <vtkStringArray.h> <vtkTable.h>
   <vtkUnsignedCharArray.h>)
 
+# The functions of OpenGL, as VTK finds them: before VTK 9.4 and since then.
+function (littoral_link_opengl module)
+  foreach (functions IN ITEMS VTK::glew VTK::glad)
+    if (TARGET ${functions})
+      vtk_module_link(${module} PRIVATE ${functions})
+    endif ()
+  endforeach ()
+endfunction ()
+
 # Installs the export set when there is no VTK module build that would do it.
 function (littoral_install_export)
   install(EXPORT Littoral

@@ -31,11 +31,13 @@ vtk_module_scan(
   MODULE_FILES
     "${PROJECT_SOURCE_DIR}/Sources/vtk.module"
     "${PROJECT_SOURCE_DIR}/Filters/vtk.module"
+    "${PROJECT_SOURCE_DIR}/Rendering/vtk.module"
     ${littoral_io_file}
     ${littoral_client_file}
   REQUEST_MODULES
     Littoral::LittoralSources
     Littoral::LittoralFilters
+    Littoral::LittoralRendering
     ${littoral_io_module}
     ${littoral_client_module}
   PROVIDES_MODULES littoral_modules
@@ -54,7 +56,7 @@ vtk_module_build(
 
 if (LITTORAL_WITH_PYTHON)
   add_subdirectory(Wrapping/Python)
-  foreach (module IN ITEMS Sources Filters IO)
+  foreach (module IN ITEMS Sources Filters Rendering IO)
     if (TARGET Littoral${module}Python)
       littoral_build_wrapping(Littoral${module}Python <vtkPythonArgs.h> <vtkPythonOverload.h> <sstream>)
     endif ()

@@ -25,6 +25,7 @@ if _release(_vtkVersion.GetVTKVersion()) != _release(_vtk_version):
 
 from .LittoralSources import *
 from .LittoralFilters import *
+from .LittoralRendering import *
 
 versions.mend_calls(
     (vtkPointProcessSource, vtkQuadratPointSource, vtkSeaStateSource, vtkTurningBandsTerrainSource))

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Light/SkyTables.h"
+
+#include "Numerics/Constants.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace littoral
+{
+
+namespace
+{
+
+constexpr int HalfRows = SkyTables::DomeRows / 2;
+
+/// Elevation of a row of the dome [rad].
+double ElevationOf(int row)
+{
+  // Row h - 1 is just below the horizon, row h just above it.
+  const bool isAbove = row >= HalfRows;
+  const double t = isAbove ? (row - HalfRows) / (HalfRows - 1.0) : (HalfRows - 1.0 - row) / (HalfRows - 1.0);
+  return (isAbove ? 1.0 : -1.0) * std::max(t * t * 0.5 * Pi, 1e-4);
+}
+
+/// Where an elevation is among the rows, 0 to 1.
+double RowAt(double elevation)
+{
+  const double t = (HalfRows - 1.0) * std::sqrt(std::min(std::abs(elevation) / (0.5 * Pi), 1.0));
+  return (elevation >= 0.0 ? HalfRows + t : HalfRows - 1.0 - t) / (SkyTables::DomeRows - 1.0);
+}
+
+double SignOf(double value)
+{
+  return value >= 0.0 ? 1.0 : -1.0;
+}
+
+/// Normal of a place of the unfolded octahedron, both from -1 to 1.
+Vector3 OctahedronNormal(double u, double v)
+{
+  Vector3 n(u, v, 1.0 - std::abs(u) - std::abs(v));
+  if (n.z < 0.0)
+  {
+    n = { (1.0 - std::abs(v)) * SignOf(u), (1.0 - std::abs(u)) * SignOf(v), n.z };
+  }
+  return glm::normalize(n);
+}
+
+/// A part of the sphere of directions.
+struct Sample
+{
+  Vector3 Direction;
+  Vector3 Light; ///< luminance times solid angle
+};
+
+/// The dome in parts of about one size.
+std::vector<Sample> SamplesOf(const SkyTables& sky)
+{
+  constexpr int rows = 90;
+  constexpr int columns = 120;
+  std::vector<Sample> samples;
+  samples.reserve(static_cast<std::size_t>(rows) * columns);
+  for (int row = 0; row < rows; ++row)
+  {
+    const double z = -1.0 + (2.0 * row + 1.0) / rows;
+    const double across = std::sqrt(1.0 - z * z);
+    for (int column = 0; column < columns; ++column)
+    {
+      const double around = TwoPi * (column + 0.5) / columns;
+      const Vector3 direction{ across * std::cos(around), across * std::sin(around), z };
+      samples.push_back({ direction, 4.0 * Pi / (rows * columns) * sky.LuminanceAt(direction) });
+    }
+  }
+  return samples;
+}
+
+}
+
+Vector3 ColorTable::Between(double x, double y) const
+{
+  const double u = std::clamp(x, 0.0, 1.0) * (this->Columns - 1);
+  const double v = std::clamp(y, 0.0, 1.0) * (this->Rows - 1);
+  const int i = std::min(static_cast<int>(u), this->Columns - 2);
+  const int j = std::min(static_cast<int>(v), this->Rows - 2);
+  const Vector3* at = this->Colors.data() + static_cast<std::size_t>(j) * this->Columns + i;
+  return (1.0 - (v - j)) * ((1.0 - (u - i)) * at[0] + (u - i) * at[1]) +
+    (v - j) * ((1.0 - (u - i)) * at[this->Columns] + (u - i) * at[this->Columns + 1]);
+}
+
+Vector3 SkyTables::LuminanceAt(const Vector3& direction) const
+{
+  const double from = std::atan2(this->Sun.y, this->Sun.x);
+  const double angle = std::abs(std::remainder(std::atan2(direction.y, direction.x) - from, TwoPi));
+  return this->Dome.Between(std::sqrt(angle / Pi), RowAt(std::asin(std::clamp(direction.z, -1.0, 1.0))));
+}
+
+Vector3 SkyTables::LightOn(const Vector3& normal) const
+{
+  // Onto the octahedron |x| + |y| + |z| = 1, whose lower half is folded outward
+  const Vector3 n = normal / (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z));
+  const double u = n.z >= 0.0 ? n.x : (1.0 - std::abs(n.y)) * SignOf(n.x);
+  const double v = n.z >= 0.0 ? n.y : (1.0 - std::abs(n.x)) * SignOf(n.y);
+  return this->Light.Between(0.5 + 0.5 * u, 0.5 + 0.5 * v);
+}
+
+SkyTables TabulateSky(const Atmosphere& air, const Vector3& sun, const ParallelFor& parallel)
+{
+  SkyTables sky;
+  sky.Sun = glm::normalize(sun);
+  sky.SunLight = air.SunLight(sky.Sun);
+  const double from = std::atan2(sky.Sun.y, sky.Sun.x);
+  sky.Dome = { SkyTables::DomeColumns, SkyTables::DomeRows, {} };
+  sky.Dome.Colors.resize(static_cast<std::size_t>(SkyTables::DomeColumns) * SkyTables::DomeRows);
+  parallel(SkyTables::DomeRows, [&](std::size_t begin, std::size_t end) {
+    for (int row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
+    {
+      const double up = ElevationOf(row);
+      for (int column = 0; column < SkyTables::DomeColumns; ++column)
+      {
+        const double part = column / (SkyTables::DomeColumns - 1.0);
+        const double around = from + Pi * part * part;
+        sky.Dome.At(column, row) =
+          air.SkyLuminance({ std::cos(up) * std::cos(around), std::cos(up) * std::sin(around), std::sin(up) }, sky.Sun);
+      }
+    }
+  });
+  const std::vector<Sample> samples = SamplesOf(sky);
+  sky.Light = { SkyTables::LightSize, SkyTables::LightSize, {} };
+  sky.Light.Colors.resize(static_cast<std::size_t>(SkyTables::LightSize) * SkyTables::LightSize);
+  parallel(SkyTables::LightSize, [&](std::size_t begin, std::size_t end) {
+    for (int row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
+    {
+      for (int column = 0; column < SkyTables::LightSize; ++column)
+      {
+        const Vector3 normal = OctahedronNormal(
+          2.0 * column / (SkyTables::LightSize - 1.0) - 1.0, 2.0 * row / (SkyTables::LightSize - 1.0) - 1.0);
+        Vector3 light(0.0);
+        for (const Sample& sample : samples)
+        {
+          light += std::max(glm::dot(normal, sample.Direction), 0.0) * sample.Light;
+        }
+        sky.Light.At(column, row) = light;
+      }
+    }
+  });
+  return sky;
+}
+
+SkyTables EvenSky()
+{
+  SkyTables sky;
+  sky.Sun = { 0.0, 0.0, 1.0 };
+  sky.SunLight = Vector3(0.0);
+  sky.Dome = { 2, 2, std::vector<Vector3>(4, Vector3(1.0)) };
+  sky.Light = { 2, 2, std::vector<Vector3>(4, Vector3(Pi)) };
+  return sky;
+}
+
+}

@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DepthMaps.h"
+#include "OpenGL.h"
+
+#include "vtkActor.h"
+#include "vtkBoundingBox.h"
+#include "vtkCamera.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkProp.h"
+#include "vtkRenderer.h"
+#include "vtkTextureObject.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace littoral
+{
+
+namespace
+{
+
+constexpr double MiddleShare = 0.15; // of the distance, to which the near map reaches
+constexpr double Slack = 1.1;        // of a map's radius over what it must cover
+
+vtkBoundingBox BoundsOf(const std::vector<vtkProp*>& props)
+{
+  vtkBoundingBox box;
+  for (vtkProp* prop : props)
+  {
+    const double* bounds = prop->GetUseBounds() ? prop->GetBounds() : nullptr;
+    if (bounds && vtkBoundingBox::IsValid(bounds))
+    {
+      box.AddBounds(bounds);
+    }
+  }
+  return box;
+}
+
+/// The latest change of what casts shadows.
+vtkMTimeType ChangeOf(const std::vector<vtkProp*>& props)
+{
+  vtkMTimeType time = static_cast<vtkMTimeType>(props.size());
+  for (vtkProp* prop : props)
+  {
+    time = std::max(time, prop->GetRedrawMTime());
+  }
+  return time;
+}
+
+/// The least sphere around a part of the view's cone, from one distance to another, on the line of sight.
+void SphereOf(vtkCamera* camera, double aspect, double from, double to, glm::dvec3& center, double& radius)
+{
+  glm::dvec3 eye;
+  glm::dvec3 ahead;
+  camera->GetPosition(&eye.x);
+  camera->GetDirectionOfProjection(&ahead.x);
+  double slope = std::tan(0.5 * camera->GetViewAngle() * 0.017453292519943295);
+  if (camera->GetUseHorizontalViewAngle())
+  {
+    slope /= aspect;
+  }
+  const double corner = slope * std::hypot(1.0, aspect);
+  if (camera->GetParallelProjection())
+  {
+    center = eye + 0.5 * (from + to) * ahead;
+    radius = std::hypot(camera->GetParallelScale() * std::hypot(1.0, aspect), 0.5 * (to - from));
+    return;
+  }
+  // On the line of sight at s: (s - from)^2 + (c from)^2 = (to - s)^2 + (c to)^2, not beyond `to`
+  const double s = std::min(0.5 * (from + to) * (1.0 + corner * corner), to);
+  center = eye + s * ahead;
+  radius = std::hypot(to - s, corner * to);
+}
+
+}
+
+//----------------------------------------------------------------------------
+DepthMaps::DepthMaps() = default;
+DepthMaps::~DepthMaps() = default;
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkTextureObject> DepthMaps::NewTexture(vtkOpenGLRenderWindow* window, int size)
+{
+  auto texture = vtkSmartPointer<vtkTextureObject>::New();
+  texture->SetContext(window);
+  texture->AllocateDepth(static_cast<unsigned int>(size), static_cast<unsigned int>(size), vtkTextureObject::Float32);
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->SetMinificationFilter(vtkTextureObject::Linear);
+  texture->SetLinearMagnification(true);
+  texture->SetDepthTextureCompare(true);
+  texture->SetDepthTextureCompareFunction(vtkTextureObject::Lequal);
+  return texture;
+}
+
+//----------------------------------------------------------------------------
+void DepthMaps::Allocate(vtkOpenGLRenderWindow* window, int size)
+{
+  if (this->Size == size)
+  {
+    return;
+  }
+  this->Size = size;
+  for (auto& texture : this->Textures)
+  {
+    texture = NewTexture(window, size);
+  }
+  this->Places = {};
+}
+
+//----------------------------------------------------------------------------
+DepthMaps::Place DepthMaps::PlaceOf(int map, vtkRenderer* renderer, const Whole& whole, const Wish& wish) const
+{
+  Place place;
+  place.Time = whole.Time;
+  place.Depth = 1.001 * whole.Radius;
+  place.Towards = map == Zenith ? glm::dvec3(0.0, 0.0, 1.0) : wish.Sun;
+  const double near = std::min(MiddleShare * wish.Distance, whole.Radius);
+  const double far = std::min(wish.Distance, whole.Radius);
+  const double from[Count] = { 0.0, near, 0.0, 0.0 };
+  const double to[Count] = { near, far, 0.0, far };
+  if (map != SunMaps - 1)
+  {
+    SphereOf(
+      renderer->GetActiveCamera(), renderer->GetTiledAspectRatio(), from[map], to[map], place.Center, place.Radius);
+    place.Radius *= Slack;
+  }
+  const bool isAll = map == SunMaps - 1 || place.Radius > whole.Radius;
+  if (isAll)
+  {
+    place.Center = whole.Center;
+    place.Radius = 1.001 * whole.Radius;
+  }
+  // Axes of the map: two across the light
+  const glm::dvec3 other = std::abs(place.Towards.z) < 0.99 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0);
+  const glm::dvec3 right = glm::normalize(glm::cross(other, place.Towards));
+  const glm::dvec3 up = glm::cross(place.Towards, right);
+  // The center moves by whole texels, some at once, at the depth of the middle of all; the slack covers the steps.
+  const double texel = 2.0 * place.Radius / wish.Size;
+  const double step = std::max(1.0, std::floor((Slack - 1.0) / Slack * place.Radius / texel)) * texel;
+  const auto moved = [&](double distance) { return isAll ? distance : step * std::floor(distance / step + 0.5); };
+  const glm::dvec3 off = place.Center - whole.Center;
+  place.Center = whole.Center + moved(glm::dot(off, right)) * right + moved(glm::dot(off, up)) * up;
+  const glm::dmat4 view = glm::lookAt(place.Center + place.Depth * place.Towards, place.Center, up);
+  const glm::dmat4 projection =
+    glm::ortho(-place.Radius, place.Radius, -place.Radius, place.Radius, 0.0, 2.0 * place.Depth);
+  place.ToMap =
+    glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)) * glm::scale(glm::dmat4(1.0), glm::dvec3(0.5)) * projection * view;
+  return place;
+}
+
+//----------------------------------------------------------------------------
+void DepthMaps::Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& casters, const Wish& wish,
+  const std::function<void()>& drawCasters)
+{
+  const vtkBoundingBox box = BoundsOf(casters);
+  const bool isShown = box.IsValid() && box.GetDiagonalLength() > 0.0;
+  Whole whole;
+  if (isShown)
+  {
+    this->Allocate(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), wish.Size);
+    box.GetCenter(&whole.Center.x);
+    whole.Radius = 0.5 * box.GetDiagonalLength();
+    whole.Time = ChangeOf(casters);
+  }
+  for (int map = 0; map < Count; ++map)
+  {
+    Place& last = this->Places[map];
+    if (!isShown || !(map == Zenith ? wish.HasZenith : wish.HasSun))
+    {
+      last = Place();
+      continue;
+    }
+    const Place place = this->PlaceOf(map, renderer, whole, wish);
+    if (last.Time != place.Time || last.Center != place.Center || last.Towards != place.Towards ||
+      last.Radius != place.Radius || last.Depth != place.Depth)
+    {
+      last = place;
+      this->DrawOne(map, renderer, drawCasters);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+void DepthMaps::DrawOne(int map, vtkRenderer* renderer, const std::function<void()>& drawCasters)
+{
+  const Place& place = this->Places[map];
+  const glm::dmat4 projection =
+    glm::ortho(-place.Radius, place.Radius, -place.Radius, place.Radius, 0.0, 2.0 * place.Depth);
+  const glm::dvec3 end = place.Center + place.Depth * place.Towards;
+  const glm::dvec3 up(place.ToMap[0][1], place.ToMap[1][1], place.ToMap[2][1]);
+  this->Camera->SetPosition(end.x, end.y, end.z);
+  this->Camera->SetFocalPoint(place.Center.x, place.Center.y, place.Center.z);
+  this->Camera->SetViewUp(up.x, up.y, up.z);
+  this->Camera->ParallelProjectionOn();
+  this->Camera->SetParallelScale(place.Radius);
+  this->Camera->SetClippingRange(1e-3 * place.Depth, 2.0 * place.Depth);
+  vtkNew<vtkMatrix4x4> matrix;
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      matrix->SetElement(row, column, projection[column][row]);
+    }
+  }
+  this->Camera->SetExplicitProjectionTransformMatrix(matrix);
+  this->Camera->UseExplicitProjectionTransformMatrixOn();
+
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  vtkOpenGLState::ScopedglDepthMask mask(state);
+
+  state->PushFramebufferBindings();
+  this->Frame->SetContext(window);
+  this->Frame->Bind();
+  this->Frame->AddDepthAttachment(this->Textures[map]);
+  this->Frame->DeactivateDrawBuffers();
+  state->vtkglViewport(0, 0, this->Size, this->Size);
+  state->vtkglScissor(0, 0, this->Size, this->Size);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglClearDepth(1.0);
+  state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+
+  vtkSmartPointer<vtkCamera> eye = renderer->GetActiveCamera();
+  renderer->SetActiveCamera(this->Camera);
+  drawCasters();
+  renderer->SetActiveCamera(eye);
+
+  this->Frame->RemoveDepthAttachment();
+  state->PopFramebufferBindings();
+}
+
+//----------------------------------------------------------------------------
+void DepthMaps::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (auto& texture : this->Textures)
+  {
+    if (texture)
+    {
+      texture->ReleaseGraphicsResources(window);
+    }
+    texture = nullptr;
+  }
+  this->Frame->ReleaseGraphicsResources(window);
+  this->Size = 0;
+}
+
+}

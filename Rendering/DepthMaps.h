@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralDepthMaps_h
+#define LittoralDepthMaps_h
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <functional>
+#include <vector>
+
+class vtkCamera;
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkProp;
+class vtkRenderer;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace littoral
+{
+
+/**
+ * Depths seen from the sun, for its shadows, and from the zenith, for what is open to the sky. The sun has one map near
+ * the eye, one in the middle, one of all that is shown. A map is moved by steps of whole texels, so that shadows do not
+ * crawl, and drawn anew only where it moved or what casts shadows changed.
+ */
+class DepthMaps
+{
+public:
+  static constexpr int SunMaps = 3;
+  static constexpr int Zenith = SunMaps;
+  static constexpr int Count = SunMaps + 1;
+
+  struct Wish
+  {
+    glm::dvec3 Sun;  ///< towards it, of length 1
+    bool HasSun;     ///< whether its maps are wanted
+    bool HasZenith;  ///< whether that of the zenith is
+    double Distance; ///< from the eye, to which the middle map and that of the zenith reach
+    int Size;        ///< texels along a side
+  };
+
+  DepthMaps();
+  ~DepthMaps();
+
+  /// Draws the maps that are out of date; the function draws all that casts shadows with the renderer's camera.
+  void Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& casters, const Wish& wish,
+    const std::function<void()>& drawCasters);
+
+  /// A texture of depths that compares with them.
+  static vtkSmartPointer<vtkTextureObject> NewTexture(vtkOpenGLRenderWindow* window, int size);
+
+  bool Has(int map) const { return this->Places[map].Radius > 0.0; }
+  vtkTextureObject* GetTexture(int map) const { return this->Textures[map]; }
+  /// From the world to the coordinates of a map, 0 to 1.
+  const glm::dmat4& GetMatrix(int map) const { return this->Places[map].ToMap; }
+  double GetTexelSize(int map) const { return 2.0 * this->Places[map].Radius / this->Size; }
+  int GetSize() const { return this->Size; }
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  /// Where a map looks.
+  struct Place
+  {
+    glm::dvec3 Towards = glm::dvec3(0.0); ///< the light
+    glm::dvec3 Center = glm::dvec3(0.0);
+    double Radius = -1.0; ///< below 0: there is no map
+    double Depth = 0.0;   ///< from the center to the ends along the light
+    vtkMTimeType Time = 0;
+    glm::dmat4 ToMap = glm::dmat4(1.0);
+  };
+  /// All that is shown.
+  struct Whole
+  {
+    glm::dvec3 Center;
+    double Radius;
+    vtkMTimeType Time; ///< of its latest change
+  };
+
+  Place PlaceOf(int map, vtkRenderer* renderer, const Whole& whole, const Wish& wish) const;
+  void DrawOne(int map, vtkRenderer* renderer, const std::function<void()>& drawCasters);
+  void Allocate(vtkOpenGLRenderWindow* window, int size);
+
+  std::array<Place, Count> Places;
+  std::array<vtkSmartPointer<vtkTextureObject>, Count> Textures;
+  vtkNew<vtkOpenGLFramebufferObject> Frame;
+  vtkNew<vtkCamera> Camera;
+  int Size = 0;
+};
+
+}
+
+#endif

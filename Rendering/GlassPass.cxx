@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GlassPass.h"
+
+#include "LandscapeLight.h"
+#include "Lighting.h"
+#include "vtkLandscapePass.h"
+
+#include "vtkActor.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <string>
+
+namespace littoral
+{
+
+vtkStandardNewMacro(GlassPass);
+
+namespace
+{
+
+bool IsLit(vtkAbstractMapper* mapper, vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  return vtkOpenGLPolyDataMapper::SafeDownCast(mapper) && (!actor || actor->GetProperty()->GetLighting());
+}
+
+}
+
+//----------------------------------------------------------------------------
+void GlassPass::Begin(const vtkRenderState* state, const Lighting& light)
+{
+  this->Light = &light;
+  this->PreRender(state);
+}
+
+//----------------------------------------------------------------------------
+void GlassPass::End(const vtkRenderState* state)
+{
+  this->PostRender(state);
+  this->Light = nullptr;
+}
+
+//----------------------------------------------------------------------------
+bool GlassPass::PreReplaceShaderValues(
+  std::string&, std::string&, std::string& fragment, vtkAbstractMapper* mapper, vtkProp* prop)
+{
+  if (IsLit(mapper, prop))
+  {
+    vtkShaderProgram::Substitute(fragment, "//VTK::Light::Dec",
+      std::string("//VTK::Light::Dec\n") + LandscapeLight + "uniform float landscapeTransmittance;\n", false);
+    vtkShaderProgram::Substitute(
+      fragment, "//VTK::Light::Impl", "gl_FragData[0] = vec4(ambientColor + diffuseColor, opacity);\n", false);
+    vtkShaderProgram::Substitute(
+      fragment, "//VTK::DepthPeeling::Impl", "//VTK::Landscape::Impl\n  //VTK::DepthPeeling::Impl", false);
+  }
+  return true;
+}
+
+//----------------------------------------------------------------------------
+bool GlassPass::PostReplaceShaderValues(std::string&, std::string&, std::string& fragment, vtkAbstractMapper*, vtkProp*)
+{
+  const bool hasPlace = fragment.find("vertexVC") != std::string::npos;
+  const bool hasNormal = fragment.find("normalVCVSOutput") != std::string::npos;
+  vtkShaderProgram::Substitute(fragment, "//VTK::Landscape::Impl",
+    hasPlace && hasNormal ? "gl_FragData[0].rgb = landscapeLit(gl_FragData[0].rgb, landscapeEyeOf(vertexVC.xyz), "
+                            "vertexVC.xyz, normalVCVSOutput, landscapeTransmittance);\n"
+                          : "",
+    false);
+  return true;
+}
+
+//----------------------------------------------------------------------------
+bool GlassPass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  if (this->Light && program->IsUniformUsed("landscapeDome"))
+  {
+    this->Light->SetUniforms(program);
+    program->SetUniformf("landscapeTransmittance", static_cast<float>(vtkLandscapePass::GetTransmittance(prop)));
+  }
+  return true;
+}
+
+}

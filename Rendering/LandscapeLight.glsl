@@ -1,0 +1,174 @@
+// The light of sun and sky on a fragment. Directions and places with a V are in view coordinates, others in the
+// world's with z up; light is in klx and luminance in kcd/m2.
+
+uniform mat3 landscapeToWorld;          // from view coordinates, without the translation
+uniform vec3 landscapeSun;              // towards the sun
+uniform vec3 landscapeSunLight;         // at right angles to it [klx]
+uniform sampler2D landscapeDome;        // luminance of the sky (SkyTables)
+uniform sampler2D landscapeSkyLight;    // light of the sky on planes (SkyTables)
+uniform float landscapeExtinction;      // of the air [1/m]
+uniform int landscapeIsParallel;        // 1: the camera is
+uniform float landscapeExposure;        // [m2/kcd]
+uniform int landscapeFilmCurve;         // 1: luminances go through a film's curve
+uniform sampler2DShadow landscapeShadow0;
+uniform sampler2DShadow landscapeShadow1;
+uniform sampler2DShadow landscapeShadow2;
+uniform sampler2DShadow landscapeZenith;
+uniform mat4 landscapeToMap[4];         // from view coordinates to the maps' coordinates from 0 to 1
+uniform mat3 landscapeZenithAxes;       // from the world's axes to those of the map of the zenith
+uniform vec4 landscapeTexel;            // side of a texel of each map [m]; 0: there is no map
+uniform float landscapeMapSize;         // texels along a side
+uniform float landscapeOcclusion;       // distance of what hides the sky [m]; 0: nothing does
+
+const float landscapePi = 3.14159265;
+
+// Luminance of the sky in a direction.
+vec3 landscapeSkyAt(vec3 d)
+{
+  float angle = abs(atan(d.y, d.x) - atan(landscapeSun.y, landscapeSun.x));
+  angle = angle > landscapePi ? 2.0 * landscapePi - angle : angle;
+  vec2 size = vec2(textureSize(landscapeDome, 0));
+  float half_ = 0.5 * size.y;
+  float t = (half_ - 1.0) * sqrt(abs(asin(clamp(d.z, -1.0, 1.0))) / (0.5 * landscapePi));
+  float row = d.z >= 0.0 ? half_ + t : half_ - 1.0 - t;
+  float column = sqrt(angle / landscapePi) * (size.x - 1.0);
+  return texture(landscapeDome, (vec2(column, row) + 0.5) / size).rgb;
+}
+
+// Light of the sky on a plane with a normal.
+vec3 landscapeSkyLightOn(vec3 normal)
+{
+  vec3 n = normal / (abs(normal.x) + abs(normal.y) + abs(normal.z));
+  vec2 s = vec2(n.x >= 0.0 ? 1.0 : -1.0, n.y >= 0.0 ? 1.0 : -1.0);
+  vec2 at = n.z >= 0.0 ? n.xy : (1.0 - abs(n.yx)) * s;
+  float size = float(textureSize(landscapeSkyLight, 0).x);
+  return texture(landscapeSkyLight, ((0.5 + 0.5 * at) * (size - 1.0) + 0.5) / size).rgb;
+}
+
+// What the eye or the film sees of a luminance, in the display's code.
+vec3 landscapeDisplayed(vec3 luminance)
+{
+  vec3 c = landscapeExposure * luminance;
+  if (landscapeFilmCurve == 1)
+  {
+    // A film's curve: linear in the shadows, shoulder towards white (Hable 2010, with his constants)
+    const float A = 0.22, B = 0.30, C = 0.10, D = 0.20, E = 0.01, F = 0.30, W = 11.2;
+    vec3 x = 2.0 * c;
+    x = (x * (A * x + C * B) + D * E) / (x * (A * x + B) + D * F) - E / F;
+    float white = (W * (A * W + C * B) + D * E) / (W * (A * W + B) + D * F) - E / F;
+    c = x / white;
+  }
+  c = clamp(c, 0.0, 1.0);
+  return mix(12.92 * c, 1.055 * pow(max(c, vec3(1e-6)), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+}
+
+vec3 landscapeLinear(vec3 code)
+{
+  return mix(code / 12.92, pow((code + 0.055) / 1.055, vec3(2.4)), step(0.04045, code));
+}
+
+// Part of the taps around a place of a map that the sun reaches.
+float landscapeTaps(sampler2DShadow map, vec3 at)
+{
+  float lit = 0.0;
+  for (int j = -1; j <= 1; ++j)
+  {
+    for (int i = -1; i <= 1; ++i)
+    {
+      lit += texture(map, vec3(at.xy + vec2(i, j) / landscapeMapSize, at.z));
+    }
+  }
+  return lit / 9.0;
+}
+
+// How far a place is inside of a map: 1 within, 0 at its rim and outside.
+float landscapeWithin(vec3 at)
+{
+  vec2 rim = abs(2.0 * at.xy - 1.0);
+  return at.z > 0.0 && at.z < 1.0 ? clamp((0.98 - max(rim.x, rim.y)) / 0.08, 0.0, 1.0) : 0.0;
+}
+
+// Part of the sun that is seen from a place; the first map that covers it tells, and fades into the next at its rim.
+float landscapeSunSeen(vec3 placeV, vec3 normalV, float towards)
+{
+  float seen = 1.0;
+  // The taps reach 2 texels, which on a surface at an angle are as much higher or lower.
+  float lift = 0.5 + 2.0 * sqrt(max(0.0, 1.0 - towards * towards));
+  for (int map = 2; map >= 0; --map)
+  {
+    if (landscapeTexel[map] > 0.0)
+    {
+      vec3 at = (landscapeToMap[map] * vec4(placeV + lift * landscapeTexel[map] * normalV, 1.0)).xyz;
+      float share = landscapeWithin(at);
+      if (share > 0.0)
+      {
+        float own = map == 0 ? landscapeTaps(landscapeShadow0, at)
+          : map == 1         ? landscapeTaps(landscapeShadow1, at)
+                             : landscapeTaps(landscapeShadow2, at);
+        seen = mix(seen, own, share);
+      }
+    }
+  }
+  return seen;
+}
+
+// Part of the light of the sky that reaches a place, by what is open to the zenith along 11 rays: one upward, for the
+// quarter of the light from within 30 degrees of the zenith, five at 45 degrees for the half from within 60 degrees,
+// and five at 15 degrees above the horizon for the rest; each ray is tried at two distances.
+float landscapeSkySeen(vec3 placeV, vec3 normalV)
+{
+  if (landscapeOcclusion <= 0.0 || landscapeTexel[3] <= 0.0)
+  {
+    return 1.0;
+  }
+  vec3 at = (landscapeToMap[3] * vec4(placeV + 2.0 * landscapeTexel[3] * normalV, 1.0)).xyz;
+  float share = landscapeWithin(at);
+  if (share <= 0.0)
+  {
+    return 1.0;
+  }
+  float seen = 0.25 * texture(landscapeZenith, at);
+  for (int ray = 0; ray < 5; ++ray)
+  {
+    float around = (ray + 0.3) * 0.4 * landscapePi;
+    vec3 flat_ = vec3(cos(around), sin(around), 0.0);
+    vec3 high = landscapeZenithAxes * (landscapeOcclusion * 0.7071 * (flat_ + vec3(0.0, 0.0, 1.0)));
+    vec3 low = landscapeZenithAxes * (landscapeOcclusion * (0.966 * flat_.yxz + vec3(0.0, 0.0, 0.259)));
+    seen += 0.05 * (texture(landscapeZenith, at + 0.4 * high) + texture(landscapeZenith, at + high));
+    seen += 0.025 * (texture(landscapeZenith, at + 0.4 * low) + texture(landscapeZenith, at + low));
+  }
+  return mix(1.0, seen, share);
+}
+
+// Where the line of sight to a place begins.
+vec3 landscapeEyeOf(vec3 placeV)
+{
+  return landscapeIsParallel == 1 ? vec3(placeV.xy, 0.0) : vec3(0.0);
+}
+
+// Luminance behind air: L exp(-k d) + L_h (1 - exp(-k d)), with the sky at the horizon L_h  (Koschmieder)
+vec3 landscapeBehindAir(vec3 luminance, vec3 lineV)
+{
+  vec3 d = landscapeToWorld * lineV;
+  float through = exp(-landscapeExtinction * length(lineV));
+  vec3 horizon = landscapeSkyAt(normalize(vec3(d.xy, 1e-3 * length(d.xy) + 1e-6)));
+  return mix(horizon, luminance, through);
+}
+
+// Color that the display shows of a surface of an albedo, given in the display's code, and of a transmittance.
+vec3 landscapeLit(vec3 code, vec3 eyeV, vec3 placeV, vec3 normalV, float transmittance)
+{
+  vec3 albedo = landscapeLinear(code);
+  vec3 normal = landscapeToWorld * normalV;
+  float towards = dot(normal, landscapeSun);
+  // Light of the sky on both sides; what is hidden sends light that was sent before: a / (1 - albedo (1 - a))
+  float open = landscapeSkySeen(placeV, normalV);
+  vec3 light = landscapeSkyLightOn(normal) + transmittance * landscapeSkyLightOn(-normal);
+  light *= open / (1.0 - albedo * (1.0 - open));
+  float facing = max(towards, 0.0) + transmittance * max(-towards, 0.0);
+  if (facing > 0.0)
+  {
+    light += facing * landscapeSunSeen(placeV, towards > 0.0 ? normalV : -normalV, towards) * landscapeSunLight;
+  }
+  return landscapeDisplayed(landscapeBehindAir(albedo / landscapePi * light, placeV - eyeV));
+}

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Lighting.h"
+
+#include "Uniforms.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <glm/mat3x3.hpp>
+
+#include <algorithm>
+
+namespace littoral
+{
+
+namespace
+{
+
+constexpr const char* MapNames[DepthMaps::Count] = { "landscapeShadow0", "landscapeShadow1", "landscapeShadow2",
+  "landscapeZenith" };
+
+}
+
+//----------------------------------------------------------------------------
+void Lighting::Activate(vtkOpenGLRenderWindow* window)
+{
+  this->Sky.Activate(window);
+  if (!this->NoMap)
+  {
+    this->NoMap = DepthMaps::NewTexture(window, 1);
+  }
+  this->Bound = { this->NoMap };
+  for (int map = 0; map < DepthMaps::Count; ++map)
+  {
+    if (this->Maps.Has(map))
+    {
+      this->Bound.push_back(this->Maps.GetTexture(map));
+    }
+  }
+  for (vtkTextureObject* texture : this->Bound)
+  {
+    texture->Activate();
+  }
+}
+
+//----------------------------------------------------------------------------
+void Lighting::Deactivate()
+{
+  for (vtkTextureObject* texture : this->Bound)
+  {
+    texture->Deactivate();
+  }
+  this->Bound.clear();
+  this->Sky.Deactivate();
+}
+
+//----------------------------------------------------------------------------
+void Lighting::SetUniforms(vtkShaderProgram* program) const
+{
+  const SkyTables& sky = this->Sky.GetTables();
+  SetUniform(program, "landscapeToWorld", glm::dmat3(this->ToWorld));
+  SetUniform(program, "landscapeIsParallel", this->IsParallel ? 1 : 0);
+  SetUniform(program, "landscapeSun", sky.Sun);
+  SetUniform(program, "landscapeSunLight", sky.SunLight);
+  SetUniform(program, "landscapeExtinction", this->Extinction);
+  SetUniform(program, "landscapeExposure", this->Exposure);
+  SetUniform(program, "landscapeFilmCurve", this->FilmCurve ? 1 : 0);
+  SetUniform(program, "landscapeDome", this->Sky.GetDome()->GetTextureUnit());
+  SetUniform(program, "landscapeSkyLight", this->Sky.GetLight()->GetTextureUnit());
+  float matrices[16 * DepthMaps::Count] = {};
+  glm::dvec4 texels(0.0);
+  for (int map = 0; map < DepthMaps::Count; ++map)
+  {
+    const bool has = this->Maps.Has(map);
+    SetUniform(program, MapNames[map], (has ? this->Maps.GetTexture(map) : this->NoMap.Get())->GetTextureUnit());
+    if (has)
+    {
+      const glm::mat4 matrix(this->Maps.GetMatrix(map) * this->ToWorld);
+      std::copy_n(&matrix[0][0], 16, matrices + 16 * map);
+      texels[map] = this->Maps.GetTexelSize(map);
+    }
+  }
+  program->SetUniformMatrix4x4v("landscapeToMap", DepthMaps::Count, matrices);
+  SetUniform(program, "landscapeTexel", texels);
+  SetUniform(program, "landscapeMapSize", static_cast<double>(std::max(this->Maps.GetSize(), 1)));
+  SetUniform(program, "landscapeOcclusion", this->OcclusionRadius);
+  if (this->Maps.Has(DepthMaps::Zenith))
+  {
+    SetUniform(program, "landscapeZenithAxes", glm::dmat3(this->Maps.GetMatrix(DepthMaps::Zenith)));
+  }
+}
+
+//----------------------------------------------------------------------------
+void Lighting::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Maps.ReleaseGraphicsResources(window);
+  this->Sky.ReleaseGraphicsResources(window);
+  if (this->NoMap)
+  {
+    this->NoMap->ReleaseGraphicsResources(window);
+    this->NoMap = nullptr;
+  }
+}
+
+}

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralLighting_h
+#define LittoralLighting_h
+
+#include "DepthMaps.h"
+#include "SkyTextures.h"
+
+#include "vtkSmartPointer.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace littoral
+{
+
+/// The light of a picture, as the uniforms and textures of LandscapeLight.glsl.
+class Lighting
+{
+public:
+  SkyTextures Sky;
+  DepthMaps Maps;
+  glm::dmat4 ToWorld = glm::dmat4(1.0); ///< from view coordinates
+  bool IsParallel = false;              ///< whether the camera is
+  double Exposure = 1.0;                ///< of a luminance [m2/kcd]
+  bool FilmCurve = true;
+  double Extinction = 0.0;      ///< of the air [1/m]
+  double OcclusionRadius = 0.0; ///< distance of what hides the sky [m]
+
+  /// Between them, the textures are bound.
+  void Activate(vtkOpenGLRenderWindow* window);
+  void Deactivate();
+
+  /// For a program with LandscapeLight.glsl, while the textures are bound.
+  void SetUniforms(vtkShaderProgram* program) const;
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  vtkSmartPointer<vtkTextureObject> NoMap; ///< in place of maps that there are not
+  std::vector<vtkTextureObject*> Bound;
+};
+
+}
+
+#endif

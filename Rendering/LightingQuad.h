@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralLightingQuad_h
+#define LittoralLightingQuad_h
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <memory>
+
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace littoral
+{
+
+class Lighting;
+
+/// Pictures of surfaces (SurfacePass) of the size of a renderer, and their light, which is computed once a pixel.
+class LightingQuad
+{
+public:
+  LightingQuad();
+  ~LightingQuad();
+
+  /// Draws surfaces by a function into the pictures.
+  void TakeSurfaces(vtkRenderer* renderer, const std::function<void()>& drawSurfaces);
+
+  /// Draws the lit surfaces, and the sky behind them, with their depths.
+  void Draw(vtkRenderer* renderer, const Lighting& light);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
+
+  vtkNew<vtkOpenGLFramebufferObject> Frame;
+  vtkSmartPointer<vtkTextureObject> Albedo;
+  vtkSmartPointer<vtkTextureObject> Surface;
+  vtkSmartPointer<vtkTextureObject> Depth;
+  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+  int Width = 0;
+  int Height = 0;
+};
+
+}
+
+#endif

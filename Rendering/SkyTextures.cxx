@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SkyTextures.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkSMPTools.h"
+#include "vtkTextureObject.h"
+
+#include <glm/geometric.hpp>
+
+#include <functional>
+#include <vector>
+
+namespace littoral
+{
+
+namespace
+{
+
+constexpr double SameDirection = 1e-9;
+
+void OnThreads(std::size_t count, const std::function<void(std::size_t, std::size_t)>& work)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count),
+    [&](vtkIdType begin, vtkIdType end) { work(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
+}
+
+vtkSmartPointer<vtkTextureObject> TextureOf(const ColorTable& table, vtkOpenGLRenderWindow* window)
+{
+  std::vector<float> numbers;
+  numbers.reserve(3 * table.Colors.size());
+  for (const Vector3& color : table.Colors)
+  {
+    numbers.insert(
+      numbers.end(), { static_cast<float>(color.x), static_cast<float>(color.y), static_cast<float>(color.z) });
+  }
+  auto texture = vtkSmartPointer<vtkTextureObject>::New();
+  texture->SetContext(window);
+  texture->Create2DFromRaw(
+    static_cast<unsigned int>(table.Columns), static_cast<unsigned int>(table.Rows), 3, VTK_FLOAT, numbers.data());
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->SetMinificationFilter(vtkTextureObject::Linear);
+  texture->SetLinearMagnification(true);
+  return texture;
+}
+
+bool AreSame(const AirParameters& a, const AirParameters& b)
+{
+  return a.Turbidity == b.Turbidity && a.GroundAlbedo == b.GroundAlbedo && a.Altitude == b.Altitude;
+}
+
+}
+
+//----------------------------------------------------------------------------
+void SkyTextures::TakeClear(const AirParameters& air, const Vector3& sun)
+{
+  if (!this->Air || !AreSame(air, this->Parameters))
+  {
+    this->Air.emplace(air, OnThreads);
+    this->Parameters = air;
+    this->Tables.reset();
+  }
+  if (!this->Tables || glm::length(this->Tables->Sun - sun) > SameDirection)
+  {
+    this->Tables = TabulateSky(*this->Air, sun, OnThreads);
+    this->Dome = nullptr;
+  }
+}
+
+//----------------------------------------------------------------------------
+void SkyTextures::TakeEven()
+{
+  if (this->Tables && !this->Air)
+  {
+    return;
+  }
+  this->Air.reset();
+  this->Tables = EvenSky();
+  this->Dome = nullptr;
+}
+
+//----------------------------------------------------------------------------
+void SkyTextures::Activate(vtkOpenGLRenderWindow* window)
+{
+  if (!this->Dome)
+  {
+    this->Dome = TextureOf(this->Tables->Dome, window);
+    this->Light = TextureOf(this->Tables->Light, window);
+  }
+  this->Dome->Activate();
+  this->Light->Activate();
+}
+
+//----------------------------------------------------------------------------
+void SkyTextures::Deactivate()
+{
+  this->Light->Deactivate();
+  this->Dome->Deactivate();
+}
+
+//----------------------------------------------------------------------------
+void SkyTextures::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (this->Dome)
+  {
+    this->Dome->ReleaseGraphicsResources(window);
+    this->Light->ReleaseGraphicsResources(window);
+  }
+  this->Dome = nullptr;
+  this->Light = nullptr;
+}
+
+}

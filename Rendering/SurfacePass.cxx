@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfacePass.h"
+
+#include "vtkLandscapePass.h"
+
+#include "vtkActor.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderState.h"
+#include "vtkShaderProgram.h"
+
+#include <string>
+
+namespace littoral
+{
+
+vtkStandardNewMacro(SurfacePass);
+
+namespace
+{
+
+constexpr const char* LitOutput = R"(
+  if (gl_FragData[0].a < 0.5) discard;
+  gl_FragData[0].a = 1.0;
+  vec3 landscapeN = normalVCVSOutput / max(dot(abs(normalVCVSOutput), vec3(1.0)), 1e-9);
+  vec2 landscapeS = vec2(landscapeN.x >= 0.0 ? 1.0 : -1.0, landscapeN.y >= 0.0 ? 1.0 : -1.0);
+  vec2 landscapeO = landscapeN.z >= 0.0 ? landscapeN.xy : (1.0 - abs(landscapeN.yx)) * landscapeS;
+  gl_FragData[1] = vec4(landscapeO, landscapeTransmittance, 1.0 / gl_FragCoord.w);
+)";
+
+constexpr const char* UnlitOutput = R"(
+  if (gl_FragData[0].a < 0.5) discard;
+  gl_FragData[1] = vec4(0.0, 0.0, -1.0, 1.0 / gl_FragCoord.w);
+)";
+
+bool IsLit(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  return !actor || actor->GetProperty()->GetLighting();
+}
+
+}
+
+//----------------------------------------------------------------------------
+void SurfacePass::Begin(const vtkRenderState* state)
+{
+  this->SetActiveDrawBuffers(2);
+  this->PreRender(state);
+}
+
+//----------------------------------------------------------------------------
+void SurfacePass::End(const vtkRenderState* state)
+{
+  this->PostRender(state);
+}
+
+//----------------------------------------------------------------------------
+bool SurfacePass::PreReplaceShaderValues(
+  std::string&, std::string&, std::string& fragment, vtkAbstractMapper* mapper, vtkProp* prop)
+{
+  if (!vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
+  {
+    return true;
+  }
+  if (IsLit(prop))
+  {
+    // The color without light, which a texture then multiplies
+    vtkShaderProgram::Substitute(
+      fragment, "//VTK::Light::Impl", "gl_FragData[0] = vec4(ambientColor + diffuseColor, opacity);\n", false);
+  }
+  vtkShaderProgram::Substitute(
+    fragment, "//VTK::DepthPeeling::Impl", "//VTK::Landscape::Impl\n  //VTK::DepthPeeling::Impl", false);
+  vtkShaderProgram::Substitute(
+    fragment, "//VTK::Light::Dec", "//VTK::Light::Dec\nuniform float landscapeTransmittance;\n", false);
+  return true;
+}
+
+//----------------------------------------------------------------------------
+bool SurfacePass::PostReplaceShaderValues(
+  std::string&, std::string&, std::string& fragment, vtkAbstractMapper*, vtkProp* prop)
+{
+  const bool hasNormal = fragment.find("normalVCVSOutput") != std::string::npos;
+  vtkShaderProgram::Substitute(fragment, "//VTK::Landscape::Impl", hasNormal && IsLit(prop) ? LitOutput : UnlitOutput, false);
+  return true;
+}
+
+//----------------------------------------------------------------------------
+bool SurfacePass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  if (program->IsUniformUsed("landscapeTransmittance"))
+  {
+    program->SetUniformf("landscapeTransmittance", static_cast<float>(vtkLandscapePass::GetTransmittance(prop)));
+  }
+  return true;
+}
+
+}

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSurfacePass_h
+#define LittoralSurfacePass_h
+
+#include "vtkOpenGLRenderPass.h"
+
+namespace littoral
+{
+
+/**
+ * Lets the shaders of surfaces write what is needed to light them, not their look: the color without light, and normal,
+ * material and distance. Where a texture is more than half transparent there is no surface.
+ *
+ * Output 0: albedo as the display's code, and 1. Output 1: the view's normal on an octahedron unfolded to a square (two
+ * numbers from -1 to 1), transmittance of the surface or Unlit, and w of the clip coordinates.
+ */
+class SurfacePass : public vtkOpenGLRenderPass
+{
+public:
+  static SurfacePass* New();
+  vtkTypeMacro(SurfacePass, vtkOpenGLRenderPass);
+
+  static constexpr double Unlit = -1.0;
+  static constexpr double Nothing = -2.0; ///< where there is no surface
+
+  /// Between them, the props of a state are drawn by their shaders of this pass.
+  void Begin(const vtkRenderState* state);
+  void End(const vtkRenderState* state);
+  void Render(const vtkRenderState*) override {}
+
+protected:
+  SurfacePass() = default;
+  ~SurfacePass() override = default;
+
+  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader, std::string& fragmentShader,
+    vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader, std::string& fragmentShader,
+    vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(
+    vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject* VAO) override;
+
+private:
+  SurfacePass(const SurfacePass&) = delete;
+  void operator=(const SurfacePass&) = delete;
+};
+
+}
+
+#endif

@@ -1,0 +1,354 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLandscapePass.h"
+
+#include "GlassPass.h"
+#include "Light/SunPosition.h"
+#include "Lighting.h"
+#include "LightingQuad.h"
+#include "Numerics/Constants.h"
+#include "Numerics/ParameterCheck.h"
+#include "SurfacePass.h"
+#include "Uniforms.h"
+
+#include "vtkCamera.h"
+#include "vtkCameraPass.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleKey.h"
+#include "vtkLightCollection.h"
+#include "vtkLightsPass.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpaquePass.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOverlayPass.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkSequencePass.h"
+#include "vtkTextureObject.h"
+#include "vtkTranslucentPass.h"
+#include "vtkVolumetricPass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+namespace
+{
+
+/// A pass that calls a function.
+class CallPass : public vtkRenderPass
+{
+public:
+  static CallPass* New();
+  vtkTypeMacro(CallPass, vtkRenderPass);
+  void Render(const vtkRenderState* state) override { this->Call(state); }
+
+  std::function<void(const vtkRenderState*)> Call;
+};
+vtkStandardNewMacro(CallPass);
+
+vtkSmartPointer<vtkRenderPass> Sequence(const std::vector<vtkRenderPass*>& parts)
+{
+  vtkNew<vtkRenderPassCollection> passes;
+  for (vtkRenderPass* part : parts)
+  {
+    passes->AddItem(part);
+  }
+  auto sequence = vtkSmartPointer<vtkSequencePass>::New();
+  sequence->SetPasses(passes);
+  return sequence;
+}
+
+/**
+ * Key of a picture of a level white surface of a luminance [kcd/m2]: its place between black and white, which an eye
+ * that is used to the light lowers as it gets dark (Krawczyk, Myszkowski, Seidel, Perceptual effects in real-time tone
+ * mapping, 2005), over that of a bright day.
+ */
+double KeyOf(double luminance)
+{
+  const auto key = [](double candelas) { return 1.03 - 2.0 / (2.0 + std::log10(candelas + 1.0)); };
+  constexpr double brightDay = 3e4;
+  return key(1e3 * luminance) / key(brightDay);
+}
+
+}
+
+vtkInformationKeyMacro(vtkLandscapePass, TRANSMITTANCE, Double);
+vtkStandardNewMacro(vtkLandscapePass);
+
+/// Parts that the pass keeps from frame to frame.
+struct vtkLandscapePass::Internals
+{
+  littoral::Lighting Light;
+  littoral::LightingQuad Quad;
+  vtkNew<littoral::SurfacePass> Surfaces;
+  vtkNew<littoral::GlassPass> Glass;
+  vtkNew<vtkCameraPass> Lit;   ///< a picture by sun and sky
+  vtkNew<vtkCameraPass> Plain; ///< one as without this pass
+  vtkNew<vtkLightsPass> Lights;
+  vtkNew<vtkOpaquePass> Opaque;
+  vtkNew<vtkTranslucentPass> Translucent;
+  std::vector<vtkProp*> Shown;
+};
+
+//----------------------------------------------------------------------------
+vtkLandscapePass::vtkLandscapePass()
+  : Own(new Internals)
+  , Sky(CLEAR)
+  , SunPlacement(ANGLES)
+  , SunElevation(35.0)
+  , SunAzimuth(235.0)
+  , Date{ 2026, 6, 21 }
+  , Hours(9.0)
+  , Latitude(54.0)
+  , Longitude(8.0)
+  , Turbidity(2.5)
+  , Visibility(30000.0)
+  , Exposure(INCIDENT)
+  , ExposureValue(15.0)
+  , ExposureCompensation(0.0)
+  , FilmCurve(true)
+  , Shadows(true)
+  , ShadowDistance(150.0)
+  , MapSize(2048)
+  , OcclusionRadius(5.0)
+{
+  Internals& own = *this->Own;
+  vtkNew<vtkVolumetricPass> volumes;
+  vtkNew<vtkOverlayPass> overlay;
+  vtkNew<CallPass> opaque;
+  opaque->Call = [&own](const vtkRenderState* state) {
+    own.Quad.TakeSurfaces(state->GetRenderer(), [&] {
+      own.Surfaces->Begin(state);
+      own.Opaque->Render(state);
+      own.Surfaces->End(state);
+    });
+    own.Quad.Draw(state->GetRenderer(), own.Light);
+  };
+  vtkNew<CallPass> translucent;
+  translucent->Call = [&own](const vtkRenderState* state) {
+    own.Glass->Begin(state, own.Light);
+    own.Translucent->Render(state);
+    own.Glass->End(state);
+  };
+  own.Lit->SetDelegatePass(Sequence({ own.Lights, opaque, translucent, volumes, overlay }));
+  own.Plain->SetDelegatePass(Sequence({ own.Lights, own.Opaque, own.Translucent, volumes, overlay }));
+}
+
+//----------------------------------------------------------------------------
+vtkLandscapePass::~vtkLandscapePass() = default;
+
+//----------------------------------------------------------------------------
+void vtkLandscapePass::SetTransmittance(vtkProp* prop, double transmittance)
+{
+  vtkSmartPointer<vtkInformation> keys = prop->GetPropertyKeys();
+  if (!keys)
+  {
+    keys = vtkSmartPointer<vtkInformation>::New();
+    prop->SetPropertyKeys(keys);
+  }
+  keys->Set(TRANSMITTANCE(), std::clamp(transmittance, 0.0, 1.0));
+  prop->Modified();
+}
+
+//----------------------------------------------------------------------------
+double vtkLandscapePass::GetTransmittance(vtkProp* prop)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  return keys && keys->Has(TRANSMITTANCE()) ? keys->Get(TRANSMITTANCE()) : 0.0;
+}
+
+//----------------------------------------------------------------------------
+std::string vtkLandscapePass::WhyInvalid() const
+{
+  littoral::ParameterCheck check;
+  check.Range("SunElevation", this->SunElevation, -90.0, 90.0, "degrees");
+  check.Finite("SunAzimuth", this->SunAzimuth, "degrees");
+  check.Range("Turbidity", this->Turbidity, 1.0, 10.0);
+  check.Positive("Visibility", this->Visibility, "m");
+  check.Range("ExposureValue", this->ExposureValue, -20.0, 30.0);
+  check.Range("ExposureCompensation", this->ExposureCompensation, -20.0, 20.0);
+  check.Positive("ShadowDistance", this->ShadowDistance, "m");
+  if (this->SunPlacement == CLOCK)
+  {
+    check.Range("Latitude", this->Latitude, -90.0, 90.0, "degrees");
+    check.Range("Longitude", this->Longitude, -180.0, 180.0, "degrees");
+    check.Require(littoral::WhyInvalid({ this->Date[0], this->Date[1], this->Date[2], this->Hours }));
+  }
+  return check.Reason();
+}
+
+//----------------------------------------------------------------------------
+void vtkLandscapePass::GetSunDirection(double direction[3])
+{
+  littoral::SunAngles angles{ this->SunElevation, this->SunAzimuth };
+  if (this->SunPlacement == CLOCK)
+  {
+    angles =
+      littoral::SunAt({ this->Date[0], this->Date[1], this->Date[2], this->Hours }, this->Latitude, this->Longitude);
+  }
+  const littoral::Vector3 sun = littoral::DirectionOf(angles);
+  std::copy_n(&sun.x, 3, direction);
+}
+
+//----------------------------------------------------------------------------
+void vtkLandscapePass::GetSunLight(double light[3])
+{
+  std::copy_n(&this->Own->Light.Sky.GetTables().SunLight.x, 3, light);
+}
+
+//----------------------------------------------------------------------------
+void vtkLandscapePass::GetSkyLight(double nx, double ny, double nz, double light[3])
+{
+  const littoral::Vector3 found = this->Own->Light.Sky.GetTables().LightOn({ nx, ny, nz });
+  std::copy_n(&found.x, 3, light);
+}
+
+//----------------------------------------------------------------------------
+void vtkLandscapePass::GetSkyLuminance(double x, double y, double z, double luminance[3])
+{
+  const littoral::Vector3 found = this->Own->Light.Sky.GetTables().LuminanceAt({ x, y, z });
+  std::copy_n(&found.x, 3, luminance);
+}
+
+//----------------------------------------------------------------------------
+double vtkLandscapePass::GetExposureFactor()
+{
+  return this->Own->Light.Exposure;
+}
+
+//----------------------------------------------------------------------------
+void vtkLandscapePass::TakeLight()
+{
+  littoral::Lighting& lighting = this->Own->Light;
+  if (this->Sky == EVEN)
+  {
+    lighting.Sky.TakeEven();
+  }
+  else
+  {
+    littoral::AirParameters air;
+    air.Turbidity = this->Turbidity;
+    littoral::Vector3 sun;
+    this->GetSunDirection(&sun.x);
+    lighting.Sky.TakeClear(air, sun);
+  }
+  // L exp(-k V) = 0.02 L at the visibility V  (Koschmieder)
+  lighting.Extinction = this->Sky == EVEN ? 0.0 : std::log(50.0) / this->Visibility;
+  lighting.FilmCurve = this->FilmCurve;
+  lighting.OcclusionRadius = this->OcclusionRadius;
+  // White on level ground is white, or luminances of 1.2 cd/m2 2^EV are.
+  const littoral::SkyTables& sky = lighting.Sky.GetTables();
+  const littoral::Vector3 light = sky.LightOn({ 0.0, 0.0, 1.0 }) + std::max(sky.Sun.z, 0.0) * sky.SunLight;
+  const double level = std::max(littoral::LuminanceOf(light) / littoral::Pi, 1e-9);
+  const double white = this->Exposure == MANUAL ? 1.2e-3 * std::exp2(this->ExposureValue)
+    : this->Sky == EVEN                         ? level
+                                                : level / KeyOf(level);
+  lighting.Exposure = std::exp2(this->ExposureCompensation) / white;
+}
+
+//----------------------------------------------------------------------------
+void vtkLandscapePass::DrawMaps(vtkRenderer* renderer)
+{
+  Internals& own = *this->Own;
+  own.Shown.clear();
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator next;
+  props->InitTraversal(next);
+  while (vtkProp* prop = props->GetNextProp(next))
+  {
+    if (prop->GetVisibility())
+    {
+      own.Shown.push_back(prop);
+    }
+  }
+  const littoral::SkyTables& sky = own.Light.Sky.GetTables();
+  littoral::DepthMaps::Wish wish;
+  wish.Sun = sky.Sun;
+  wish.HasSun = this->Shadows && littoral::LuminanceOf(sky.SunLight) > 0.0;
+  wish.HasZenith = this->OcclusionRadius > 0.0;
+  wish.Distance = this->ShadowDistance;
+  wish.Size = this->MapSize;
+  // The same shaders as for the picture: none is built anew.
+  vtkRenderState all(renderer);
+  all.SetPropArrayAndCount(own.Shown.data(), static_cast<int>(own.Shown.size()));
+  own.Surfaces->Begin(&all);
+  own.Lights->Render(&all);
+  own.Light.Maps.Draw(renderer, own.Shown, wish, [&] {
+    for (vtkProp* prop : own.Shown)
+    {
+      prop->RenderOpaqueGeometry(renderer);
+    }
+  });
+  own.Surfaces->End(&all);
+}
+
+//----------------------------------------------------------------------------
+void vtkLandscapePass::Render(const vtkRenderState* state)
+{
+  vtkRenderer* renderer = state->GetRenderer();
+  Internals& own = *this->Own;
+  const std::string reason = renderer->GetSelector() ? std::string() : this->WhyInvalid();
+  if (!reason.empty())
+  {
+    vtkErrorMacro(<< reason);
+  }
+  if (renderer->GetSelector() || !reason.empty())
+  {
+    own.Plain->Render(state);
+    this->NumberOfRenderedProps = own.Plain->GetNumberOfRenderedProps();
+    return;
+  }
+  this->TakeLight();
+  // Normals are there only if there is a light; shaders are built for it once.
+  if (renderer->GetLights()->GetNumberOfItems() == 0)
+  {
+    renderer->CreateLight();
+  }
+  this->DrawMaps(renderer);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  own.Light.ToWorld = glm::inverse(littoral::MatrixOf(camera->GetModelViewTransformMatrix()));
+  own.Light.IsParallel = camera->GetParallelProjection();
+  own.Light.Activate(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
+  own.Lit->Render(state);
+  own.Light.Deactivate();
+  this->NumberOfRenderedProps = own.Lit->GetNumberOfRenderedProps();
+}
+
+//----------------------------------------------------------------------------
+void vtkLandscapePass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& own = *this->Own;
+  own.Light.ReleaseGraphicsResources(window);
+  own.Quad.ReleaseGraphicsResources(window);
+  own.Lit->ReleaseGraphicsResources(window);
+  own.Plain->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//----------------------------------------------------------------------------
+void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Sky: " << (this->Sky == EVEN ? "even" : "clear") << "\n";
+  os << indent << "SunPlacement: " << (this->SunPlacement == CLOCK ? "clock" : "angles") << "\n";
+  os << indent << "SunElevation: " << this->SunElevation << "\n";
+  os << indent << "SunAzimuth: " << this->SunAzimuth << "\n";
+  os << indent << "Date: " << this->Date[0] << " " << this->Date[1] << " " << this->Date[2] << "\n";
+  os << indent << "Hours: " << this->Hours << "\n";
+  os << indent << "Latitude: " << this->Latitude << "\n";
+  os << indent << "Longitude: " << this->Longitude << "\n";
+  os << indent << "Turbidity: " << this->Turbidity << "\n";
+  os << indent << "Visibility: " << this->Visibility << "\n";
+  os << indent << "Exposure: " << (this->Exposure == MANUAL ? "manual" : "incident") << "\n";
+  os << indent << "ExposureValue: " << this->ExposureValue << "\n";
+  os << indent << "ExposureCompensation: " << this->ExposureCompensation << "\n";
+  os << indent << "FilmCurve: " << (this->FilmCurve ? "on" : "off") << "\n";
+  os << indent << "Shadows: " << (this->Shadows ? "on" : "off") << "\n";
+  os << indent << "ShadowDistance: " << this->ShadowDistance << "\n";
+  os << indent << "MapSize: " << this->MapSize << "\n";
+  os << indent << "OcclusionRadius: " << this->OcclusionRadius << "\n";
+}

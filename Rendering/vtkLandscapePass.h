@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkLandscapePass
+ * @brief   light whatever a renderer shows by sun and sky
+ *
+ * A render pass that any vtkRenderer takes: `renderer->SetPass(pass)`. It lights all surfaces with Lighting on, also
+ * those of instances and of composite data, in place of the lights of the renderer; their colors and textures are
+ * albedos in the code of sRGB. x is to the east, y to the north and z up; lengths are metres. Surfaces shade each other
+ * from the sun, by maps of depths that are drawn anew only where something moved, and from the sky.
+ *
+ * What is picked, what is not lit (Lighting off), volumes and annotations are drawn as without the pass.
+ */
+#ifndef vtkLandscapePass_h
+#define vtkLandscapePass_h
+
+#include "LittoralRenderingModule.h" // for export macro
+#include "vtkRenderPass.h"
+
+#include <memory> // for private members
+#include <string> // for what is invalid
+
+class vtkInformationDoubleKey;
+class vtkProp;
+class vtkRenderer;
+
+class LITTORALRENDERING_EXPORT vtkLandscapePass : public vtkRenderPass
+{
+public:
+  static vtkLandscapePass* New();
+  vtkTypeMacro(vtkLandscapePass, vtkRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** Skies: that of clear air under the sun, or the same luminance from everywhere and no sun. */
+  enum SkyType
+  {
+    CLEAR,
+    EVEN
+  };
+  ///@{
+  /** Sky; default CLEAR. */
+  vtkSetClampMacro(Sky, int, CLEAR, EVEN);
+  vtkGetMacro(Sky, int);
+  void SetSkyToClear() { this->SetSky(CLEAR); }
+  void SetSkyToEven() { this->SetSky(EVEN); }
+  ///@}
+
+  /** Sources of the sun's place: two angles, or a moment and a place on earth. */
+  enum SunPlacementType
+  {
+    ANGLES,
+    CLOCK
+  };
+  ///@{
+  /** Source of the sun's place; default ANGLES. */
+  vtkSetClampMacro(SunPlacement, int, ANGLES, CLOCK);
+  vtkGetMacro(SunPlacement, int);
+  void SetSunPlacementToAngles() { this->SetSunPlacement(ANGLES); }
+  void SetSunPlacementToClock() { this->SetSunPlacement(CLOCK); }
+  ///@}
+  ///@{
+  /** Elevation of the sun above the horizon [degrees], -90 to 90; default 35. */
+  vtkSetMacro(SunElevation, double);
+  vtkGetMacro(SunElevation, double);
+  ///@}
+  ///@{
+  /** Azimuth of the sun, clockwise from north [degrees]; default 235. */
+  vtkSetMacro(SunAzimuth, double);
+  vtkGetMacro(SunAzimuth, double);
+  ///@}
+  ///@{
+  /** Year, month and day of Universal Time; default 2026, 6, 21. */
+  vtkSetVector3Macro(Date, int);
+  vtkGetVector3Macro(Date, int);
+  ///@}
+  ///@{
+  /** Hours of Universal Time since midnight, also below 0 and above 24; default 9. */
+  vtkSetMacro(Hours, double);
+  vtkGetMacro(Hours, double);
+  ///@}
+  ///@{
+  /** Latitude [degrees north], -90 to 90; default 54. */
+  vtkSetMacro(Latitude, double);
+  vtkGetMacro(Latitude, double);
+  ///@}
+  ///@{
+  /** Longitude [degrees east], -180 to 180; default 8. */
+  vtkSetMacro(Longitude, double);
+  vtkGetMacro(Longitude, double);
+  ///@}
+
+  ///@{
+  /** Turbidity of the air: 1 without aerosols, 2 very clear, 10 thick haze; default 2.5. */
+  vtkSetMacro(Turbidity, double);
+  vtkGetMacro(Turbidity, double);
+  ///@}
+  ///@{
+  /** Distance at which 2 % of the contrast of a board with the horizon is left [m], above 0; default 30000. */
+  vtkSetMacro(Visibility, double);
+  vtkGetMacro(Visibility, double);
+  ///@}
+
+  /** Sources of the exposure: the light on a level ground, or a number. */
+  enum ExposureType
+  {
+    INCIDENT,
+    MANUAL
+  };
+  ///@{
+  /** Source of the exposure; default INCIDENT. */
+  vtkSetClampMacro(Exposure, int, INCIDENT, MANUAL);
+  vtkGetMacro(Exposure, int);
+  void SetExposureToIncident() { this->SetExposure(INCIDENT); }
+  void SetExposureToManual() { this->SetExposure(MANUAL); }
+  ///@}
+  ///@{
+  /** Exposure value at ISO 100 for the exposure MANUAL; default 15, of a sunny day. */
+  vtkSetMacro(ExposureValue, double);
+  vtkGetMacro(ExposureValue, double);
+  ///@}
+  ///@{
+  /** Correction of the exposure by steps of a factor of 2; default 0. */
+  vtkSetMacro(ExposureCompensation, double);
+  vtkGetMacro(ExposureCompensation, double);
+  ///@}
+  ///@{
+  /** Film's curve with a shoulder towards white, off for colors in proportion to luminances; default on. */
+  vtkSetMacro(FilmCurve, bool);
+  vtkGetMacro(FilmCurve, bool);
+  vtkBooleanMacro(FilmCurve, bool);
+  ///@}
+
+  ///@{
+  /** Shadows of the sun; default on. */
+  vtkSetMacro(Shadows, bool);
+  vtkGetMacro(Shadows, bool);
+  vtkBooleanMacro(Shadows, bool);
+  ///@}
+  ///@{
+  /** Distance from the eye within which shadows are sharp [m], above 0; default 150. */
+  vtkSetMacro(ShadowDistance, double);
+  vtkGetMacro(ShadowDistance, double);
+  ///@}
+  ///@{
+  /** Texels along a side of a map of depths, 16 to 8192; default 2048. */
+  vtkSetClampMacro(MapSize, int, 16, 8192);
+  vtkGetMacro(MapSize, int);
+  ///@}
+  ///@{
+  /** Distance of surfaces that hide the sky from a place [m], 0 for none; default 5. */
+  vtkSetClampMacro(OcclusionRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(OcclusionRadius, double);
+  ///@}
+
+  ///@{
+  /** Part of the light on the far side of a prop that leaves it on the near side, as of leaves, 0 to 1. */
+  static vtkInformationDoubleKey* TRANSMITTANCE();
+  static void SetTransmittance(vtkProp* prop, double transmittance);
+  static double GetTransmittance(vtkProp* prop);
+  ///@}
+
+  /** Direction towards the sun, of length 1, by the properties. */
+  void GetSunDirection(double direction[3]) VTK_SIZEHINT(3);
+  /** Light of the sun at right angles to it in the last picture, by red, green and blue [klx]. */
+  void GetSunLight(double light[3]) VTK_SIZEHINT(3);
+  /** Light of the sky and the earth on a plane in the last picture by its normal, without the sun [klx]. */
+  void GetSkyLight(double nx, double ny, double nz, double light[3]) VTK_SIZEHINT(light, 3);
+  /** Luminance of the sky in a direction in the last picture [kcd/m2]. */
+  void GetSkyLuminance(double x, double y, double z, double luminance[3]) VTK_SIZEHINT(luminance, 3);
+  /** Exposure of the last picture: 1 over the luminance of a white without FilmCurve [m2/kcd]. */
+  double GetExposureFactor();
+
+  void Render(const vtkRenderState* state) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkLandscapePass();
+  ~vtkLandscapePass() override;
+
+private:
+  vtkLandscapePass(const vtkLandscapePass&) = delete;
+  void operator=(const vtkLandscapePass&) = delete;
+
+  std::string WhyInvalid() const;
+  void TakeLight();
+  void DrawMaps(vtkRenderer* renderer);
+
+  struct Internals;
+  std::unique_ptr<Internals> Own;
+
+  int Sky;
+  int SunPlacement;
+  double SunElevation;
+  double SunAzimuth;
+  int Date[3];
+  double Hours;
+  double Latitude;
+  double Longitude;
+  double Turbidity;
+  double Visibility;
+  int Exposure;
+  double ExposureValue;
+  double ExposureCompensation;
+  bool FilmCurve;
+  bool Shadows;
+  double ShadowDistance;
+  int MapSize;
+  double OcclusionRadius;
+};
+
+#endif

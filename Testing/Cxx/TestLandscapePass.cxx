@@ -1,0 +1,478 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Pixels of vtkLandscapePass against closed forms: light of planes, shadows, air, leaves, and where it must not matter
+// how a scene is placed.
+#include "Check.h"
+#include "vtkLandscapePass.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCubeSource.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkMath.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
+#include "vtkTestErrorObserver.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using Color = std::array<double, 3>;
+
+constexpr int Width = 240;
+constexpr int Height = 160;
+
+double LinearOf(double code)
+{
+  return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
+}
+
+double CodeOf(double linear)
+{
+  const double c = std::clamp(linear, 0.0, 1.0);
+  return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
+}
+
+/// A window that is lit by the pass, with colors in proportion to luminances.
+struct Picture
+{
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkLandscapePass> Pass;
+  vtkNew<vtkUnsignedCharArray> Pixels;
+
+  Picture()
+  {
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(Width, Height);
+    this->Window->AddRenderer(this->Renderer);
+    this->Renderer->SetPass(this->Pass);
+    this->Pass->FilmCurveOff();
+    this->Pass->SetMapSize(1024);
+  }
+
+  vtkActor* Add(vtkPolyData* data, double grey)
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(data);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(CodeOf(grey), CodeOf(grey), CodeOf(grey));
+    this->Renderer->AddActor(actor);
+    return actor;
+  }
+
+  void Look(const Color& from, const Color& to, const Color& up)
+  {
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->SetPosition(from.data());
+    camera->SetFocalPoint(to.data());
+    camera->SetViewUp(up.data());
+    this->Renderer->ResetCameraClippingRange();
+  }
+
+  void Draw()
+  {
+    this->Window->Render();
+    this->Window->GetRGBACharPixelData(0, 0, Width - 1, Height - 1, 0, this->Pixels);
+  }
+
+  Color At(int x, int y) const
+  {
+    const unsigned char* pixel = this->Pixels->GetPointer(4 * (y * Width + x));
+    return { pixel[0] / 255.0, pixel[1] / 255.0, pixel[2] / 255.0 };
+  }
+
+  /// Exposed luminance of a pixel.
+  Color LinearAt(int x, int y) const
+  {
+    const Color code = this->At(x, y);
+    return { LinearOf(code[0]), LinearOf(code[1]), LinearOf(code[2]) };
+  }
+};
+
+vtkSmartPointer<vtkPolyData> Plane(const Color& origin, const Color& a, const Color& b)
+{
+  vtkNew<vtkPlaneSource> source;
+  source->SetOrigin(origin[0], origin[1], origin[2]);
+  source->SetPoint1(a[0], a[1], a[2]);
+  source->SetPoint2(b[0], b[1], b[2]);
+  source->Update();
+  return source->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> Level(double half, double z = 0.0)
+{
+  return Plane({ -half, -half, z }, { half, -half, z }, { -half, half, z });
+}
+
+vtkSmartPointer<vtkPolyData> Box(const Color& center, const Color& size)
+{
+  vtkNew<vtkCubeSource> source;
+  source->SetCenter(center[0], center[1], center[2]);
+  source->SetXLength(size[0]);
+  source->SetYLength(size[1]);
+  source->SetZLength(size[2]);
+  source->Update();
+  return source->GetOutput();
+}
+
+bool Near(const Color& found, const Color& expected, double relative, double absolute, const std::string& what)
+{
+  bool good = true;
+  for (int c = 0; c < 3; ++c)
+  {
+    good &= std::abs(found[c] - expected[c]) <= relative * expected[c] + absolute;
+  }
+  return Check(good,
+    what + ": " + std::to_string(found[0]) + " " + std::to_string(found[1]) + " " + std::to_string(found[2]) + " for " +
+      std::to_string(expected[0]) + " " + std::to_string(expected[1]) + " " + std::to_string(expected[2]));
+}
+
+/// A white plane of any direction has the light of the sun and of the sky by its normal.
+bool TestLightOfPlanes()
+{
+  bool good = true;
+  for (const Color& angles : { Color{ 60.0, 120.0, 2.0 }, Color{ 15.0, 300.0, 5.0 } })
+  {
+    for (const Color& n :
+      { Color{ 0.0, 0.0, 1.0 }, Color{ 0.6, 0.0, 0.8 }, Color{ 0.0, -1.0, 0.0 }, Color{ -0.8, 0.6, 0.0 } })
+    {
+      Picture picture;
+      picture.Pass->SetSunElevation(angles[0]);
+      picture.Pass->SetSunAzimuth(angles[1]);
+      picture.Pass->SetTurbidity(angles[2]);
+      picture.Pass->SetVisibility(1e9);
+      picture.Pass->SetExposureCompensation(-2.5);
+      Color a;
+      Color b;
+      vtkMath::Perpendiculars(n.data(), a.data(), b.data(), 0.3);
+      picture.Add(Plane({ 0.0, 0.0, 0.0 }, a, b), 1.0);
+      const Color middle{ 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2]) };
+      picture.Look({ middle[0] + 2.0 * n[0], middle[1] + 2.0 * n[1], middle[2] + 2.0 * n[2] }, middle, a);
+      picture.Draw();
+      Color sun;
+      Color sunLight;
+      Color skyLight;
+      picture.Pass->GetSunDirection(sun.data());
+      picture.Pass->GetSunLight(sunLight.data());
+      picture.Pass->GetSkyLight(n[0], n[1], n[2], skyLight.data());
+      Color expected;
+      for (int c = 0; c < 3; ++c)
+      {
+        const double light = skyLight[c] + std::max(0.0, vtkMath::Dot(sun.data(), n.data())) * sunLight[c];
+        expected[c] = picture.Pass->GetExposureFactor() * light / vtkMath::Pi();
+      }
+      good &= Near(picture.LinearAt(Width / 2, Height / 2), expected, 0.015, 0.002, "Light of a white plane");
+    }
+  }
+  return good;
+}
+
+/// In a light that is equal from everywhere each surface is as bright as its albedo, however it is turned.
+bool TestFurnace()
+{
+  Picture picture;
+  picture.Pass->SetSkyToEven();
+  picture.Pass->SetOcclusionRadius(0.0);
+  picture.Pass->SetExposureCompensation(-0.5);
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(60);
+  sphere->SetPhiResolution(40);
+  sphere->Update();
+  picture.Add(sphere->GetOutput(), 0.8);
+  picture.Look({ 1.0, -2.0, 0.7 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
+  picture.Draw();
+  bool good = true;
+  int counted = 0;
+  const double sky = std::exp2(-0.5);
+  for (int y = 0; y < Height; ++y)
+  {
+    for (int x = 0; x < Width; ++x)
+    {
+      const bool isSphere = picture.LinearAt(x, y)[0] < 0.9 * sky;
+      counted += isSphere;
+      good &= std::abs(picture.LinearAt(x, y)[1] / sky - (isSphere ? 0.8 : 1.0)) < 0.01;
+    }
+  }
+  return Check(good && counted > 4000, "Even light is not even on " + std::to_string(counted) + " pixels of a sphere.");
+}
+
+/// A pole's shadow ends at h / tan(elevation), away from the sun.
+bool TestShadowOfPole()
+{
+  bool good = true;
+  constexpr double height = 10.0;
+  for (const Color& hour : { Color{ 50.0, 180.0, 0.0 }, Color{ 35.0, 97.0, 0.0 }, Color{ 25.0, 250.0, 0.0 } })
+  {
+    Picture picture;
+    picture.Pass->SetSunElevation(hour[0]);
+    picture.Pass->SetSunAzimuth(hour[1]);
+    picture.Pass->SetOcclusionRadius(0.0);
+    picture.Pass->SetMapSize(4096);
+    picture.Add(Level(40.0), 0.5);
+    picture.Add(Box({ 0.0, 0.0, 0.5 * height }, { 0.4, 0.4, height }), 0.5);
+    picture.Look({ 0.0, 0.0, 100.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
+    vtkCamera* camera = picture.Renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(24.0);
+    picture.Renderer->ResetCameraClippingRange();
+    picture.Draw();
+    // Along the shadow from the pole, the last dark pixel
+    const double metres = 48.0 / Height;
+    const double azimuth = vtkMath::RadiansFromDegrees(hour[1]);
+    const Color away{ -std::sin(azimuth), -std::cos(azimuth), 0.0 };
+    const double bright = picture.LinearAt(5, 5)[1];
+    double end = 0.0;
+    for (double s = 1.0; s < 24.0; s += 0.25 * metres)
+    {
+      const int x = static_cast<int>(std::floor(0.5 * Width + s * away[0] / metres));
+      const int y = static_cast<int>(std::floor(0.5 * Height + s * away[1] / metres));
+      if (x >= 0 && x < Width && y >= 0 && y < Height && picture.LinearAt(x, y)[1] < 0.6 * bright)
+      {
+        end = s;
+      }
+    }
+    const double expected = height / std::tan(vtkMath::RadiansFromDegrees(hour[0]));
+    // The near edge of the top's shadow
+    good &= Check(std::abs(end - expected) <= metres + 0.2,
+      "Shadow of a pole ends at " + std::to_string(end) + " m for " + std::to_string(expected) + " m.");
+  }
+  return good;
+}
+
+/// Boards at distances: L exp(-k d) + L_h (1 - exp(-k d)), k = ln 50 / visibility.
+bool TestAir()
+{
+  bool good = true;
+  for (const double distance : { 500.0, 2000.0, 8000.0 })
+  {
+    for (const double albedo : { 0.0, 1.0 })
+    {
+      Picture picture;
+      picture.Pass->SetVisibility(10000.0);
+      picture.Pass->ShadowsOff();
+      picture.Pass->SetOcclusionRadius(0.0);
+      picture.Pass->SetExposureCompensation(-1.0);
+      const double side = 0.4 * distance;
+      picture.Add(Plane({ -side, distance, -side }, { side, distance, -side }, { -side, distance, side }), albedo);
+      picture.Look({ 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 });
+      picture.Draw();
+      Color sun;
+      Color sunLight;
+      Color skyLight;
+      Color horizon;
+      picture.Pass->GetSunDirection(sun.data());
+      picture.Pass->GetSunLight(sunLight.data());
+      picture.Pass->GetSkyLight(0.0, -1.0, 0.0, skyLight.data());
+      picture.Pass->GetSkyLuminance(0.0, 1.0, 1e-3, horizon.data());
+      const double through = std::pow(50.0, -distance / 10000.0);
+      Color expected;
+      for (int c = 0; c < 3; ++c)
+      {
+        const double own = albedo / vtkMath::Pi() * (skyLight[c] + std::max(0.0, -sun[1]) * sunLight[c]);
+        expected[c] = CodeOf(picture.Pass->GetExposureFactor() * (own * through + horizon[c] * (1.0 - through)));
+      }
+      good &= Near(picture.At(Width / 2, Height / 2), expected, 0.0, 1.01 / 255.0,
+        "Board behind " + std::to_string(distance) + " m of air");
+    }
+  }
+  return good;
+}
+
+/// A leaf with the sun behind it has the light of its far side by its transmittance.
+bool TestLeaf()
+{
+  bool good = true;
+  Color lit[2];
+  Color sun;
+  Color sunLight;
+  Color near;
+  Color far;
+  double factor = 0.0;
+  for (const double transmittance : { 0.0, 0.35 })
+  {
+    Picture picture;
+    picture.Pass->SetSunElevation(30.0);
+    picture.Pass->SetSunAzimuth(0.0);
+    picture.Pass->SetOcclusionRadius(0.0);
+    picture.Pass->SetVisibility(1e9);
+    picture.Pass->SetExposureCompensation(-0.5);
+    vtkActor* leaf = picture.Add(Plane({ -1.0, 0.0, -1.0 }, { 1.0, 0.0, -1.0 }, { -1.0, 0.0, 1.0 }), 0.5);
+    vtkLandscapePass::SetTransmittance(leaf, transmittance);
+    picture.Look({ 0.0, -3.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
+    picture.Draw();
+    lit[transmittance > 0.0] = picture.LinearAt(Width / 2, Height / 2);
+    factor = picture.Pass->GetExposureFactor();
+    picture.Pass->GetSunDirection(sun.data());
+    picture.Pass->GetSunLight(sunLight.data());
+    picture.Pass->GetSkyLight(0.0, -1.0, 0.0, near.data());
+    picture.Pass->GetSkyLight(0.0, 1.0, 0.0, far.data());
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    const double own = factor * 0.5 / vtkMath::Pi() * near[c];
+    const double through = factor * 0.5 / vtkMath::Pi() * 0.35 * (far[c] + sun[1] * sunLight[c]);
+    good &= Check(std::abs(lit[0][c] - own) < 0.02 * own + 0.002, "A leaf without transmittance is lit from behind.");
+    good &= Check(std::abs(lit[1][c] - lit[0][c] - through) < 0.02 * through + 0.003, "Light through a leaf is wrong.");
+  }
+  return good;
+}
+
+/// Largest and mean difference of two pictures [1/255].
+std::array<double, 2> Differences(const Picture& a, const Picture& b)
+{
+  double largest = 0.0;
+  double sum = 0.0;
+  for (vtkIdType k = 0; k < a.Pixels->GetNumberOfValues(); ++k)
+  {
+    const double off = std::abs(double(a.Pixels->GetValue(k)) - double(b.Pixels->GetValue(k)));
+    largest = std::max(largest, off);
+    sum += off;
+  }
+  return { largest, sum / static_cast<double>(a.Pixels->GetNumberOfValues()) };
+}
+
+/// Some boxes and balls on a plane, all at an offset, in an order, the boxes as glyphs or as actors.
+void AddTown(Picture& picture, const Color& off, bool isBackwards, bool hasGlyphs)
+{
+  std::vector<Color> places;
+  for (int k = 0; k < 9; ++k)
+  {
+    places.push_back({ off[0] + 9.0 * (k % 3) - 9.0, off[1] + 8.0 * (k / 3) - 8.0, off[2] + 2.0 });
+  }
+  std::vector<std::function<void()>> steps;
+  steps.emplace_back([&picture, off] {
+    picture.Add(Plane({ off[0] - 60.0, off[1] - 60.0, off[2] }, { off[0] + 60.0, off[1] - 60.0, off[2] },
+                  { off[0] - 60.0, off[1] + 60.0, off[2] }),
+      0.4);
+  });
+  if (hasGlyphs)
+  {
+    steps.emplace_back([&picture, places] {
+      vtkNew<vtkPoints> points;
+      points->SetDataTypeToDouble();
+      for (const Color& place : places)
+      {
+        points->InsertNextPoint(place.data());
+      }
+      vtkNew<vtkPolyData> data;
+      data->SetPoints(points);
+      vtkNew<vtkGlyph3DMapper> mapper;
+      mapper->SetInputData(data);
+      mapper->SetSourceData(Box({ 0.0, 0.0, 0.0 }, { 3.0, 2.0, 4.0 }));
+      mapper->ScalingOff();
+      vtkNew<vtkActor> actor;
+      actor->SetMapper(mapper);
+      actor->GetProperty()->SetColor(CodeOf(0.7), CodeOf(0.7), CodeOf(0.7));
+      picture.Renderer->AddActor(actor);
+    });
+  }
+  for (const Color& place : places)
+  {
+    if (!hasGlyphs)
+    {
+      steps.emplace_back([&picture, place] { picture.Add(Box(place, { 3.0, 2.0, 4.0 }), 0.7); });
+    }
+  }
+  if (isBackwards)
+  {
+    std::reverse(steps.begin(), steps.end());
+  }
+  for (const auto& step : steps)
+  {
+    step();
+  }
+  picture.Look({ off[0] - 12.0, off[1] - 30.0, off[2] + 14.0 }, off, { 0.0, 0.0, 1.0 });
+  picture.Draw();
+}
+
+/// The same scene: in another order of props, as instances, in the coordinates of a zone of UTM.
+bool TestPlacement()
+{
+  const Color origin{ 0.0, 0.0, 0.0 };
+  Picture first;
+  AddTown(first, origin, false, false);
+  Picture backwards;
+  AddTown(backwards, origin, true, false);
+  Picture glyphs;
+  AddTown(glyphs, origin, false, true);
+  Picture far;
+  AddTown(far, { 500000.0, 6000000.0, 100.0 }, false, false);
+  const auto order = Differences(first, backwards);
+  const auto instances = Differences(first, glyphs);
+  const auto utm = Differences(first, far);
+  bool good = Check(order[0] <= 1.0, "The order of props makes a difference of " + std::to_string(order[0]));
+  good &= Check(instances[0] <= 1.0, "Instances make a difference of " + std::to_string(instances[0]));
+  // Points of these coordinates have single precision in VTK's buffers unless they are shifted.
+  good &= Check(utm[1] < 0.3, "Coordinates of UTM make a mean difference of " + std::to_string(utm[1]));
+  return good;
+}
+
+/// What is drawn where something is wrong or there is nothing.
+bool TestBadInput()
+{
+  bool good = true;
+  Picture picture;
+  picture.Draw(); // nothing at all
+  good &= Check(picture.At(Width / 2, Height - 2)[2] > 0.1, "There is no sky.");
+  vtkNew<vtkPolyData> empty;
+  picture.Add(empty, 0.5);
+  auto broken = vtkSmartPointer<vtkPolyData>::New();
+  broken->DeepCopy(Level(3.0));
+  broken->GetPoints()->SetPoint(0, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
+  picture.Add(broken, 0.5);
+  picture.Add(Level(1.0, 0.5), 0.5);
+  picture.Look({ 0.0, -5.0, 3.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
+  picture.Draw();
+  const double lit = picture.LinearAt(Width / 2, Height / 2)[1];
+  good &= Check(lit > 0.05 && lit < 1.0, "A surface beside a broken one is lit by " + std::to_string(lit));
+  // Night is dark, not black.
+  picture.Pass->SetSunElevation(-40.0);
+  picture.Draw();
+  const double night = picture.At(Width / 2, Height / 2)[1];
+  good &= Check(night > 1.0 / 255.0 && night < 0.3, "Night is " + std::to_string(night));
+  // Parameters out of range: one sentence, and a picture as without the pass.
+  vtkNew<vtkTest::ErrorObserver> errors;
+  picture.Pass->AddObserver(vtkCommand::ErrorEvent, errors);
+  picture.Pass->SetTurbidity(0.5);
+  picture.Draw();
+  good &= Check(errors->GetError() &&
+      errors->GetErrorMessage().find("Turbidity is 0.5; it must be from 1 to 10.") != std::string::npos,
+    "A turbidity of 0.5 is told as: " + errors->GetErrorMessage());
+  return good;
+}
+
+}
+
+int TestLandscapePass(int, char*[])
+{
+  bool good = TestLightOfPlanes();
+  good &= TestFurnace();
+  good &= TestShadowOfPole();
+  good &= TestAir();
+  good &= TestLeaf();
+  good &= TestPlacement();
+  good &= TestBadInput();
+  return good ? EXIT_SUCCESS : EXIT_FAILURE;
+}
