@@ -87,7 +87,7 @@ DepthMaps::DepthMaps() = default;
 DepthMaps::~DepthMaps() = default;
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkTextureObject> DepthMaps::NewTexture(vtkOpenGLRenderWindow* window, int size)
+vtkSmartPointer<vtkTextureObject> DepthMaps::NewTexture(vtkOpenGLRenderWindow* window, int size, bool compares)
 {
   auto texture = vtkSmartPointer<vtkTextureObject>::New();
   texture->SetContext(window);
@@ -96,7 +96,7 @@ vtkSmartPointer<vtkTextureObject> DepthMaps::NewTexture(vtkOpenGLRenderWindow* w
   texture->SetWrapT(vtkTextureObject::ClampToEdge);
   texture->SetMinificationFilter(vtkTextureObject::Linear);
   texture->SetLinearMagnification(true);
-  texture->SetDepthTextureCompare(true);
+  texture->SetDepthTextureCompare(compares);
   texture->SetDepthTextureCompareFunction(vtkTextureObject::Lequal);
   return texture;
 }
@@ -109,9 +109,9 @@ void DepthMaps::Allocate(vtkOpenGLRenderWindow* window, int size)
     return;
   }
   this->Size = size;
-  for (auto& texture : this->Textures)
+  for (int map = 0; map < Count; ++map)
   {
-    texture = NewTexture(window, size);
+    this->Textures[map] = NewTexture(window, size, map != Ground);
   }
   this->Places = {};
 }
@@ -122,18 +122,23 @@ DepthMaps::Place DepthMaps::PlaceOf(int map, vtkRenderer* renderer, const Whole&
   Place place;
   place.Time = whole.Time;
   place.Depth = 1.001 * whole.Radius;
-  place.Towards = map == Zenith ? glm::dvec3(0.0, 0.0, 1.0) : wish.Sun;
+  place.Towards = map >= Zenith ? glm::dvec3(0.0, 0.0, 1.0) : wish.Sun;
   const double near = std::min(MiddleShare * wish.Distance, whole.Radius);
   const double far = std::min(wish.Distance, whole.Radius);
-  const double from[Count] = { 0.0, near, 0.0, 0.0 };
-  const double to[Count] = { near, far, 0.0, far };
-  if (map != SunMaps - 1)
+  const double from[Count] = { 0.0, near, 0.0, 0.0, 0.0 };
+  const double to[Count] = { near, far, 0.0, far, 0.0 };
+  if (map == Ground)
+  {
+    renderer->GetActiveCamera()->GetPosition(&place.Center.x);
+    place.Radius = Slack * wish.GroundRadius;
+  }
+  else if (map != SunMaps - 1)
   {
     SphereOf(
       renderer->GetActiveCamera(), renderer->GetTiledAspectRatio(), from[map], to[map], place.Center, place.Radius);
     place.Radius *= Slack;
   }
-  const bool isAll = map == SunMaps - 1 || place.Radius > whole.Radius;
+  const bool isAll = map == SunMaps - 1 || (map != Ground && place.Radius > whole.Radius);
   if (isAll)
   {
     place.Center = whole.Center;
@@ -158,8 +163,8 @@ DepthMaps::Place DepthMaps::PlaceOf(int map, vtkRenderer* renderer, const Whole&
 }
 
 //----------------------------------------------------------------------------
-void DepthMaps::Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& casters, const Wish& wish,
-  const std::function<void()>& drawCasters)
+void DepthMaps::Draw(
+  vtkRenderer* renderer, const std::vector<vtkProp*>& casters, const Wish& wish, const Drawing& drawCasters)
 {
   const vtkBoundingBox box = BoundsOf(casters);
   const bool isShown = box.IsValid() && box.GetDiagonalLength() > 0.0;
@@ -174,7 +179,8 @@ void DepthMaps::Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& casters
   for (int map = 0; map < Count; ++map)
   {
     Place& last = this->Places[map];
-    if (!isShown || !(map == Zenith ? wish.HasZenith : wish.HasSun))
+    const bool isWanted = map == Ground ? wish.GroundRadius > 0.0 : map == Zenith ? wish.HasZenith : wish.HasSun;
+    if (!isShown || !isWanted)
     {
       last = Place();
       continue;
@@ -190,7 +196,7 @@ void DepthMaps::Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& casters
 }
 
 //----------------------------------------------------------------------------
-void DepthMaps::DrawOne(int map, vtkRenderer* renderer, const std::function<void()>& drawCasters)
+void DepthMaps::DrawOne(int map, vtkRenderer* renderer, const Drawing& drawCasters)
 {
   const Place& place = this->Places[map];
   const glm::dmat4 projection =
@@ -238,7 +244,7 @@ void DepthMaps::DrawOne(int map, vtkRenderer* renderer, const std::function<void
 
   vtkSmartPointer<vtkCamera> eye = renderer->GetActiveCamera();
   renderer->SetActiveCamera(this->Camera);
-  drawCasters();
+  drawCasters(map);
   renderer->SetActiveCamera(eye);
 
   this->Frame->RemoveDepthAttachment();

@@ -26,35 +26,40 @@ namespace littoral
 {
 
 /**
- * Depths seen from the sun, for its shadows, and from the zenith, for what is open to the sky. The sun has one map near
- * the eye, one in the middle, one of all that is shown. A map is moved by steps of whole texels, so that shadows do not
- * crawl, and drawn anew only where it moved or what casts shadows changed.
+ * Depths seen from the sun, for its shadows, and from the zenith: of all, for what is open to the sky, and of the
+ * ground around the eye, for what grows on it. The sun has one map near the eye, one in the middle, one of all that is
+ * shown. A map is moved by steps of whole texels, so that shadows do not crawl, and drawn anew only where it moved or
+ * what casts shadows changed.
  */
 class DepthMaps
 {
 public:
   static constexpr int SunMaps = 3;
   static constexpr int Zenith = SunMaps;
-  static constexpr int Count = SunMaps + 1;
+  static constexpr int Ground = SunMaps + 1;
+  static constexpr int Count = SunMaps + 2;
 
   struct Wish
   {
-    glm::dvec3 Sun;  ///< towards it, of length 1
-    bool HasSun;     ///< whether its maps are wanted
-    bool HasZenith;  ///< whether that of the zenith is
-    double Distance; ///< from the eye, to which the middle map and that of the zenith reach
-    int Size;        ///< texels along a side
+    glm::dvec3 Sun;      ///< towards it, of length 1
+    bool HasSun;         ///< whether its maps are wanted
+    bool HasZenith;      ///< whether that of the zenith is
+    double GroundRadius; ///< around the eye, of that of the ground; 0: it is not wanted
+    double Distance;     ///< from the eye, to which the middle map and that of the zenith reach
+    int Size;            ///< texels along a side
   };
 
   DepthMaps();
   ~DepthMaps();
 
-  /// Draws the maps that are out of date; the function draws all that casts shadows with the renderer's camera.
-  void Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& casters, const Wish& wish,
-    const std::function<void()>& drawCasters);
+  /// A function that draws all that is seen by a map with the renderer's camera.
+  using Drawing = std::function<void(int map)>;
 
-  /// A texture of depths that compares with them.
-  static vtkSmartPointer<vtkTextureObject> NewTexture(vtkOpenGLRenderWindow* window, int size);
+  /// Draws the maps that are out of date.
+  void Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& casters, const Wish& wish, const Drawing& drawCasters);
+
+  /// A texture of depths, which compares with them or tells them.
+  static vtkSmartPointer<vtkTextureObject> NewTexture(vtkOpenGLRenderWindow* window, int size, bool compares = true);
 
   bool Has(int map) const { return this->Places[map].Radius > 0.0; }
   vtkTextureObject* GetTexture(int map) const { return this->Textures[map]; }
@@ -85,7 +90,7 @@ private:
   };
 
   Place PlaceOf(int map, vtkRenderer* renderer, const Whole& whole, const Wish& wish) const;
-  void DrawOne(int map, vtkRenderer* renderer, const std::function<void()>& drawCasters);
+  void DrawOne(int map, vtkRenderer* renderer, const Drawing& drawCasters);
   void Allocate(vtkOpenGLRenderWindow* window, int size);
 
   std::array<Place, Count> Places;

@@ -68,9 +68,10 @@ bool GlassPass::PostReplaceShaderValues(std::string&, std::string&, std::string&
   const bool hasPlace = fragment.find("vertexVC") != std::string::npos;
   const bool hasNormal = fragment.find("normalVCVSOutput") != std::string::npos;
   vtkShaderProgram::Substitute(fragment, "//VTK::Landscape::Impl",
-    hasPlace && hasNormal ? "gl_FragData[0].rgb = landscapeLit(gl_FragData[0].rgb, landscapeEyeOf(vertexVC.xyz), "
-                            "vertexVC.xyz, normalVCVSOutput, landscapeTransmittance);\n"
-                          : "",
+    hasPlace && hasNormal
+      ? "gl_FragData[0].rgb = landscapeLit(landscapeLinear(gl_FragData[0].rgb), landscapeEyeOf(vertexVC.xyz), "
+        "vertexVC.xyz, normalVCVSOutput, landscapeTransmittance);\n"
+      : "",
     false);
   return true;
 }

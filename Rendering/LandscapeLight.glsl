@@ -114,7 +114,8 @@ float landscapeSunSeen(vec3 placeV, vec3 normalV, float towards)
 
 // Part of the light of the sky that reaches a place, by what is open to the zenith along 11 rays: one upward, for the
 // quarter of the light from within 30 degrees of the zenith, five at 45 degrees for the half from within 60 degrees,
-// and five at 15 degrees above the horizon for the rest; each ray is tried at two distances.
+// and five at 15 degrees above the horizon for the rest; each ray is tried at two distances. What is below something
+// has a way out only where nothing is above its own height.
 float landscapeSkySeen(vec3 placeV, vec3 normalV)
 {
   if (landscapeOcclusion <= 0.0 || landscapeTexel[3] <= 0.0)
@@ -127,13 +128,14 @@ float landscapeSkySeen(vec3 placeV, vec3 normalV)
   {
     return 1.0;
   }
-  float seen = 0.25 * texture(landscapeZenith, at);
+  float zenith = texture(landscapeZenith, at);
+  float seen = 0.25 * zenith;
   for (int ray = 0; ray < 5; ++ray)
   {
     float around = (ray + 0.3) * 0.4 * landscapePi;
     vec3 flat_ = vec3(cos(around), sin(around), 0.0);
-    vec3 high = landscapeZenithAxes * (landscapeOcclusion * 0.7071 * (flat_ + vec3(0.0, 0.0, 1.0)));
-    vec3 low = landscapeZenithAxes * (landscapeOcclusion * (0.966 * flat_.yxz + vec3(0.0, 0.0, 0.259)));
+    vec3 high = landscapeZenithAxes * (landscapeOcclusion * 0.7071 * (flat_ + vec3(0.0, 0.0, zenith)));
+    vec3 low = landscapeZenithAxes * (landscapeOcclusion * (0.966 * flat_.yxz + vec3(0.0, 0.0, 0.259 * zenith)));
     seen += 0.05 * (texture(landscapeZenith, at + 0.4 * high) + texture(landscapeZenith, at + high));
     seen += 0.025 * (texture(landscapeZenith, at + 0.4 * low) + texture(landscapeZenith, at + low));
   }
@@ -155,10 +157,9 @@ vec3 landscapeBehindAir(vec3 luminance, vec3 lineV)
   return mix(horizon, luminance, through);
 }
 
-// Color that the display shows of a surface of an albedo, given in the display's code, and of a transmittance.
-vec3 landscapeLit(vec3 code, vec3 eyeV, vec3 placeV, vec3 normalV, float transmittance)
+// Color that the display shows of a surface of an albedo and of a transmittance.
+vec3 landscapeLit(vec3 albedo, vec3 eyeV, vec3 placeV, vec3 normalV, float transmittance)
 {
-  vec3 albedo = landscapeLinear(code);
   vec3 normal = landscapeToWorld * normalV;
   float towards = dot(normal, landscapeSun);
   // Light of the sky on both sides; what is hidden sends light that was sent before: a / (1 - albedo (1 - a))

@@ -5,6 +5,9 @@ uniform sampler2D landscapeAlbedo;  // outputs of SurfacePass
 uniform sampler2D landscapeSurface;
 uniform sampler2D landscapeDepth;
 uniform mat4 landscapeToView;       // from clip coordinates
+uniform vec3 landscapeEye;          // place of the eye in the world, modulo the period of noise [m]
+uniform vec3 landscapeCoverColor;   // albedo of grass
+uniform float landscapePixel;       // side of a pixel, in perspective at a distance of 1 [m]
 //VTK::Landscape::Dec
 //VTK::Output::Dec
 
@@ -44,7 +47,24 @@ void main()
   {
     // In perspective w of the clip coordinates is the distance along the view's axis, more exact than the depth.
     vec3 place = landscapeIsParallel == 1 ? landscapePlace(depth) : sight * (surface.w / -sight.z);
-    color = landscapeLit(code, eye, place, landscapeUnfolded(surface.xy), surface.z);
+    vec3 normal = landscapeUnfolded(surface.xy);
+    vec3 albedo = landscapeLinear(code);
+    float transmittance = surface.z;
+    if (surface.z > 2.5)
+    {
+      vec4 growth = landscapeGrowth((landscapeEye + landscapeToWorld * place).xy);
+      albedo *= landscapeCoverColor * growth.rgb;
+      transmittance = 0.4;
+    }
+    else if (surface.z > 1.5)
+    {
+      vec3 up = landscapeToWorld * normal;
+      float footprint = landscapePixel * (landscapeIsParallel == 1 ? 1.0 : -place.z) / max(0.2, abs(normal.z));
+      albedo = landscapeGround(albedo, (landscapeEye + landscapeToWorld * place).xy, footprint, up);
+      normal = up * landscapeToWorld;
+      transmittance = 0.0;
+    }
+    color = landscapeLit(albedo, eye, place, normal, transmittance);
   }
   gl_FragData[0] = vec4(color, 1.0);
   gl_FragDepth = depth;

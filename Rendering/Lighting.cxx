@@ -18,7 +18,8 @@ namespace littoral
 namespace
 {
 
-constexpr const char* MapNames[DepthMaps::Count] = { "landscapeShadow0", "landscapeShadow1", "landscapeShadow2",
+constexpr int LightMaps = DepthMaps::Zenith + 1;
+constexpr const char* MapNames[LightMaps] = { "landscapeShadow0", "landscapeShadow1", "landscapeShadow2",
   "landscapeZenith" };
 
 }
@@ -69,9 +70,9 @@ void Lighting::SetUniforms(vtkShaderProgram* program) const
   SetUniform(program, "landscapeFilmCurve", this->FilmCurve ? 1 : 0);
   SetUniform(program, "landscapeDome", this->Sky.GetDome()->GetTextureUnit());
   SetUniform(program, "landscapeSkyLight", this->Sky.GetLight()->GetTextureUnit());
-  float matrices[16 * DepthMaps::Count] = {};
+  float matrices[16 * LightMaps] = {};
   glm::dvec4 texels(0.0);
-  for (int map = 0; map < DepthMaps::Count; ++map)
+  for (int map = 0; map < LightMaps; ++map)
   {
     const bool has = this->Maps.Has(map);
     SetUniform(program, MapNames[map], (has ? this->Maps.GetTexture(map) : this->NoMap.Get())->GetTextureUnit());
@@ -82,7 +83,7 @@ void Lighting::SetUniforms(vtkShaderProgram* program) const
       texels[map] = this->Maps.GetTexelSize(map);
     }
   }
-  program->SetUniformMatrix4x4v("landscapeToMap", DepthMaps::Count, matrices);
+  program->SetUniformMatrix4x4v("landscapeToMap", LightMaps, matrices);
   SetUniform(program, "landscapeTexel", texels);
   SetUniform(program, "landscapeMapSize", static_cast<double>(std::max(this->Maps.GetSize(), 1)));
   SetUniform(program, "landscapeOcclusion", this->OcclusionRadius);

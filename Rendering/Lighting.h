@@ -27,11 +27,13 @@ public:
   SkyTextures Sky;
   DepthMaps Maps;
   glm::dmat4 ToWorld = glm::dmat4(1.0); ///< from view coordinates
+  glm::dvec3 Eye = glm::dvec3(0.0);     ///< place of the camera
   bool IsParallel = false;              ///< whether the camera is
   double Exposure = 1.0;                ///< of a luminance [m2/kcd]
   bool FilmCurve = true;
-  double Extinction = 0.0;      ///< of the air [1/m]
-  double OcclusionRadius = 0.0; ///< distance of what hides the sky [m]
+  double Extinction = 0.0;                 ///< of the air [1/m]
+  glm::dvec3 CoverColor = glm::dvec3(0.0); ///< albedo of grass, linear
+  double OcclusionRadius = 0.0;            ///< distance of what hides the sky [m]
 
   /// Between them, the textures are bound.
   void Activate(vtkOpenGLRenderWindow* window);

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LightingQuad.h"
 
+#include "LandscapeGround.h"
 #include "LandscapeLight.h"
+#include "LandscapeMeans.h"
 #include "LandscapeQuad.h"
 #include "Lighting.h"
 #include "OpenGL.h"
@@ -38,6 +40,21 @@ vtkSmartPointer<vtkTextureObject> NewPicture(vtkOpenGLRenderWindow* window)
   return texture;
 }
 
+/// The program of a quad that is made if there is none; null if it does not compile.
+vtkShaderProgram* Ready(
+  std::unique_ptr<vtkOpenGLQuadHelper>& quad, vtkOpenGLRenderWindow* window, const char* fragmentShader)
+{
+  if (!quad)
+  {
+    quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, fragmentShader, "");
+  }
+  else
+  {
+    window->GetShaderCache()->ReadyShaderProgram(quad->Program);
+  }
+  return quad->Program && quad->Program->GetCompiled() ? quad->Program : nullptr;
+}
+
 }
 
 //----------------------------------------------------------------------------
@@ -47,7 +64,7 @@ LightingQuad::~LightingQuad() = default;
 //----------------------------------------------------------------------------
 void LightingQuad::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
 {
-  if (this->Albedo && this->Width == width && this->Height == height)
+  if (this->Albedo && this->Width == width && this->Height == height && (this->Lit != nullptr) == (this->Samples > 1))
   {
     return;
   }
@@ -61,6 +78,15 @@ void LightingQuad::Allocate(vtkOpenGLRenderWindow* window, int width, int height
   this->Albedo->Allocate2D(w, h, 4, VTK_UNSIGNED_CHAR);
   this->Surface->Allocate2D(w, h, 4, VTK_FLOAT);
   this->Depth->AllocateDepth(w, h, vtkTextureObject::Float32);
+  this->Lit = nullptr;
+  if (this->Samples > 1)
+  {
+    // A linear filter between four pixels is their mean.
+    this->Lit = NewPicture(window);
+    this->Lit->SetMinificationFilter(vtkTextureObject::Linear);
+    this->Lit->SetMagnificationFilter(vtkTextureObject::Linear);
+    this->Lit->Allocate2D(w, h, 4, VTK_UNSIGNED_CHAR);
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -71,6 +97,8 @@ void LightingQuad::TakeSurfaces(vtkRenderer* renderer, const std::function<void(
   int height = 0;
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&width, &height, &origin[0], &origin[1]);
+  width *= this->Samples;
+  height *= this->Samples;
   this->Allocate(window, width, height);
 
   vtkOpenGLState* state = window->GetState();
@@ -105,18 +133,61 @@ void LightingQuad::TakeSurfaces(vtkRenderer* renderer, const std::function<void(
 void LightingQuad::Draw(vtkRenderer* renderer, const Lighting& light)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  if (!this->Quad)
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglDepthFunc depth(state);
+  vtkOpenGLState::ScopedglDepthMask mask(state);
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDisable(GL_BLEND);
+  if (!this->Lit)
   {
-    std::string source = LandscapeQuad;
-    vtkShaderProgram::Substitute(source, "//VTK::Landscape::Dec", LandscapeLight);
-    this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, source.c_str(), "");
+    this->DrawLit(renderer, light);
+    return;
   }
-  else
   {
-    window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
+    vtkOpenGLState::ScopedglViewport viewport(state);
+    vtkOpenGLState::ScopedglScissor scissor(state);
+    state->PushFramebufferBindings();
+    this->Frame->Bind();
+    this->Frame->AddColorAttachment(0, this->Lit);
+    this->Frame->ActivateDrawBuffers(1);
+    state->vtkglViewport(0, 0, this->Width, this->Height);
+    state->vtkglScissor(0, 0, this->Width, this->Height);
+    this->DrawLit(renderer, light);
+    this->Frame->RemoveColorAttachment(0);
+    state->PopFramebufferBindings();
   }
-  vtkShaderProgram* program = this->Quad->Program;
-  if (!program || !program->GetCompiled())
+  this->DrawMeans(window);
+}
+
+//----------------------------------------------------------------------------
+void LightingQuad::DrawMeans(vtkOpenGLRenderWindow* window)
+{
+  vtkShaderProgram* program = Ready(this->Means, window, LandscapeMeans);
+  if (!program)
+  {
+    return;
+  }
+  this->Lit->Activate();
+  this->Depth->Activate();
+  SetUniform(program, "landscapeLit", this->Lit->GetTextureUnit());
+  SetUniform(program, "landscapeDepth", this->Depth->GetTextureUnit());
+  this->Means->Render();
+  this->Depth->Deactivate();
+  this->Lit->Deactivate();
+}
+
+//----------------------------------------------------------------------------
+void LightingQuad::DrawLit(vtkRenderer* renderer, const Lighting& light)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  std::string source = LandscapeQuad;
+  vtkShaderProgram::Substitute(source, "//VTK::Landscape::Dec", std::string(LandscapeLight) + LandscapeGround);
+  vtkShaderProgram* program = Ready(this->Quad, window, source.c_str());
+  if (!program)
   {
     return;
   }
@@ -131,15 +202,11 @@ void LightingQuad::Draw(vtkRenderer* renderer, const Lighting& light)
   const glm::dmat4 projection =
     MatrixOf(renderer->GetActiveCamera()->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
   SetUniform(program, "landscapeToView", glm::inverse(projection));
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglDepthFunc depth(state);
-  vtkOpenGLState::ScopedglDepthMask mask(state);
-  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglDepthFunc(GL_LEQUAL);
-  state->vtkglDisable(GL_BLEND);
+  // Noise repeats itself after a period, so that places far from the origin keep their single precision.
+  constexpr double period = 4096.0;
+  SetUniform(program, "landscapeEye", light.Eye - period * glm::floor(light.Eye / period));
+  SetUniform(program, "landscapeCoverColor", light.CoverColor);
+  SetUniform(program, "landscapePixel", 2.0 / (projection[1][1] * this->Height));
   this->Quad->Render();
   for (vtkTextureObject* picture : pictures)
   {
@@ -150,7 +217,7 @@ void LightingQuad::Draw(vtkRenderer* renderer, const Lighting& light)
 //----------------------------------------------------------------------------
 void LightingQuad::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (auto* picture : { &this->Albedo, &this->Surface, &this->Depth })
+  for (auto* picture : { &this->Albedo, &this->Surface, &this->Depth, &this->Lit })
   {
     if (*picture)
     {
@@ -159,10 +226,13 @@ void LightingQuad::ReleaseGraphicsResources(vtkWindow* window)
     *picture = nullptr;
   }
   this->Frame->ReleaseGraphicsResources(window);
-  if (this->Quad)
+  for (auto* quad : { &this->Quad, &this->Means })
   {
-    this->Quad->ReleaseGraphicsResources(window);
-    this->Quad.reset();
+    if (*quad)
+    {
+      (*quad)->ReleaseGraphicsResources(window);
+    }
+    quad->reset();
   }
 }
 

@@ -21,12 +21,16 @@ namespace littoral
 
 class Lighting;
 
-/// Pictures of surfaces (SurfacePass) of the size of a renderer, and their light, which is computed once a pixel.
+/// Pictures of surfaces (SurfacePass) of the size of a renderer, or twice as wide and high, and their light, which is
+/// computed once a pixel of them.
 class LightingQuad
 {
 public:
   LightingQuad();
   ~LightingQuad();
+
+  /// Pixels of the pictures along a side of one of the renderer, 1 or 2.
+  void SetSamples(int samples) { this->Samples = samples; }
 
   /// Draws surfaces by a function into the pictures.
   void TakeSurfaces(vtkRenderer* renderer, const std::function<void()>& drawSurfaces);
@@ -38,12 +42,17 @@ public:
 
 private:
   void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
+  void DrawLit(vtkRenderer* renderer, const Lighting& light);
+  void DrawMeans(vtkOpenGLRenderWindow* window);
 
   vtkNew<vtkOpenGLFramebufferObject> Frame;
   vtkSmartPointer<vtkTextureObject> Albedo;
   vtkSmartPointer<vtkTextureObject> Surface;
   vtkSmartPointer<vtkTextureObject> Depth;
+  vtkSmartPointer<vtkTextureObject> Lit; ///< of more than one pixel to one of the renderer
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+  std::unique_ptr<vtkOpenGLQuadHelper> Means;
+  int Samples = 1;
   int Width = 0;
   int Height = 0;
 };

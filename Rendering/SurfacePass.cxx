@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfacePass.h"
 
+#include "Uniforms.h"
 #include "vtkLandscapePass.h"
 
 #include "vtkActor.h"
@@ -27,7 +28,7 @@ constexpr const char* LitOutput = R"(
   vec3 landscapeN = normalVCVSOutput / max(dot(abs(normalVCVSOutput), vec3(1.0)), 1e-9);
   vec2 landscapeS = vec2(landscapeN.x >= 0.0 ? 1.0 : -1.0, landscapeN.y >= 0.0 ? 1.0 : -1.0);
   vec2 landscapeO = landscapeN.z >= 0.0 ? landscapeN.xy : (1.0 - abs(landscapeN.yx)) * landscapeS;
-  gl_FragData[1] = vec4(landscapeO, landscapeTransmittance, 1.0 / gl_FragCoord.w);
+  gl_FragData[1] = vec4(landscapeO, landscapeMaterial, 1.0 / gl_FragCoord.w);
 )";
 
 constexpr const char* UnlitOutput = R"(
@@ -73,7 +74,7 @@ bool SurfacePass::PreReplaceShaderValues(
   vtkShaderProgram::Substitute(
     fragment, "//VTK::DepthPeeling::Impl", "//VTK::Landscape::Impl\n  //VTK::DepthPeeling::Impl", false);
   vtkShaderProgram::Substitute(
-    fragment, "//VTK::Light::Dec", "//VTK::Light::Dec\nuniform float landscapeTransmittance;\n", false);
+    fragment, "//VTK::Light::Dec", "//VTK::Light::Dec\nuniform float landscapeMaterial;\n", false);
   return true;
 }
 
@@ -82,7 +83,8 @@ bool SurfacePass::PostReplaceShaderValues(
   std::string&, std::string&, std::string& fragment, vtkAbstractMapper*, vtkProp* prop)
 {
   const bool hasNormal = fragment.find("normalVCVSOutput") != std::string::npos;
-  vtkShaderProgram::Substitute(fragment, "//VTK::Landscape::Impl", hasNormal && IsLit(prop) ? LitOutput : UnlitOutput, false);
+  vtkShaderProgram::Substitute(
+    fragment, "//VTK::Landscape::Impl", hasNormal && IsLit(prop) ? LitOutput : UnlitOutput, false);
   return true;
 }
 
@@ -90,9 +92,13 @@ bool SurfacePass::PostReplaceShaderValues(
 bool SurfacePass::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
-  if (program->IsUniformUsed("landscapeTransmittance"))
+  if (program->IsUniformUsed("landscapeMaterial"))
   {
-    program->SetUniformf("landscapeTransmittance", static_cast<float>(vtkLandscapePass::GetTransmittance(prop)));
+    const int material = vtkLandscapePass::GetMaterial(prop);
+    SetUniform(program, "landscapeMaterial",
+      material == vtkLandscapePass::GROUND    ? Ground
+        : material == vtkLandscapePass::COVER ? Cover
+                                              : vtkLandscapePass::GetTransmittance(prop));
   }
   return true;
 }

@@ -13,7 +13,8 @@ namespace littoral
  * material and distance. Where a texture is more than half transparent there is no surface.
  *
  * Output 0: albedo as the display's code, and 1. Output 1: the view's normal on an octahedron unfolded to a square (two
- * numbers from -1 to 1), transmittance of the surface or Unlit, and w of the clip coordinates.
+ * numbers from -1 to 1), transmittance of the surface from 0 to 1 or one of the numbers below, and w of the
+ * clip coordinates.
  */
 class SurfacePass : public vtkOpenGLRenderPass
 {
@@ -21,6 +22,8 @@ public:
   static SurfacePass* New();
   vtkTypeMacro(SurfacePass, vtkOpenGLRenderPass);
 
+  static constexpr double Ground = 2.0;
+  static constexpr double Cover = 3.0;
   static constexpr double Unlit = -1.0;
   static constexpr double Nothing = -2.0; ///< where there is no surface
 

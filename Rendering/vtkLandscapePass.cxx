@@ -3,6 +3,7 @@
 #include "vtkLandscapePass.h"
 
 #include "GlassPass.h"
+#include "GroundCover.h"
 #include "Light/SunPosition.h"
 #include "Lighting.h"
 #include "LightingQuad.h"
@@ -11,10 +12,12 @@
 #include "SurfacePass.h"
 #include "Uniforms.h"
 
+#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleKey.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkLightCollection.h"
 #include "vtkLightsPass.h"
 #include "vtkObjectFactory.h"
@@ -62,6 +65,27 @@ vtkSmartPointer<vtkRenderPass> Sequence(const std::vector<vtkRenderPass*>& parts
   return sequence;
 }
 
+/// Keys of a prop, which it gets if it has none.
+vtkInformation* KeysOf(vtkProp* prop)
+{
+  if (!prop->GetPropertyKeys())
+  {
+    prop->SetPropertyKeys(vtkNew<vtkInformation>());
+  }
+  return prop->GetPropertyKeys();
+}
+
+/// Linear color of one in the code of sRGB (IEC 61966-2-1).
+glm::dvec3 LinearOf(const double code[3])
+{
+  glm::dvec3 color;
+  for (int c = 0; c < 3; ++c)
+  {
+    color[c] = code[c] <= 0.04045 ? code[c] / 12.92 : std::pow((code[c] + 0.055) / 1.055, 2.4);
+  }
+  return color;
+}
+
 /**
  * Key of a picture of a level white surface of a luminance [kcd/m2]: its place between black and white, which an eye
  * that is used to the light lowers as it gets dark (Krawczyk, Myszkowski, Seidel, Perceptual effects in real-time tone
@@ -77,6 +101,7 @@ double KeyOf(double luminance)
 }
 
 vtkInformationKeyMacro(vtkLandscapePass, TRANSMITTANCE, Double);
+vtkInformationKeyMacro(vtkLandscapePass, MATERIAL, Integer);
 vtkStandardNewMacro(vtkLandscapePass);
 
 /// Parts that the pass keeps from frame to frame.
@@ -91,8 +116,26 @@ struct vtkLandscapePass::Internals
   vtkNew<vtkLightsPass> Lights;
   vtkNew<vtkOpaquePass> Opaque;
   vtkNew<vtkTranslucentPass> Translucent;
+  littoral::GroundCover Cover;
   std::vector<vtkProp*> Shown;
+
+  void DrawCover(vtkRenderer* renderer);
 };
+
+//----------------------------------------------------------------------------
+void vtkLandscapePass::Internals::DrawCover(vtkRenderer* renderer)
+{
+  if (!this->Light.Maps.Has(littoral::DepthMaps::Ground))
+  {
+    return;
+  }
+  std::vector<vtkProp*> blades = this->Cover.GetProps();
+  vtkRenderState state(renderer);
+  state.SetPropArrayAndCount(blades.data(), static_cast<int>(blades.size()));
+  this->Surfaces->Begin(&state);
+  this->Cover.Draw(renderer, this->Light.Maps);
+  this->Surfaces->End(&state);
+}
 
 //----------------------------------------------------------------------------
 vtkLandscapePass::vtkLandscapePass()
@@ -114,7 +157,11 @@ vtkLandscapePass::vtkLandscapePass()
   , Shadows(true)
   , ShadowDistance(150.0)
   , MapSize(2048)
+  , Supersampling(false)
   , OcclusionRadius(5.0)
+  , CoverRadius(30.0)
+  , CoverHeight(0.3)
+  , CoverColor{ 0.46, 0.52, 0.23 }
 {
   Internals& own = *this->Own;
   vtkNew<vtkVolumetricPass> volumes;
@@ -125,6 +172,7 @@ vtkLandscapePass::vtkLandscapePass()
       own.Surfaces->Begin(state);
       own.Opaque->Render(state);
       own.Surfaces->End(state);
+      own.DrawCover(state->GetRenderer());
     });
     own.Quad.Draw(state->GetRenderer(), own.Light);
   };
@@ -144,13 +192,7 @@ vtkLandscapePass::~vtkLandscapePass() = default;
 //----------------------------------------------------------------------------
 void vtkLandscapePass::SetTransmittance(vtkProp* prop, double transmittance)
 {
-  vtkSmartPointer<vtkInformation> keys = prop->GetPropertyKeys();
-  if (!keys)
-  {
-    keys = vtkSmartPointer<vtkInformation>::New();
-    prop->SetPropertyKeys(keys);
-  }
-  keys->Set(TRANSMITTANCE(), std::clamp(transmittance, 0.0, 1.0));
+  KeysOf(prop)->Set(TRANSMITTANCE(), std::clamp(transmittance, 0.0, 1.0));
   prop->Modified();
 }
 
@@ -159,6 +201,20 @@ double vtkLandscapePass::GetTransmittance(vtkProp* prop)
 {
   vtkInformation* keys = prop->GetPropertyKeys();
   return keys && keys->Has(TRANSMITTANCE()) ? keys->Get(TRANSMITTANCE()) : 0.0;
+}
+
+//----------------------------------------------------------------------------
+void vtkLandscapePass::SetMaterial(vtkProp* prop, int material)
+{
+  KeysOf(prop)->Set(MATERIAL(), material);
+  prop->Modified();
+}
+
+//----------------------------------------------------------------------------
+int vtkLandscapePass::GetMaterial(vtkProp* prop)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  return keys && keys->Has(MATERIAL()) ? keys->Get(MATERIAL()) : SURFACE;
 }
 
 //----------------------------------------------------------------------------
@@ -240,6 +296,7 @@ void vtkLandscapePass::TakeLight()
   lighting.Extinction = this->Sky == EVEN ? 0.0 : std::log(50.0) / this->Visibility;
   lighting.FilmCurve = this->FilmCurve;
   lighting.OcclusionRadius = this->OcclusionRadius;
+  lighting.CoverColor = LinearOf(this->CoverColor);
   // White on level ground is white, or luminances of 1.2 cd/m2 2^EV are.
   const littoral::SkyTables& sky = lighting.Sky.GetTables();
   const littoral::Vector3 light = sky.LightOn({ 0.0, 0.0, 1.0 }) + std::max(sky.Sun.z, 0.0) * sky.SunLight;
@@ -272,15 +329,22 @@ void vtkLandscapePass::DrawMaps(vtkRenderer* renderer)
   wish.HasZenith = this->OcclusionRadius > 0.0;
   wish.Distance = this->ShadowDistance;
   wish.Size = this->MapSize;
+  const auto isGround = [](vtkProp* prop) { return GetMaterial(prop) == GROUND; };
+  const bool hasGround = std::any_of(own.Shown.begin(), own.Shown.end(), isGround);
+  wish.GroundRadius = hasGround && this->CoverHeight > 0.0 ? this->CoverRadius : 0.0;
+  own.Cover.SetSize(this->CoverHeight, this->CoverRadius);
   // The same shaders as for the picture: none is built anew.
   vtkRenderState all(renderer);
   all.SetPropArrayAndCount(own.Shown.data(), static_cast<int>(own.Shown.size()));
   own.Surfaces->Begin(&all);
   own.Lights->Render(&all);
-  own.Light.Maps.Draw(renderer, own.Shown, wish, [&] {
+  own.Light.Maps.Draw(renderer, own.Shown, wish, [&](int map) {
     for (vtkProp* prop : own.Shown)
     {
-      prop->RenderOpaqueGeometry(renderer);
+      if (map != littoral::DepthMaps::Ground || isGround(prop))
+      {
+        prop->RenderOpaqueGeometry(renderer);
+      }
     }
   });
   own.Surfaces->End(&all);
@@ -309,9 +373,11 @@ void vtkLandscapePass::Render(const vtkRenderState* state)
     renderer->CreateLight();
   }
   this->DrawMaps(renderer);
+  own.Quad.SetSamples(this->Supersampling ? 2 : 1);
   vtkCamera* camera = renderer->GetActiveCamera();
   own.Light.ToWorld = glm::inverse(littoral::MatrixOf(camera->GetModelViewTransformMatrix()));
   own.Light.IsParallel = camera->GetParallelProjection();
+  camera->GetPosition(&own.Light.Eye.x);
   own.Light.Activate(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
   own.Lit->Render(state);
   own.Light.Deactivate();
@@ -324,6 +390,7 @@ void vtkLandscapePass::ReleaseGraphicsResources(vtkWindow* window)
   Internals& own = *this->Own;
   own.Light.ReleaseGraphicsResources(window);
   own.Quad.ReleaseGraphicsResources(window);
+  own.Cover.ReleaseGraphicsResources(window);
   own.Lit->ReleaseGraphicsResources(window);
   own.Plain->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
@@ -350,5 +417,10 @@ void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Shadows: " << (this->Shadows ? "on" : "off") << "\n";
   os << indent << "ShadowDistance: " << this->ShadowDistance << "\n";
   os << indent << "MapSize: " << this->MapSize << "\n";
+  os << indent << "Supersampling: " << (this->Supersampling ? "on" : "off") << "\n";
   os << indent << "OcclusionRadius: " << this->OcclusionRadius << "\n";
+  os << indent << "CoverRadius: " << this->CoverRadius << "\n";
+  os << indent << "CoverHeight: " << this->CoverHeight << "\n";
+  os << indent << "CoverColor: " << this->CoverColor[0] << " " << this->CoverColor[1] << " " << this->CoverColor[2]
+     << "\n";
 }

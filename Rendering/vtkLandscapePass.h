@@ -21,6 +21,7 @@
 #include <string> // for what is invalid
 
 class vtkInformationDoubleKey;
+class vtkInformationIntegerKey;
 class vtkProp;
 class vtkRenderer;
 
@@ -147,9 +148,31 @@ public:
   vtkGetMacro(MapSize, int);
   ///@}
   ///@{
+  /** Four samples a pixel, for edges and leaves without steps, at some three times the cost; default off. */
+  vtkSetMacro(Supersampling, bool);
+  vtkGetMacro(Supersampling, bool);
+  vtkBooleanMacro(Supersampling, bool);
+  ///@}
+  ///@{
   /** Distance of surfaces that hide the sky from a place [m], 0 for none; default 5. */
   vtkSetClampMacro(OcclusionRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(OcclusionRadius, double);
+  ///@}
+
+  ///@{
+  /** Distance from the eye to which grass grows on props of the material GROUND [m], 0 for none; default 30. */
+  vtkSetClampMacro(CoverRadius, double, 0.0, 200.0);
+  vtkGetMacro(CoverRadius, double);
+  ///@}
+  ///@{
+  /** Height of the grass [m]; default 0.3. */
+  vtkSetClampMacro(CoverHeight, double, 0.0, 3.0);
+  vtkGetMacro(CoverHeight, double);
+  ///@}
+  ///@{
+  /** Color of the grass in the code of sRGB; default 0.46, 0.52, 0.23. */
+  vtkSetVector3Macro(CoverColor, double);
+  vtkGetVector3Macro(CoverColor, double);
   ///@}
 
   ///@{
@@ -157,6 +180,21 @@ public:
   static vtkInformationDoubleKey* TRANSMITTANCE();
   static void SetTransmittance(vtkProp* prop, double transmittance);
   static double GetTransmittance(vtkProp* prop);
+  ///@}
+
+  /** Materials: a surface of the color that it has; a ground, whose color is that of what grows there; grass, whose
+   * color is a part of CoverColor. */
+  enum MaterialType
+  {
+    SURFACE,
+    GROUND,
+    COVER
+  };
+  ///@{
+  /** Material of a prop; SURFACE for one without this key. */
+  static vtkInformationIntegerKey* MATERIAL();
+  static void SetMaterial(vtkProp* prop, int material);
+  static int GetMaterial(vtkProp* prop);
   ///@}
 
   /** Direction towards the sun, of length 1, by the properties. */
@@ -205,7 +243,11 @@ private:
   bool Shadows;
   double ShadowDistance;
   int MapSize;
+  bool Supersampling;
   double OcclusionRadius;
+  double CoverRadius;
+  double CoverHeight;
+  double CoverColor[3];
 };
 
 #endif

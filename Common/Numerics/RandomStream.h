@@ -34,6 +34,7 @@ enum class RandomPurpose : std::uint32_t
   CrownJitter = 25,
   CrownCards = 26,
   LeafTufts = 27,
+  GrassBlades = 28,
   WindAlong = 32,
   WindAcross = 33,
   WindUp = 34,

@@ -339,6 +339,82 @@ bool TestLeaf()
   return good;
 }
 
+/// Where a roof hides all of the sky within the occlusion's radius there is no light of it; beside the roof there is
+/// all.
+bool TestRoof()
+{
+  Picture picture;
+  picture.Pass->SetSkyToEven();
+  picture.Pass->SetOcclusionRadius(4.0);
+  picture.Add(Level(40.0), 0.5);
+  picture.Add(Box({ -20.0, 0.0, 1.0 }, { 40.0, 80.0, 0.1 }), 0.5);
+  picture.Look({ 0.0, -30.0, 0.5 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
+  picture.Renderer->GetActiveCamera()->SetViewAngle(60.0);
+  picture.Draw();
+  const Color hidden = picture.LinearAt(Width / 8, Height / 2 - 6);
+  const Color open = picture.LinearAt(7 * Width / 8, Height / 2 - 6);
+  return Check(hidden[1] < 0.01, "Light under a roof is " + std::to_string(hidden[1])) &&
+    Near(open, { 0.5, 0.5, 0.5 }, 0.02, 0.0, "Light beside a roof");
+}
+
+/// Grass stands on a sloping ground and is not higher than it should be; there is none on other surfaces. Its ground
+/// has the data's color on average.
+bool TestGrass()
+{
+  constexpr double slope = 0.2;
+  constexpr double high = 0.5;
+  int above[2] = { 0, 0 };
+  double mean[2] = { 0.0, 0.0 };
+  bool good = true;
+  for (const bool isGround : { false, true })
+  {
+    Picture picture;
+    picture.Pass->SetSkyToEven();
+    picture.Pass->SetCoverHeight(high);
+    picture.Pass->SetCoverRadius(20.0);
+    picture.Pass->SetOcclusionRadius(0.0);
+    const double x = 1000.0;
+    vtkActor* ground = picture.Add(
+      Plane({ x - 30.0, -30.0, -30.0 * slope }, { x + 30.0, -30.0, 30.0 * slope }, { x - 30.0, 30.0, -30.0 * slope }),
+      0.3);
+    vtkLandscapePass::SetMaterial(ground, isGround ? vtkLandscapePass::GROUND : vtkLandscapePass::SURFACE);
+    picture.Look({ x, -10.0, 0.0 }, { x, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
+    vtkCamera* camera = picture.Renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(4.0);
+    picture.Renderer->ResetCameraClippingRange();
+    picture.Draw();
+    const double metres = 8.0 / Height;
+    for (int column = 20; column < Width - 20; ++column)
+    {
+      for (int row = 0; row < Height; ++row)
+      {
+        const double over = (row + 0.5 - 0.5 * Height) * metres - slope * (column + 0.5 - 0.5 * Width) * metres;
+        const bool isSky = picture.LinearAt(column, row)[2] > 0.9;
+        above[isGround] += over > 0.1 && !isSky;
+        good &= over < 1.1 * high || isSky;
+      }
+    }
+    // From above, without grass
+    picture.Pass->SetCoverRadius(0.0);
+    camera->SetPosition(x, 0.0, 100.0);
+    camera->SetFocalPoint(x, 0.0, 0.0);
+    camera->SetViewUp(0.0, 1.0, 0.0);
+    camera->SetParallelScale(14.0);
+    picture.Renderer->ResetCameraClippingRange();
+    picture.Draw();
+    for (int pixel = 0; pixel < Width * Height; ++pixel)
+    {
+      mean[isGround] += picture.LinearAt(pixel % Width, pixel / Width)[1] / (Width * Height);
+    }
+  }
+  good = Check(good, "Grass is higher than it should be.");
+  good &= Check(above[0] == 0 && above[1] > 500, "Pixels of grass: " + std::to_string(above[1]));
+  return good &&
+    Check(std::abs(mean[1] / mean[0] - 1.0) < 0.3,
+      "Ground is " + std::to_string(mean[1]) + " on average for " + std::to_string(mean[0]));
+}
+
 /// Largest and mean difference of two pictures [1/255].
 std::array<double, 2> Differences(const Picture& a, const Picture& b)
 {
@@ -419,10 +495,16 @@ bool TestPlacement()
   AddTown(glyphs, origin, false, true);
   Picture far;
   AddTown(far, { 500000.0, 6000000.0, 100.0 }, false, false);
+  Picture smooth;
+  smooth.Pass->SupersamplingOn();
+  AddTown(smooth, origin, false, false);
+  const auto samples = Differences(first, smooth);
   const auto order = Differences(first, backwards);
   const auto instances = Differences(first, glyphs);
   const auto utm = Differences(first, far);
-  bool good = Check(order[0] <= 1.0, "The order of props makes a difference of " + std::to_string(order[0]));
+  // Four samples a pixel change what is on edges.
+  bool good = Check(samples[0] > 30.0 && samples[1] < 2.0, "Four samples differ by " + std::to_string(samples[1]));
+  good &= Check(order[0] <= 1.0, "The order of props makes a difference of " + std::to_string(order[0]));
   good &= Check(instances[0] <= 1.0, "Instances make a difference of " + std::to_string(instances[0]));
   // Points of these coordinates have single precision in VTK's buffers unless they are shifted.
   good &= Check(utm[1] < 0.3, "Coordinates of UTM make a mean difference of " + std::to_string(utm[1]));
@@ -472,6 +554,8 @@ int TestLandscapePass(int, char*[])
   good &= TestShadowOfPole();
   good &= TestAir();
   good &= TestLeaf();
+  good &= TestRoof();
+  good &= TestGrass();
   good &= TestPlacement();
   good &= TestBadInput();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;

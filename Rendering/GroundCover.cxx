@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GroundCover.h"
+
+#include "DepthMaps.h"
+#include "GroundCoverDec.h"
+#include "GroundCoverImpl.h"
+#include "LandscapeGround.h"
+#include "Numerics/Constants.h"
+#include "Numerics/RandomStream.h"
+#include "Uniforms.h"
+#include "vtkLandscapePass.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCommand.h"
+#include "vtkFloatArray.h"
+#include "vtkLandscapePass.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
+#include "vtkTextureObject.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <string>
+
+namespace littoral
+{
+
+/// Blades of a tile.
+struct GroundCover::Tile
+{
+  double Side;  ///< [m]
+  int Count;    ///< blades
+  double Width; ///< of a blade at its foot, over its height
+  double Reach; ///< distance to which they are drawn, over the radius of the cover
+};
+
+namespace
+{
+
+using Tile = GroundCover::Tile;
+constexpr Tile DenseTile{ 16.0, 90000, 0.035, 0.26 };
+constexpr Tile SparseTile{ 64.0, 150000, 0.085, 1.0 };
+constexpr double MeanUp = 0.75; // part of the blades' normal that is upward, as of the grass that they stand for
+
+/// A blade as two quadrangles and a tip, bent over; its five points are relative to its foot.
+void AddBlade(const Tile& tile, const RandomStream& random, std::uint64_t blade, vtkPolyData* data, vtkFloatArray* feet,
+  vtkFloatArray* normals, vtkUnsignedCharArray* shades)
+{
+  const std::array<double, 2> foot = random.UniformPair(blade, 0);
+  const std::array<double, 2> turn = random.UniformPair(blade, 1);
+  const std::array<double, 2> form = random.UniformPair(blade, 2);
+  const double around = TwoPi * turn[0];
+  const double bend = 0.15 + 0.75 * turn[1];
+  const double height = 0.45 + 0.55 * form[0];
+  const glm::dvec3 ahead(std::cos(around), std::sin(around), 0.0);
+  const glm::dvec3 aside(-ahead.y, ahead.x, 0.0);
+  const glm::dvec3 normal = glm::normalize(MeanUp * glm::dvec3(0.0, 0.0, 1.0) + (1.0 - MeanUp) * ahead);
+  const vtkIdType first = data->GetNumberOfPoints();
+  const auto add = [&](double t, double side) {
+    // A parabola from the foot upward and over
+    const glm::dvec3 at = height * (t * glm::dvec3(0.0, 0.0, 1.0 - 0.35 * bend * t) + bend * t * t * ahead) +
+      side * 0.5 * tile.Width * (1.0 - 0.4 * t) * aside;
+    data->GetPoints()->InsertNextPoint(at.x, at.y, at.z);
+    feet->InsertNextTuple2(tile.Side * foot[0], tile.Side * foot[1]);
+    normals->InsertNextTuple3(normal.x, normal.y, normal.z);
+    // Dark among the others at the foot; no two blades are of one age.
+    const double shade = 255.0 * (0.62 + 0.36 * t) * (0.82 + 0.18 * form[1]);
+    shades->InsertNextTuple3(shade, shade, shade * (1.0 - 0.12 * form[1]));
+  };
+  for (const double t : { 0.0, 0.55 })
+  {
+    add(t, -1.0);
+    add(t, 1.0);
+  }
+  add(1.0, 0.0);
+  const vtkIdType strip[5] = { first, first + 1, first + 2, first + 3, first + 4 };
+  data->GetStrips()->InsertNextCell(5, strip);
+}
+
+vtkSmartPointer<vtkPolyData> BladesOf(const Tile& tile)
+{
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(vtkNew<vtkPoints>());
+  data->SetStrips(vtkNew<vtkCellArray>());
+  vtkNew<vtkFloatArray> feet;
+  feet->SetName("Foot");
+  feet->SetNumberOfComponents(2);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  vtkNew<vtkUnsignedCharArray> shades;
+  shades->SetName("Shade");
+  shades->SetNumberOfComponents(3);
+  const RandomStream random(tile.Count, RandomPurpose::GrassBlades);
+  for (int blade = 0; blade < tile.Count; ++blade)
+  {
+    AddBlade(tile, random, static_cast<std::uint64_t>(blade), data, feet, normals, shades);
+  }
+  data->GetPointData()->AddArray(feet);
+  data->GetPointData()->SetNormals(normals);
+  data->GetPointData()->SetScalars(shades);
+  return data;
+}
+
+/// Gives a program its uniforms before it draws.
+class UniformCommand : public vtkCommand
+{
+public:
+  static UniformCommand* New() { return new UniformCommand; }
+
+  void Execute(vtkObject*, unsigned long, void* program) override
+  {
+    this->Set(static_cast<vtkShaderProgram*>(program));
+  }
+
+  std::function<void(vtkShaderProgram*)> Set;
+};
+
+void Prepare(vtkActor* actor, const Tile& tile, const std::function<void(vtkShaderProgram*)>& setUniforms)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(BladesOf(tile));
+  mapper->MapDataArrayToVertexAttribute("coverFoot", "Foot", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+  vtkNew<UniformCommand> uniforms;
+  uniforms->Set = setUniforms;
+  mapper->AddObserver(vtkCommand::UpdateShaderEvent, uniforms);
+  actor->SetMapper(mapper);
+  vtkLandscapePass::SetMaterial(actor, vtkLandscapePass::COVER);
+  vtkShaderProperty* shader = actor->GetShaderProperty();
+  shader->AddVertexShaderReplacement(
+    "//VTK::Normal::Dec", true, std::string(LandscapeGround) + GroundCoverDec + "//VTK::Normal::Dec\n", false);
+  shader->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true, GroundCoverImpl, false);
+}
+
+}
+
+//----------------------------------------------------------------------------
+GroundCover::GroundCover() = default;
+GroundCover::~GroundCover() = default;
+
+//----------------------------------------------------------------------------
+void GroundCover::SetSize(double height, double radius)
+{
+  this->Height = height;
+  this->Radius = radius;
+}
+
+//----------------------------------------------------------------------------
+std::vector<vtkProp*> GroundCover::GetProps() const
+{
+  return { this->Dense, this->Sparse };
+}
+
+//----------------------------------------------------------------------------
+void GroundCover::Draw(vtkRenderer* renderer, const DepthMaps& maps)
+{
+  glm::dvec3 eye;
+  renderer->GetActiveCamera()->GetPosition(&eye.x);
+  for (const Tile* tile : { &DenseTile, &SparseTile })
+  {
+    vtkActor* actor = tile == &DenseTile ? this->Dense : this->Sparse;
+    if (!actor->GetMapper())
+    {
+      Prepare(
+        actor, *tile, [this, tile, &maps](vtkShaderProgram* program) { this->SetUniforms(program, *tile, maps); });
+    }
+    // Blades are relative to a corner of the tiles near the eye, so that single precision holds them.
+    const auto corner = [&](double x) { return tile->Side * std::floor(x / tile->Side); };
+    this->Eye = eye;
+    this->Anchor = { corner(eye.x), corner(eye.y), std::floor(eye.z) };
+    actor->SetPosition(this->Anchor.x, this->Anchor.y, this->Anchor.z);
+    actor->RenderOpaqueGeometry(renderer);
+  }
+}
+
+//----------------------------------------------------------------------------
+void GroundCover::SetUniforms(vtkShaderProgram* program, const Tile& tile, const DepthMaps& maps) const
+{
+  constexpr double period = 4096.0;
+  const glm::dmat4& toMap = maps.GetMatrix(DepthMaps::Ground);
+  SetUniform(program, "coverGround", maps.GetTexture(DepthMaps::Ground)->GetTextureUnit());
+  SetUniform(program, "coverTexel", maps.GetTexelSize(DepthMaps::Ground));
+  // From places to the map x and y by a scale, and z from depths
+  SetUniform(program, "coverToMap", glm::dvec3(toMap[0][0], toMap[1][1], toMap[2][2]));
+  SetUniform(program, "coverCorner", glm::dvec3(toMap * glm::dvec4(this->Anchor, 1.0)));
+  SetUniform(program, "coverEye", this->Eye - this->Anchor);
+  SetUniform(program, "coverAnchor", this->Anchor - period * glm::floor(this->Anchor / period));
+  SetUniform(program, "coverSide", tile.Side);
+  SetUniform(program, "coverReach", tile.Reach * this->Radius);
+  SetUniform(program, "coverHeight", this->Height);
+}
+
+//----------------------------------------------------------------------------
+void GroundCover::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Dense->ReleaseGraphicsResources(window);
+  this->Sparse->ReleaseGraphicsResources(window);
+}
+
+}

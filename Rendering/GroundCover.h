@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralGroundCover_h
+#define LittoralGroundCover_h
+
+#include "vtkNew.h"
+
+#include <glm/vec3.hpp>
+
+#include <vector>
+
+class vtkActor;
+class vtkProp;
+class vtkRenderer;
+class vtkShaderProgram;
+class vtkWindow;
+
+namespace littoral
+{
+
+class DepthMaps;
+
+/**
+ * Grass around the eye. Its blades are in two square tiles that are repeated over the plane, one of dense blades and
+ * one of sparse broad ones; the vertex shader moves each blade to the copy that is nearest to the eye and onto the
+ * ground, whose height it reads from a map of depths seen from the zenith. So they cost the same on any ground.
+ */
+class GroundCover
+{
+public:
+  GroundCover();
+  ~GroundCover();
+
+  /// Height of blades [m], distance to which they are drawn [m].
+  void SetSize(double height, double radius);
+
+  /// Draws the blades around the camera with the map of the ground, whose texture is bound.
+  void Draw(vtkRenderer* renderer, const DepthMaps& maps);
+
+  std::vector<vtkProp*> GetProps() const;
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+  struct Tile;
+
+private:
+  void SetUniforms(vtkShaderProgram* program, const Tile& tile, const DepthMaps& maps) const;
+
+  vtkNew<vtkActor> Dense;
+  vtkNew<vtkActor> Sparse;
+  double Height = 0.0;
+  double Radius = 0.0;
+  glm::dvec3 Eye = glm::dvec3(0.0);    ///< of the picture that is drawn
+  glm::dvec3 Anchor = glm::dvec3(0.0); ///< place to which the tile that is drawn is relative
+};
+
+}
+
+#endif
