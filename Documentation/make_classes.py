@@ -44,8 +44,9 @@ def entry_of(row):
 def rows():
     """The classes in the order of the fields: name, field, entry."""
     bases = [Row(name, field, "a base class") for name, field in classes.BASES.items()]
+    passes = [Row(name, field, "a render pass") for name, field in classes.PASSES.items()]
     made = [Row(row.name, row.field, entry_of(row)) for row in classes.ROWS]
-    return [row for field in classes.FIELDS for row in made + bases if row.field == field]
+    return [row for field in classes.FIELDS for row in made + passes + bases if row.field == field]
 
 
 # --- the headers ----------------------------------------------------------------------------------
@@ -53,7 +54,7 @@ def rows():
 
 def comment_of(name):
     """The paragraphs of a class's comment, the first one being its brief."""
-    header = next(TOP / folder / f"{name}.h" for folder in ("Sources", "Filters", "IO")
+    header = next(TOP / folder / f"{name}.h" for folder in classes.MODULES
                   if (TOP / folder / f"{name}.h").exists())
     lines = re.search(r"/\*\*\n(.*?)\n \*/", header.read_text(encoding="utf-8"), re.S)[1].split("\n")
     text = "\n".join(line[3:] for line in lines)

@@ -29,6 +29,7 @@ FIELDS = {
     "Currents": ("currents", "currents"),
     "Particles": ("particles", "particles"),
     "Seaweeds": ("seaweed", "seaweed"),
+    "Light": ("light", "light"),
     "Views": ("terrain", "geometry"),
     "Rasters": ("terrain", "terrain"),
     "Volumes": ("volumes", "volumes"),
@@ -42,6 +43,12 @@ BASES = {
     "vtkLeafyTreeSource": "Plants",
     "vtkViewDependentAlgorithm": "Views",
 }
+
+# Classes that have no inputs and outputs.
+PASSES = {"vtkLandscapePass": "Light"}
+
+# Folders of VTK classes that users call.
+MODULES = ("Sources", "Filters", "Rendering", "IO")
 
 # Output after a mistake: nothing, or the first input as it is.
 EMPTY, UNMOVED = "empty", "unmoved"

@@ -15,7 +15,7 @@ import sys
 from pathlib import Path
 
 TOP = Path(__file__).resolve().parents[2]
-MODULES = ("Sources", "Filters", "IO")
+MODULES = ("Sources", "Filters", "Rendering", "IO")
 
 # Column and floor of each room of Common, and what it holds. Each has a column of its own, so that arrows from above
 # meet no other room.
@@ -40,6 +40,7 @@ COLORS = {
     "Sources": "#b4531f",
     "Filters": "#2563a8",
     "IO": "#6b4c9a",
+    "Rendering": "#a8722a",
     "Data": "#2f7d4f",
     "Pipeline": "#2f7d4f",
     "plugin": "#555b66",
@@ -199,12 +200,13 @@ def draw(drawing):
     drawing.text(30, 240, "Support", 14, "#4d5363", "600", "start")
     drawing.text(30, 786, "Common, no VTK", 14, "#4d5363", "600", "start")
     boxes = {  # x, y, width, height
-        "plugin": (410, 22, 300, 62), "Sources": (150, 130, 240, 54), "Filters": (440, 130, 240, 54),
-        "IO": (730, 130, 240, 54), "Data": (210, 234, 330, 54), "Pipeline": (600, 234, 330, 54)}
+        "plugin": (410, 22, 300, 62), "Sources": (150, 130, 200, 54), "Filters": (365, 130, 200, 54),
+        "Rendering": (580, 130, 180, 54), "IO": (775, 130, 200, 54), "Data": (210, 234, 330, 54), "Pipeline": (600, 234, 330, 54)}
     words = {
         "plugin": ("paraview-plugin", "menus, panels, the client's camera"),
-        "Sources": ("Sources", "vtk...Source, without required input"),
-        "Filters": ("Filters", "vtk...Filter"), "IO": ("IO", "rasters, volumes, scenes as files"),
+        "Sources": ("Sources", "vtk...Source"),
+        "Filters": ("Filters", "vtk...Filter"), "IO": ("IO", "rasters, volumes, scenes"),
+        "Rendering": ("Rendering", "light, shadows, air"),
         "Data": ("Support/Data", "arrays, blocks, tables, images"),
         "Pipeline": ("Support/Pipeline", "progress, abort, ranges, the camera's view")}
     for name, (x, y, width, height) in boxes.items():

@@ -35,7 +35,7 @@ DESIGN = ("numerics", "geometry", "terrain", "kriging", "drainage", "patterns", 
           "particles", "seaweed", "paraview", "requests", "volumes", "scenes", "measurements")
 
 # Classes by field: title, page of the guide, page of the design, classes.
-FIELDS = [(title, *pages, [name for name, field in rows.BASES.items() if field == title]
+FIELDS = [(title, *pages, [name for name, field in {**rows.BASES, **rows.PASSES}.items() if field == title]
            + [row.name for row in rows.ROWS if row.field == title]) for title, pages in rows.FIELDS.items()]
 
 # Rooms of Common: page of the design, and what they hold.
@@ -223,11 +223,11 @@ class Site:
     # The reference.
 
     def classes_by_field(self):
-        there = {path.stem for folder in ("Sources", "Filters", "IO") for path in (TOP / folder).glob("vtk*.h")}
+        there = {path.stem for folder in rows.MODULES for path in (TOP / folder).glob("vtk*.h")}
         if there != set(self.classes):
             sys.exit(f"Classes and the fields of make_site.py differ: {sorted(there ^ set(self.classes))}")
         self.briefs = {name: words_of(self.class_xml(name).find("briefdescription")) for name in self.classes}
-        page = ["# Classes", "", "All classes of the modules Sources, Filters and IO, in C++ and in Python "
+        page = ["# Classes", "", "All classes of the modules Sources, Filters, Rendering and IO, in C++ and in Python "
                 "(`from littoral import ...`). From VTK 9.4 on a property has its Python name too: "
                 "`SetTimeStep(0.1)` is "
                 "`time_step = 0.1`.", ""]
@@ -444,7 +444,7 @@ def run_doxygen(site):
     shutil.rmtree(site.xml, ignore_errors=True)
     # Of Common what is installed, of the modules the classes.
     headers = ["Common/" + header for header in installed_headers()]
-    headers += sorted(path.relative_to(TOP).as_posix() for folder in ("Sources", "Filters", "IO")
+    headers += sorted(path.relative_to(TOP).as_posix() for folder in rows.MODULES
                       for path in (TOP / folder).glob("vtk*.h"))
     settings = (HERE / "Doxyfile").read_text(encoding="utf-8")
     settings += (f'\nOUTPUT_DIRECTORY = "{site.xml.parent}"\nXML_OUTPUT = xml\nSTRIP_FROM_PATH = "{TOP}"\n'

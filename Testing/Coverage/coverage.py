@@ -26,13 +26,13 @@ import tempfile
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 #: Folders, and the tests (labels of ctest) that they are measured by, in this order, without clearing between.
-TABLES = [(["Common"], "common"), (["Support", "Sources", "Filters", "IO"], "cxx|python")]
+TABLES = [(["Common"], "common"), (["Support", "Sources", "Filters", "Rendering", "IO"], "cxx|python")]
 
 #: Tests of programs that must be silent: the counters complain where another user or a full disk cannot write them.
 SILENT = "^python.Test(Faults|Files)$"
 
 #: Objects whose counters are read: those of the code and of the tests, which instantiate templates.
-OBJECTS = ["Common", "Support", "Sources", "Filters", "IO", os.path.join("Testing", "Common"),
+OBJECTS = ["Common", "Support", "Sources", "Filters", "Rendering", "IO", os.path.join("Testing", "Common"),
            os.path.join("Testing", "Cxx")]
 
 

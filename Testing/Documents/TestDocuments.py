@@ -77,7 +77,7 @@ FIGURE = re.compile(r"""(?<![\w.,])(?:
 OTHER = re.compile(r"`[^`]*`|\]\([^)]*\)|<!--.*?-->|\b(?:[A-Z]+[a-zA-Z]+|default(?: of)?) \d+\.[\d.]+", re.S)
 #: Where it is from: a test or benchmark by its name, a file of the tree, a work by author and year.
 PROGRAM = re.compile(r"\b(?:Test[A-Z]\w+|(?:vtk)?bench_\w+)\b")
-FILE = re.compile(r"\b(?:Testing|Examples|Documentation|Common|Support|Sources|Filters|IO|Wrapping|CMake|paraview-plugin)"
+FILE = re.compile(r"\b(?:Testing|Examples|Documentation|Common|Support|Sources|Filters|Rendering|IO|Wrapping|CMake|paraview-plugin)"
                   r"/[\w/.-]*\w")
 WORK = re.compile(r"\b[A-Z][\w-]+(?: et al\.)?,? \(?(?:1[89]|20)\d\d\b")
 PRINTS = re.compile(r"\bprintf?\b|std::cout|\bcat\(|\becho\b")
@@ -170,7 +170,7 @@ class Documents(unittest.TestCase):
             for code in re.findall(r"`([^`\n]+)`", page.read_text(encoding="utf-8")):
                 missing += [f"{page.relative_to(TOP)}: {name}" for name in NAMED.findall(code)
                             if not (TOP / name.rstrip("./")).exists() and not re.search(r"\.\.\.|<|NAME", code)]
-        for header in [path for name in ("Common", "Sources", "Filters", "IO") for path in (TOP / name).rglob("*.h")]:
+        for header in [path for name in ("Common", *make_site.rows.MODULES) for path in (TOP / name).rglob("*.h")]:
             missing += [f"{header.relative_to(TOP)}: {name}" for name in
                         re.findall(r"\bDocumentation/[\w./-]+\.md", header.read_text(encoding="utf-8"))
                         if not (TOP / name).exists()]
@@ -257,7 +257,7 @@ class SiteTables(unittest.TestCase):
 
     def test_classes_and_rooms(self):
         classes = [name for _, _, _, names in make_site.FIELDS for name in names]
-        there = [path.stem for folder in ("Sources", "Filters", "IO") for path in (TOP / folder).glob("vtk*.h")]
+        there = [path.stem for folder in make_site.rows.MODULES for path in (TOP / folder).glob("vtk*.h")]
         self.assertEqual(sorted(classes), sorted(there))
         rooms = [path.name for path in (TOP / "Common").iterdir() if path.is_dir()]
         self.assertEqual(sorted(make_site.ROOMS), sorted(rooms))

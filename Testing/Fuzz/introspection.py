@@ -33,8 +33,9 @@ def is_concrete(kind):
 
 
 def all_classes():
-    """Names of the classes that can be made."""
-    return [name for name in littoral.__all__ if is_concrete(getattr(littoral, name))]
+    """Names of the classes of sources, filters, readers and writers that can be made."""
+    return [name for name in littoral.__all__
+            if issubclass(getattr(littoral, name), vtkAlgorithm) and is_concrete(getattr(littoral, name))]
 
 
 def type_of(argument):

@@ -72,14 +72,35 @@ def is_of_loop(said):
     return "CopyStructure" in said
 
 
-def odd_names(data, gaps=False):
-    """Names of arrays, points among them, that are not finite; with gaps, NaN in a table stands for no value."""
+def numbers_of(leaf):
+    """The arrays of a leaf of floating-point numbers, by name, a row a tuple."""
+    return [(name, vtk_to_numpy(array).reshape(array.GetNumberOfTuples(), -1))
+            for name, array in hash_outputs.arrays(leaf)
+            if isinstance(array, vtkDataArray) and array.GetDataType() in (10, 11)]
+
+
+def missing_points(data):
+    """For each image of data, by its number of points, whether a number of a point is not finite."""
+    missing = {}
+    for leaf in inputs.leaves(data):
+        if isinstance(leaf, vtkImageData):
+            for _, numbers in numbers_of(leaf):
+                if len(numbers) == leaf.GetNumberOfPoints():
+                    bad = ~numpy.isfinite(numbers).all(axis=1)
+                    missing[len(numbers)] = missing.get(len(numbers), False) | bad
+    return missing
+
+
+def odd_names(data, gaps=False, missing={}):
+    """Names of arrays, points among them, that are not finite; with gaps, NaN stands for no value in a table, and in an
+    image at missing points."""
     odd = set()
     for leaf in inputs.leaves(data):
-        for name, array in hash_outputs.arrays(leaf):
-            if isinstance(array, vtkDataArray) and array.GetDataType() in (10, 11):
-                numbers = vtk_to_numpy(array)
-                fine = numpy.isfinite(numbers) | (numpy.isnan(numbers) & (gaps and isinstance(leaf, vtkTable)))
+        for name, numbers in numbers_of(leaf):
+            is_gap = gaps and (isinstance(leaf, vtkTable) or (
+                isinstance(leaf, vtkImageData) and numpy.reshape(missing.get(len(numbers), False), (-1, 1))))
+            if len(numbers):
+                fine = numpy.isfinite(numbers) | (numpy.isnan(numbers) & is_gap)
                 if not fine.all():
                     odd.add(name)
         frame = []
@@ -232,7 +253,10 @@ class Player:
         """Looks at the numbers in the outputs."""
         if self.said:
             return
-        odd = set().union(*(odd_names(data, self.gaps) for data in outputs(self.made))) - self.may_be_odd
+        missing = {}
+        for data in self.given():
+            missing.update(missing_points(data))
+        odd = set().union(*(odd_names(data, self.gaps, missing) for data in outputs(self.made))) - self.may_be_odd
         odd -= set().union(*map(odd_names, self.given()))
         if odd:
             raise Fault("not a number", ", ".join(sorted(odd)))

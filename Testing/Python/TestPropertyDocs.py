@@ -15,7 +15,7 @@ import xml.etree.ElementTree
 import littoral
 
 TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-FOLDERS = ("Sources", "Filters", "IO")
+FOLDERS = ("Sources", "Filters", "Rendering", "IO")
 
 # A sentence that begins so says nothing where it stands alone: in Doxygen's lists and in Python's help().
 WEAK = {"of", "by", "from", "to", "in", "on", "at", "with", "for", "that", "what", "which", "where", "when", "how",

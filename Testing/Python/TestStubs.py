@@ -7,7 +7,7 @@ import os
 import sys
 
 import littoral
-from littoral import LittoralFilters, LittoralSources
+from littoral import LittoralFilters, LittoralRendering, LittoralSources
 
 try:
     import vtkmodules.generate_pyi  # noqa: F401
@@ -24,7 +24,7 @@ def methods(body):
 folder = os.path.dirname(littoral.__file__)
 assert os.path.exists(os.path.join(folder, "py.typed"))
 listed = {}
-for module in (LittoralSources, LittoralFilters, sys.modules.get("littoral.LittoralIO")):
+for module in (LittoralSources, LittoralFilters, LittoralRendering, sys.modules.get("littoral.LittoralIO")):
     if module is None:
         continue
     with open(os.path.join(folder, module.__name__.rpartition(".")[2] + ".pyi"), encoding="utf-8") as file:
