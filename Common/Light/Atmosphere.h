@@ -21,7 +21,7 @@ struct AirParameters
   double Altitude = 0.0;     ///< of the eye above sea level, from 0 to 10000 [m]
 };
 
-/// What is wrong with the parameters; empty if nothing is.
+/// Reason why parameters are no air; empty if they are.
 std::string WhyInvalid(const AirParameters& parameters);
 
 /**
@@ -69,7 +69,7 @@ private:
     Vector3 Aerosols;   ///< scattering
     Vector3 Extinction; ///< without the forward peak of the aerosols
   };
-  /// What is known at a place of a line of sight.
+  /// Place on a line of sight.
   struct Place
   {
     double Length; ///< of its part of the line [km]

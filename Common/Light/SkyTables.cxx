@@ -24,7 +24,7 @@ double ElevationOf(int row)
   return (isAbove ? 1.0 : -1.0) * std::max(t * t * 0.5 * Pi, 1e-4);
 }
 
-/// Where an elevation is among the rows, 0 to 1.
+/// Place of an elevation among the rows, 0 to 1.
 double RowAt(double elevation)
 {
   const double t = (HalfRows - 1.0) * std::sqrt(std::min(std::abs(elevation) / (0.5 * Pi), 1.0));
@@ -144,16 +144,6 @@ SkyTables TabulateSky(const Atmosphere& air, const Vector3& sun, const ParallelF
       }
     }
   });
-  return sky;
-}
-
-SkyTables EvenSky()
-{
-  SkyTables sky;
-  sky.Sun = { 0.0, 0.0, 1.0 };
-  sky.SunLight = Vector3(0.0);
-  sky.Dome = { 2, 2, std::vector<Vector3>(4, Vector3(1.0)) };
-  sky.Light = { 2, 2, std::vector<Vector3>(4, Vector3(Pi)) };
   return sky;
 }
 

@@ -52,9 +52,6 @@ struct SkyTables
 
 SkyTables TabulateSky(const Atmosphere& air, const Vector3& sun, const ParallelFor& parallel = SerialFor);
 
-/// The same luminance of 1 kcd/m2 from everywhere, without a sun.
-SkyTables EvenSky();
-
 }
 
 #endif

@@ -19,7 +19,7 @@ struct UniversalTime
   double Hours = 9.0; ///< since midnight, also below 0 and above 24
 };
 
-/// What is wrong with a moment; empty if nothing is.
+/// Reason why a moment is none; empty if it is one.
 std::string WhyInvalid(const UniversalTime& time);
 
 /// Place of the center of the sun's disk in the sky.

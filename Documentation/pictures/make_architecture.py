@@ -31,6 +31,7 @@ ROOMS = {
     "Currents": (8, 2, ("flow primitives,", "drift")),
     "Sea": (9, 1, ("dispersion,", "trains, orbits")),
     "Particles": (10, 2, ("groups, levels,", "fog")),
+    "Light": (11, 1, ("sun, sky,", "light on planes")),
 }
 GROUND = {
     "Geometry": "views, cells, height grids, textures",
@@ -47,7 +48,7 @@ COLORS = {
     "room": "#8a6d1f",
 }
 
-WIDTH, HEIGHT, LEFT, PITCH, BOX = 1227, 812, 28, 107, 100
+WIDTH, HEIGHT, LEFT, PITCH, BOX = 1334, 812, 28, 107, 100
 FLOOR_Y = {3: 390, 2: 476, 1: 562}
 ROOM_HEIGHT = 78
 

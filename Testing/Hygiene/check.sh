@@ -65,7 +65,7 @@ case "${1:-}" in
       case "$room" in
         Numerics) lower= ;;
         Geometry) lower=Numerics ;;
-        Terrain | Plants | Wind | Sea) lower='Numerics|Geometry' ;;
+        Terrain | Plants | Wind | Sea | Light) lower='Numerics|Geometry' ;;
         Kriging | Patterns) lower='Numerics|Geometry|Terrain' ;;
         Sway) lower='Numerics|Geometry|Plants|Wind' ;;
         Currents) lower='Numerics|Geometry' ;;
