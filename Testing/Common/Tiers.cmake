@@ -4,6 +4,12 @@
 # Cases with a tier of their own, as filters of GoogleTest by program: all others are in the tier `quick`, where a
 # program may take 1 s of processor time. `standard`: what takes above about 0.4 s, up to 10 s a program.
 set(standard_TestAonoKuniiTree *AreAFunctionOfTheirSeed*)
+set(standard_TestAtmosphere
+  Atmosphere.SkyIsThatOfPathsOfLight Atmosphere.LightIsConservedWhereNothingTakesIt
+  Atmosphere.LightOnTheGroundIsThatOfNature
+  Atmosphere.TwilightFadesWithoutAJump Atmosphere.HasNoSideButTheSuns Atmosphere.RowsAreTheSameAsOneByOne
+  Atmosphere.SameBytesOnAnyThreads)
+set(all_TestAtmosphere Atmosphere.RecordedPathsAreThoseOfManyMore) # some of them in RecordedPathsAreThoseOfToday too
 set(standard_TestBeamModes BeamModes.ShapesDoNotCancel)
 set(standard_TestCoarseGround CoarseGround.LargeGroundIsCarvedByItTheSameOnAnyThreads)
 set(standard_TestCurveEnvelope CurveEnvelope.RejectsARandomPatternAsOftenAsItsLevel)
@@ -49,6 +55,7 @@ set(standard_TestSeaweedMotion
   SeaweedMotion.UndampedSegmentsKeepTheirEnergy SeaweedMotion.ConvergesWithTheSquareOfTheStep
   SeaweedMotion.ChainsOfAnyStiffnessAreStable
   SeaweedMotion.PlantsOfAnyResolutionAndStiffnessFollowTheWater)
+set(standard_TestSkyTables SkyTables.LightOnPlanesIsTheIntegralOfTheSky SkyTables.DomeIsTheSkyBetweenItsPlaces)
 set(standard_TestSoftCore
   SoftCore.RandomPointsHaveNone SoftCore.WhatWasSimulatedIsFoundAgain SoftCore.ForcesBalanceAsInEquilibrium
   SoftCore.IntensityIsThatAskedFor)
