@@ -80,12 +80,13 @@ struct Place
 double AltitudeOf(int row)
 {
   const double t = row / (Altitudes - 1.0);
-  return AirHeight * t * t * t;
+  return AirHeight * t * t * t * t;
 }
 
 Place AltitudePlace(double altitude)
 {
-  return { static_cast<float>(std::cbrt(std::clamp(altitude / AirHeight, 0.0, 1.0)) * (Altitudes - 1)), Altitudes };
+  return { static_cast<float>(std::sqrt(std::sqrt(std::clamp(altitude / AirHeight, 0.0, 1.0))) * (Altitudes - 1)),
+    Altitudes };
 }
 
 double CosViewOf(int view)

@@ -6,7 +6,7 @@
 set(standard_TestAonoKuniiTree *AreAFunctionOfTheirSeed*)
 set(standard_TestAtmosphere
   Atmosphere.SkyIsThatOfPathsOfLight Atmosphere.LightIsConservedWhereNothingTakesIt
-  Atmosphere.LightOnTheGroundIsThatOfNature
+  Atmosphere.LightOnTheGroundIsThatOfNature Atmosphere.TwilightIsThatOfPathsOfLight
   Atmosphere.TwilightFadesWithoutAJump Atmosphere.HasNoSideButTheSuns Atmosphere.RowsAreTheSameAsOneByOne
   Atmosphere.SameBytesOnAnyThreads)
 set(all_TestAtmosphere Atmosphere.RecordedPathsAreThoseOfManyMore) # some of them in RecordedPathsAreThoseOfToday too
