@@ -17,6 +17,7 @@ namespace
 {
 
 constexpr double SunBeforeAir = 128.0; // light at right angles to the sun above the air [klx]
+constexpr double NightSky = 2e-7;      // luminance of stars and airglow [kcd/m2]
 constexpr int SightParts = 48;
 
 }
@@ -94,9 +95,10 @@ std::vector<Vector3> Atmosphere::SkyLuminances(const std::vector<Vector3>& direc
   {
     const Vector3 towards = glm::normalize(sun);
     const SightLine line = this->Air->Layers.Line(this->Air->Altitude, directions.front().z, SightParts);
+    const double night = NightSky * (line.MeetsGround ? this->Air->Parameters.GroundAlbedo : 1.0);
     for (const Vector3& direction : directions)
     {
-      luminances.push_back(SunBeforeAir * this->Air->Along(line, direction, towards));
+      luminances.push_back(night + SunBeforeAir * this->Air->Along(line, direction, towards));
     }
   }
   return luminances;

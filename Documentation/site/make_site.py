@@ -32,7 +32,7 @@ GUIDE = ("installing", "first-steps", "scenes", "entries", "classes", "terrain",
          "stands", "wind", "sway", "sea", "currents", "particles", "seaweed", "underwater", "python", "volumes", "saving",
          "blender", "speed", "troubleshooting", "glossary")
 DESIGN = ("numerics", "geometry", "terrain", "kriging", "drainage", "patterns", "plants", "wind", "sway", "sea", "currents",
-          "particles", "seaweed", "paraview", "requests", "volumes", "scenes", "measurements")
+          "particles", "seaweed", "light", "paraview", "requests", "volumes", "scenes", "measurements")
 
 # Classes by field: title, page of the guide, page of the design, classes.
 FIELDS = [(title, *pages, [name for name, field in {**rows.BASES, **rows.PASSES}.items() if field == title]
@@ -54,6 +54,7 @@ ROOMS = {
     "Currents": ("currents", "Flow primitives and their arrows, drift, splines of velocity."),
     "Particles": ("particles", "Suspended particles, masters and slaves, levels of detail, fog."),
     "Seaweed": ("seaweed", "Growth, meshes, equations of motion, wakes."),
+    "Light": ("light", "The sun's place, the light of sun and sky, on planes too."),
 }
 
 # Examples in the order of the gallery: title, and picture in Documentation/pictures. One that is not here
