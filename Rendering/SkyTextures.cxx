@@ -76,7 +76,10 @@ void SkyTextures::TakeEven()
     return;
   }
   this->Air.reset();
-  this->Tables = EvenSky();
+  const auto even = [](const std::vector<Vector3>& directions) {
+    return std::vector<Vector3>(directions.size(), Vector3(1.0));
+  };
+  this->Tables = TabulateSky(even, { 0.0, 0.0, 1.0 }, Vector3(0.0), OnThreads);
   this->Dome = nullptr;
 }
 

@@ -232,7 +232,8 @@ std::string vtkLandscapePass::WhyInvalid() const
   {
     check.Range("Latitude", this->Latitude, -90.0, 90.0, "degrees");
     check.Range("Longitude", this->Longitude, -180.0, 180.0, "degrees");
-    check.Require(littoral::WhyInvalid({ this->Date[0], this->Date[1], this->Date[2], this->Hours }));
+    check.Require(
+      littoral::WhyInvalid(littoral::UniversalTime{ this->Date[0], this->Date[1], this->Date[2], this->Hours }));
   }
   return check.Reason();
 }

@@ -66,7 +66,7 @@ def room_of(path):
 
 def read_arrows():
     """The pairs (includes, is included) of boxes."""
-    bases = [TOP / name for name in ("Common", "Support", "Sources", "Filters", "IO", "paraview-plugin")]
+    bases = [TOP / name for name in ("Common", "Support", *MODULES, "paraview-plugin")]
     files = [file for base in bases for kind in ("*.h", "*.cxx") for file in base.rglob(kind)]
     known, arrows = set(files), set()
     for file in files:
@@ -202,7 +202,8 @@ def draw(drawing):
     drawing.text(30, 786, "Common, no VTK", 14, "#4d5363", "600", "start")
     boxes = {  # x, y, width, height
         "plugin": (410, 22, 300, 62), "Sources": (150, 130, 200, 54), "Filters": (365, 130, 200, 54),
-        "Rendering": (580, 130, 180, 54), "IO": (775, 130, 200, 54), "Data": (210, 234, 330, 54), "Pipeline": (600, 234, 330, 54)}
+        "Rendering": (580, 130, 180, 54), "IO": (775, 130, 200, 54), "Data": (210, 234, 330, 54),
+        "Pipeline": (600, 234, 330, 54)}
     words = {
         "plugin": ("paraview-plugin", "menus, panels, the client's camera"),
         "Sources": ("Sources", "vtk...Source"),
@@ -220,7 +221,7 @@ def draw(drawing):
         return boxes[name][1] + boxes[name][3]
 
     # The plugin: what it links, and Pipeline that it includes.
-    for name, share in zip(links, (0.2, 0.5, 0.8)):
+    for name, share in zip(links, (0.2, 0.4, 0.6, 0.8)):
         x, y = across(name, 0.5), 100
         start = across("plugin", share)
         way = [(start, foot("plugin")), (start, y), (x, y), (x, boxes[name][1] - 1)]
@@ -244,6 +245,7 @@ def draw(drawing):
     draw_bus(drawing, arrows, "Filters", 570, foot("Filters"), 334, 16)
     draw_bus(drawing, arrows, "Pipeline", across("Pipeline", 0.5), foot("Pipeline"), 344, 30)
     draw_bus(drawing, arrows, "IO", 950, foot("IO"), 354, -30)
+    draw_bus(drawing, arrows, "Rendering", across("Rendering", 0.9), foot("Rendering"), 364, 44)
     draw_common(drawing, arrows)
     for k, line in enumerate(("arrow: includes", "dashed arrow: links", "N, G: includes Numerics, Geometry")):
         drawing.text(30, 40 + 20 * k, line, 14, "#4d5363", anchor="start")
