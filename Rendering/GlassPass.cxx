@@ -3,6 +3,7 @@
 #include "GlassPass.h"
 
 #include "LandscapeLight.h"
+#include "LandscapeNoise.h"
 #include "Lighting.h"
 #include "vtkLandscapePass.h"
 
@@ -53,7 +54,8 @@ bool GlassPass::PreReplaceShaderValues(
   if (IsLit(mapper, prop))
   {
     vtkShaderProgram::Substitute(fragment, "//VTK::Light::Dec",
-      std::string("//VTK::Light::Dec\n") + LandscapeLight + "uniform float landscapeTransmittance;\n", false);
+      std::string("//VTK::Light::Dec\n") + LandscapeNoise + LandscapeLight + "uniform float landscapeTransmittance;\n",
+      false);
     vtkShaderProgram::Substitute(
       fragment, "//VTK::Light::Impl", "gl_FragData[0] = vec4(ambientColor + diffuseColor, opacity);\n", false);
     vtkShaderProgram::Substitute(

@@ -6,6 +6,7 @@
 #include "GroundCoverDec.h"
 #include "GroundCoverImpl.h"
 #include "LandscapeGround.h"
+#include "LandscapeNoise.h"
 #include "Numerics/Constants.h"
 #include "Numerics/RandomStream.h"
 #include "Uniforms.h"
@@ -141,8 +142,8 @@ void Prepare(vtkActor* actor, const Tile& tile, const std::function<void(vtkShad
   actor->SetMapper(mapper);
   vtkLandscapePass::SetMaterial(actor, vtkLandscapePass::COVER);
   vtkShaderProperty* shader = actor->GetShaderProperty();
-  shader->AddVertexShaderReplacement(
-    "//VTK::Normal::Dec", true, std::string(LandscapeGround) + GroundCoverDec + "//VTK::Normal::Dec\n", false);
+  shader->AddVertexShaderReplacement("//VTK::Normal::Dec", true,
+    std::string(LandscapeNoise) + LandscapeGround + GroundCoverDec + "//VTK::Normal::Dec\n", false);
   shader->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true, GroundCoverImpl, false);
 }
 

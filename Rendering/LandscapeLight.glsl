@@ -19,6 +19,8 @@ uniform mat3 landscapeZenithAxes;       // from the world's axes to those of the
 uniform vec4 landscapeTexel;            // side of a texel of each map [m]; 0: there is no map
 uniform float landscapeMapSize;         // texels along a side
 uniform float landscapeOcclusion;       // distance of what hides the sky [m]; 0: nothing does
+uniform vec3 landscapeCloudEye;         // place of the eye below the drifting clouds, modulo their noise's period [m]
+uniform vec2 landscapeClouds;           // part of the sky that they cover, and their height above the eye [m]
 
 const float landscapePi = 3.14159265;
 
@@ -142,6 +144,50 @@ float landscapeSkySeen(vec3 placeV, vec3 normalV)
   return mix(1.0, seen, share);
 }
 
+// Part of the light that clouds hold back at a place of their layer, relative to the eye.
+float landscapeCloudAt(vec2 place)
+{
+  const float scale = 8.0; // so that the noise repeats itself after 32 km
+  vec2 at = (landscapeCloudEye.xy + place) / scale;
+  float n = 0.0;
+  float weight = 0.5;
+  for (int octave = 0; octave < 6; ++octave)
+  {
+    n += weight * landscapeNoise(at, exp2(float(7 - octave)), uint(20 + octave)).x;
+    weight *= 0.5;
+  }
+  float least = mix(0.80, 0.22, landscapeClouds.x);
+  return smoothstep(least, least + 0.14, n);
+}
+
+// Part of the sun's light that clouds let through to a place relative to the eye.
+float landscapeBelowClouds(vec3 place)
+{
+  float up = landscapeClouds.y - place.z;
+  return landscapeClouds.x <= 0.0 || up <= 0.0 || landscapeSun.z <= 0.02
+    ? 1.0 : 1.0 - 0.85 * landscapeCloudAt(place.xy + landscapeSun.xy / landscapeSun.z * up);
+}
+
+// Luminance of clouds in a direction, and in w the part of the sky that they hide there.
+vec4 landscapeCloudsIn(vec3 d)
+{
+  if (landscapeClouds.x <= 0.0 || d.z < 0.015)
+  {
+    return vec4(0.0);
+  }
+  vec2 place = landscapeClouds.y / d.z * d.xy;
+  float density = landscapeCloudAt(place);
+  // They are thicker, and darker, where there are clouds between them and the sun.
+  vec2 sunwards = landscapeSun.xy / max(length(landscapeSun.xy), 0.1);
+  float before = landscapeCloudAt(place + 0.25 * landscapeClouds.y * sunwards);
+  float forward = 0.6 + 0.8 * pow(max(dot(d, landscapeSun), 0.0), 8.0) * (1.0 - density);
+  vec3 light = forward * (1.0 - 0.65 * before * density) * landscapeSunLight + landscapeSkyLightOn(vec3(0.0, 0.0, 1.0));
+  vec3 luminance = 0.8 / landscapePi * light;
+  float through = exp(-landscapeExtinction * length(vec3(place, landscapeClouds.y)));
+  vec3 horizon = landscapeSkyAt(normalize(vec3(d.xy, 1e-3)));
+  return vec4(mix(horizon, luminance, through), density * smoothstep(0.015, 0.09, d.z));
+}
+
 // Where the line of sight to a place begins.
 vec3 landscapeEyeOf(vec3 placeV)
 {
@@ -169,7 +215,8 @@ vec3 landscapeLit(vec3 albedo, vec3 eyeV, vec3 placeV, vec3 normalV, float trans
   float facing = max(towards, 0.0) + transmittance * max(-towards, 0.0);
   if (facing > 0.0)
   {
-    light += facing * landscapeSunSeen(placeV, towards > 0.0 ? normalV : -normalV, towards) * landscapeSunLight;
+    float seen = landscapeSunSeen(placeV, towards > 0.0 ? normalV : -normalV, towards);
+    light += facing * seen * landscapeBelowClouds(landscapeToWorld * placeV) * landscapeSunLight;
   }
   return landscapeDisplayed(landscapeBehindAir(albedo / landscapePi * light, placeV - eyeV));
 }

@@ -41,7 +41,8 @@ void main()
     // The disk of 0.53 degrees has the luminance E / solid angle.
     float fromSun = acos(clamp(dot(d, landscapeSun), -1.0, 1.0));
     luminance += d.z > 0.0 ? smoothstep(0.00475, 0.00455, fromSun) * landscapeSunLight / 6.8e-5 : vec3(0.0);
-    color = landscapeDisplayed(luminance);
+    vec4 clouds = landscapeCloudsIn(d);
+    color = landscapeDisplayed(mix(luminance, clouds.rgb, clouds.w));
   }
   else if (surface.z > -0.5)
   {

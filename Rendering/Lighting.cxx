@@ -87,6 +87,10 @@ void Lighting::SetUniforms(vtkShaderProgram* program) const
   SetUniform(program, "landscapeTexel", texels);
   SetUniform(program, "landscapeMapSize", static_cast<double>(std::max(this->Maps.GetSize(), 1)));
   SetUniform(program, "landscapeOcclusion", this->OcclusionRadius);
+  constexpr double period = 32768.0;
+  const glm::dvec3 below = this->Eye - glm::dvec3(this->CloudDrift, 0.0);
+  SetUniform(program, "landscapeCloudEye", below - period * glm::floor(below / period));
+  SetUniform(program, "landscapeClouds", glm::dvec2(this->CloudCover, std::max(this->CloudHeight - this->Eye.z, 1.0)));
   if (this->Maps.Has(DepthMaps::Zenith))
   {
     SetUniform(program, "landscapeZenithAxes", glm::dmat3(this->Maps.GetMatrix(DepthMaps::Zenith)));

@@ -9,6 +9,7 @@
 #include "vtkSmartPointer.h"
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 
 #include <vector>
 
@@ -33,6 +34,9 @@ public:
   bool FilmCurve = true;
   double Extinction = 0.0;                 ///< of the air [1/m]
   glm::dvec3 CoverColor = glm::dvec3(0.0); ///< albedo of grass, linear
+  double CloudCover = 0.0;                 ///< part of the sky, from 0 to 1
+  double CloudHeight = 1500.0;             ///< [m]
+  glm::dvec2 CloudDrift = glm::dvec2(0.0); ///< [m]
   double OcclusionRadius = 0.0;            ///< distance of what hides the sky [m]
 
   /// Between them, the textures are bound.

@@ -5,6 +5,7 @@
 #include "LandscapeGround.h"
 #include "LandscapeLight.h"
 #include "LandscapeMeans.h"
+#include "LandscapeNoise.h"
 #include "LandscapeQuad.h"
 #include "Lighting.h"
 #include "OpenGL.h"
@@ -185,7 +186,8 @@ void LightingQuad::DrawLit(vtkRenderer* renderer, const Lighting& light)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   std::string source = LandscapeQuad;
-  vtkShaderProgram::Substitute(source, "//VTK::Landscape::Dec", std::string(LandscapeLight) + LandscapeGround);
+  vtkShaderProgram::Substitute(
+    source, "//VTK::Landscape::Dec", std::string(LandscapeNoise) + LandscapeLight + LandscapeGround);
   vtkShaderProgram* program = Ready(this->Quad, window, source.c_str());
   if (!program)
   {

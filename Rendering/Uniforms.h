@@ -24,6 +24,13 @@ inline void SetUniform(vtkShaderProgram* program, const char* name, double value
   program->SetUniformf(name, static_cast<float>(value));
 }
 
+inline void SetUniform(vtkShaderProgram* program, const char* name, const glm::dvec2& value)
+{
+  const glm::vec2 v(value);
+  const float numbers[2] = { v.x, v.y };
+  program->SetUniform2f(name, numbers);
+}
+
 inline void SetUniform(vtkShaderProgram* program, const char* name, const glm::dvec3& value)
 {
   const glm::vec3 v(value);

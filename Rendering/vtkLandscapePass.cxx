@@ -150,9 +150,12 @@ vtkLandscapePass::vtkLandscapePass()
   , Longitude(8.0)
   , Turbidity(2.5)
   , Visibility(30000.0)
+  , CloudCover(0.3)
+  , CloudHeight(1500.0)
+  , CloudDrift{ 0.0, 0.0 }
   , Exposure(INCIDENT)
   , ExposureValue(15.0)
-  , ExposureCompensation(0.0)
+  , ExposureCompensation(0.5)
   , FilmCurve(true)
   , Shadows(true)
   , ShadowDistance(150.0)
@@ -225,6 +228,9 @@ std::string vtkLandscapePass::WhyInvalid() const
   check.Finite("SunAzimuth", this->SunAzimuth, "degrees");
   check.Range("Turbidity", this->Turbidity, 1.0, 10.0);
   check.Positive("Visibility", this->Visibility, "m");
+  check.Finite("CloudHeight", this->CloudHeight, "m");
+  check.Finite("CloudDrift, x", this->CloudDrift[0], "m");
+  check.Finite("CloudDrift, y", this->CloudDrift[1], "m");
   check.Range("ExposureValue", this->ExposureValue, -20.0, 30.0);
   check.Range("ExposureCompensation", this->ExposureCompensation, -20.0, 20.0);
   check.Positive("ShadowDistance", this->ShadowDistance, "m");
@@ -295,6 +301,9 @@ void vtkLandscapePass::TakeLight()
   }
   // L exp(-k V) = 0.02 L at the visibility V  (Koschmieder)
   lighting.Extinction = this->Sky == EVEN ? 0.0 : std::log(50.0) / this->Visibility;
+  lighting.CloudCover = this->Sky == EVEN ? 0.0 : this->CloudCover;
+  lighting.CloudHeight = this->CloudHeight;
+  lighting.CloudDrift = { this->CloudDrift[0], this->CloudDrift[1] };
   lighting.FilmCurve = this->FilmCurve;
   lighting.OcclusionRadius = this->OcclusionRadius;
   lighting.CoverColor = LinearOf(this->CoverColor);
@@ -411,6 +420,9 @@ void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Longitude: " << this->Longitude << "\n";
   os << indent << "Turbidity: " << this->Turbidity << "\n";
   os << indent << "Visibility: " << this->Visibility << "\n";
+  os << indent << "CloudCover: " << this->CloudCover << "\n";
+  os << indent << "CloudHeight: " << this->CloudHeight << "\n";
+  os << indent << "CloudDrift: " << this->CloudDrift[0] << " " << this->CloudDrift[1] << "\n";
   os << indent << "Exposure: " << (this->Exposure == MANUAL ? "manual" : "incident") << "\n";
   os << indent << "ExposureValue: " << this->ExposureValue << "\n";
   os << indent << "ExposureCompensation: " << this->ExposureCompensation << "\n";

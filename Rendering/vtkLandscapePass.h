@@ -101,6 +101,22 @@ public:
   vtkGetMacro(Visibility, double);
   ///@}
 
+  ///@{
+  /** Part of the sky that clouds cover, 0 to 1; their shadows are on the ground. Default 0.3. */
+  vtkSetClampMacro(CloudCover, double, 0.0, 1.0);
+  vtkGetMacro(CloudCover, double);
+  ///@}
+  ///@{
+  /** Height of the clouds [m], above that of the eye; default 1500. */
+  vtkSetMacro(CloudHeight, double);
+  vtkGetMacro(CloudHeight, double);
+  ///@}
+  ///@{
+  /** Way that the clouds have drifted to the east and to the north [m]; default 0, 0. */
+  vtkSetVector2Macro(CloudDrift, double);
+  vtkGetVector2Macro(CloudDrift, double);
+  ///@}
+
   /** Sources of the exposure: the light on a level ground, or a number. */
   enum ExposureType
   {
@@ -120,7 +136,7 @@ public:
   vtkGetMacro(ExposureValue, double);
   ///@}
   ///@{
-  /** Correction of the exposure by steps of a factor of 2; default 0. */
+  /** Correction of the exposure by steps of a factor of 2; default 0.5, as most that grows is darker than grey. */
   vtkSetMacro(ExposureCompensation, double);
   vtkGetMacro(ExposureCompensation, double);
   ///@}
@@ -236,6 +252,9 @@ private:
   double Longitude;
   double Turbidity;
   double Visibility;
+  double CloudCover;
+  double CloudHeight;
+  double CloudDrift[2];
   int Exposure;
   double ExposureValue;
   double ExposureCompensation;

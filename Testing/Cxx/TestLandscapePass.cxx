@@ -69,6 +69,8 @@ struct Picture
     this->Renderer->SetPass(this->Pass);
     this->Pass->FilmCurveOff();
     this->Pass->SetMapSize(1024);
+    this->Pass->SetCloudCover(0.0);
+    this->Pass->SetExposureCompensation(0.0);
   }
 
   vtkActor* Add(vtkPolyData* data, double grey)
