@@ -157,8 +157,9 @@ vtkSmartPointer<vtkUnsignedCharArray> GroundColors(
 }
 
 //----------------------------------------------------------------------------
-void RequireTerrain(vtkImageData* image, const std::string& owner)
+void RequireTerrain(vtkImageData* image, const std::string& source)
 {
+  const std::string owner = source + ", a terrain,";
   RequireFit(image, owner.c_str());
   RequireRaster(image, 2);
   const ArrayReader arrays = ArrayReader::OfPoints(image, owner);

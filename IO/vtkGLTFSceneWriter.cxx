@@ -194,7 +194,7 @@ std::string vtkGLTFSceneWriter::WhyInvalid() const
   check.Choice("LevelForm", this->LevelForm, Low + 1);
   for (const auto& [source, kind] : this->SourceKinds)
   {
-    check.Choice("The kind of source " + std::to_string(source), kind, Plain + 1);
+    check.Choice("SourceKind of source " + std::to_string(source), kind, Plain + 1);
   }
   if (this->WriteCamera)
   {
