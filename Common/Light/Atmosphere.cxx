@@ -23,75 +23,8 @@ constexpr double AerosolHeight = 1.2;
 constexpr double AerosolAlbedo = 0.9;
 constexpr double AngstromExponent = 1.3;
 constexpr double SunBeforeAir = 128.0; // light at right angles to the sun above the air [klx]
-constexpr double SunRadius = 0.2665 * Degree;
-const Vector3 MoleculeScattering(5.802e-3, 13.558e-3, 33.1e-3);
-const Vector3 OzoneAbsorption(0.650e-3, 1.881e-3, 0.085e-3);
-const Vector3 Wavelengths(680.0, 550.0, 440.0);
-
-// Delta-M: of a phase function of the asymmetry g, the part g2 goes straight on, and the rest is 1 + 3 g' cos(angle).
-constexpr double Asymmetry = 0.8;
-constexpr double ForwardPart = Asymmetry * Asymmetry;
-constexpr double RestAsymmetry = Asymmetry / (1.0 + Asymmetry);
-
-constexpr int TransmittanceColumns = 256;
-constexpr int TransmittanceRows = 64;
-constexpr int TransmittanceSteps = 120;
-constexpr int LaterColumns = 32; // by the height of the sun
-constexpr int LaterRows = 20;    // by altitude
-constexpr int LaterSteps = 24;
-constexpr int LaterOrders = 5;
-constexpr int Elevations = 16; // of the directions around a place
-constexpr int Azimuths = 8;    // on one side of the sun's plane
-constexpr int SightSteps = 48;
-
-/// Distance to a sphere around the earth's center from within it.
-double DistanceOut(double sphere, double radius, double cosZenith)
-{
-  return -radius * cosZenith +
-    std::sqrt(std::max(0.0, radius * radius * (cosZenith * cosZenith - 1.0) + sphere * sphere));
-}
-
-/// p(c) = 3 (1 + c2) / (16 pi)  (Rayleigh)
-double MoleculePhase(double cosine)
-{
-  return 3.0 / (16.0 * Pi) * (1.0 + cosine * cosine);
-}
-
-/// p(c) = (1 - g2) / (4 pi (1 + g2 - 2 g c)^(3/2))  (Henyey and Greenstein)
-double AerosolPhase(double cosine, double g)
-{
-  return (1.0 - g * g) / (4.0 * Pi * std::pow(1.0 + g * g - 2.0 * g * cosine, 1.5));
-}
-
-/// Part of the sun's disk that is above the horizon.
-double DiskAboveHorizon(double radius, double cosZenith)
-{
-  const double horizon = -std::sqrt(std::max(0.0, 1.0 - EarthRadius * EarthRadius / (radius * radius)));
-  const double t = std::clamp((cosZenith - horizon) / (2.0 * SunRadius) + 0.5, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
-
-/// Altitude of a row: dense at the ground.
-double AltitudeOf(double row)
-{
-  const double t = row / (LaterRows - 1.0);
-  return (TopRadius - EarthRadius) * t * t * t;
-}
-
-/// Cosine of the sun's angle from the zenith of a column: dense at the horizon.
-double CosSunOf(double column)
-{
-  const double t = 2.0 * column / (LaterColumns - 1.0) - 1.0;
-  return t * std::abs(t);
-}
-
-/// A table's row or column, and the part of the next one.
-std::pair<int, double> Between(double position, int count)
-{
-  const double at = std::clamp(position, 0.0, count - 1.0);
-  const int first = std::min(static_cast<int>(at), count - 2);
-  return { first, at - first };
-}
+constexpr double NightSky = 2e-7;      // luminance of stars and airglow [kcd/m2]
+constexpr int SightParts = 48;
 
 }
 
@@ -372,29 +305,23 @@ Vector3 Atmosphere::SunLight(const Vector3& sun) const
 
 Vector3 Atmosphere::SkyLuminance(const Vector3& direction, const Vector3& sun) const
 {
-  const Vector3 towards = glm::normalize(sun);
-  const double cosine = glm::dot(direction, towards);
-  const double molecules = MoleculePhase(cosine);
-  // Light that went through a thickness tau of aerosols was turned f tau times by their forward peak before, which
-  // makes the asymmetry g^(1 + f tau): that of a phase function of Henyey and Greenstein after another is the product.
-  const auto aerosolsAt = [&](const Place& place) {
-    const double sunwards = this->ToTop(this->AerosolTable, EarthRadius + place.Altitude, place.CosSun);
-    return AerosolPhase(cosine, std::pow(Asymmetry, 1.0 + ForwardPart * (sunwards + place.Aerosols)));
-  };
-  return SunBeforeAir *
-    this->Along(
-      { 0.0, 0.0, this->EyeRadius }, direction, towards, SightSteps,
-      [&](const Place& place) {
-        const Moments later = this->MomentsAt(this->Later, place.Altitude, place.CosSun);
-        return this->LitOnce(place) * (molecules * place.Air.Molecules + aerosolsAt(place) * place.Air.Aerosols) +
-          this->Scattered(later, place, direction, towards);
-      },
-      [&](double cosSun) {
-        const Moments later = this->MomentsAt(this->Later, 0.0, cosSun);
-        // The upper half of the sky: pi (mean + 2 flux), as of a luminance that grows linearly upwards
-        return std::max(cosSun, 0.0) * this->Transmittance(EarthRadius, std::max(cosSun, 0.0)) +
-          Pi * glm::max(later.Mean, Vector3(0.0));
-      });
+  return this->SkyLuminances({ direction }, sun).front();
+}
+
+std::vector<Vector3> Atmosphere::SkyLuminances(const std::vector<Vector3>& directions, const Vector3& sun) const
+{
+  std::vector<Vector3> luminances;
+  if (!directions.empty())
+  {
+    const Vector3 towards = glm::normalize(sun);
+    const SightLine line = this->Air->Layers.Line(this->Air->Altitude, directions.front().z, SightParts);
+    const double night = NightSky * (line.MeetsGround ? this->Air->Parameters.GroundAlbedo : 1.0);
+    for (const Vector3& direction : directions)
+    {
+      luminances.push_back(night + SunBeforeAir * this->Air->Along(line, direction, towards));
+    }
+  }
+  return luminances;
 }
 
 }

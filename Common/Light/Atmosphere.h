@@ -44,7 +44,7 @@ public:
   Vector3 SunLight(const Vector3& sun) const;
 
   /// Luminance in a direction of length 1 under a sun in another, without the sun's disk [kcd/m2]; below the horizon
-  /// with the ground that is seen there.
+  /// with the ground that is seen there. A night has the luminance of stars and airglow everywhere.
   Vector3 SkyLuminance(const Vector3& direction, const Vector3& sun) const;
 
 private:
