@@ -277,12 +277,9 @@ Atmosphere::Atmosphere(const AirParameters& parameters, const ParallelFor& paral
   : Parameters(parameters)
   , EyeRadius(EarthRadius + std::max(1e-3 * parameters.Altitude, 1e-3))
 {
-  // Aerosols are T - 1 times as thick as molecules at 550 nm; tau ~ wavelength^-1.3 (Angstrom)
-  const double thickness = (parameters.Turbidity - 1.0) * MoleculeScattering.y * MoleculeHeight;
-  this->AerosolScattering =
-    AerosolAlbedo * thickness / AerosolHeight * glm::pow(Vector3(550.0) / Wavelengths, Vector3(AngstromExponent));
-  this->MakeTransmittance(parallel);
-  this->MakeLater(parallel);
+  const AirLayers layers(parameters, parallel);
+  this->Air = std::make_shared<const State>(
+    State{ parameters, std::max(1e-3 * parameters.Altitude, 1e-3), layers, LaterLight(layers, parameters, parallel) });
 }
 
 Vector3 Atmosphere::SunLight(const Vector3& sun) const

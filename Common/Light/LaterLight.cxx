@@ -39,7 +39,12 @@ constexpr int Harmonics = (Degrees + 1) * (Degrees + 2) / 2;
 
 constexpr int FirstParts = 28; // of a line, for light that was scattered once
 constexpr int LaterParts = 14;
-constexpr int LastOrder = 5;
+
+/// Order from which on orders have the ratio of those that follow: later in turbid air, and over light ground.
+int LastOrder(const AirParameters& parameters)
+{
+  return static_cast<int>(3.5 + 0.5 * parameters.Turbidity + parameters.GroundAlbedo);
+}
 
 /// A color in single precision; what is next to nothing is nothing, since numbers below 1e-38 are slow.
 Color ColorOf(const Vector3& c)
@@ -577,13 +582,14 @@ void AddOrder(
 
 }
 
-LaterLight::LaterLight(const AirLayers& air, double groundAlbedo, const ParallelFor& parallel)
+LaterLight::LaterLight(const AirLayers& air, const AirParameters& parameters, const ParallelFor& parallel)
 {
-  const OrderMaker maker(air, groundAlbedo);
+  const OrderMaker maker(air, parameters.GroundAlbedo);
+  const int last = LastOrder(parameters);
   Order before = maker.OfSun();
   this->SentTable.resize(before.Sent.size());
   this->GroundTable.resize(before.Ground.size());
-  for (int number = 1; number <= LastOrder; ++number)
+  for (int number = 1; number <= last; ++number)
   {
     Order order;
     parallel(Altitudes + 1, [&](std::size_t begin, std::size_t end) {
@@ -593,7 +599,7 @@ LaterLight::LaterLight(const AirLayers& air, double groundAlbedo, const Parallel
                         : maker.MakeGround(number, before, order);
       }
     });
-    AddOrder(before, order, number == LastOrder, this->SentTable, this->GroundTable);
+    AddOrder(before, order, number == last, this->SentTable, this->GroundTable);
     before = std::move(order);
   }
 }

@@ -18,13 +18,13 @@ namespace littoral
  * Bruneton and F. Neyret, Precomputed atmospheric scattering, 2008), and the light of the sky on level ground.
  *
  * An order of scattering is made of the one before: the light around a place, along lines to all sides, is taken apart
- * into spherical harmonics, of which a phase function is a factor of each degree, and put together again. The orders
- * after the last one are a geometric series.
+ * into spherical harmonics, of which a phase function is a factor of each degree, and put together again. The more
+ * turbid the air, the more orders; those after the last one are a geometric series.
  */
 class LaterLight
 {
 public:
-  LaterLight(const AirLayers& air, double groundAlbedo, const ParallelFor& parallel = SerialFor);
+  LaterLight(const AirLayers& air, const AirParameters& parameters, const ParallelFor& parallel = SerialFor);
 
   /// Light that a place sends along a line, but what comes from the sun itself, per scattering coefficient; cosBetween
   /// of the angle between the line's direction and the sun.
