@@ -35,6 +35,7 @@ constexpr int DownRings = 6;
 constexpr int Rings = UpRings + DownRings;
 constexpr int RingPlaces = 14; // on one side of the sun
 constexpr int Degrees = 14;
+constexpr int Waves = Degrees + 1; // around the zenith
 constexpr int Harmonics = (Degrees + 1) * (Degrees + 2) / 2;
 
 constexpr int FirstParts = 28; // of a line, for light that was scattered once
@@ -203,7 +204,7 @@ HarmonicValues HarmonicsAt(double z)
   HarmonicValues values{};
   double diagonal = 1.0;
   int at = 0;
-  for (int m = 0; m <= Degrees; ++m)
+  for (int m = 0; m < Waves; ++m)
   {
     double before = 0.0;
     double p = diagonal;
@@ -228,7 +229,7 @@ public:
 
   Sphere()
   {
-    for (int m = 0; m <= Degrees; ++m)
+    for (int m = 0; m < Waves; ++m)
     {
       for (int k = 0; k < RingPlaces; ++k)
       {
@@ -248,15 +249,15 @@ public:
   /// Adds a ring's light of a weight: part_lm = mean of L P_lm(z) cos(m azimuth).
   void Add(const Color* ring, float weight, const HarmonicValues& harmonics, Parts& parts) const
   {
-    std::array<Color, Degrees + 1> waves{};
+    std::array<Color, Waves> waves{};
     for (int k = 0; k < RingPlaces; ++k)
     {
-      for (int m = 0; m <= Degrees; ++m)
+      for (int m = 0; m < Waves; ++m)
       {
         waves[m] += this->RingWaves[k][m] * ring[k];
       }
     }
-    for (int m = 0, at = 0; m <= Degrees; ++m)
+    for (int m = 0, at = 0; m < Waves; ++m)
     {
       const Color wave = weight * waves[m];
       for (int l = m; l <= Degrees; ++l, ++at)
@@ -272,7 +273,7 @@ public:
     for (int view = 0; view < Views; ++view)
     {
       std::array<Color, Azimuths> values{};
-      for (int m = 0, at = 0; m <= Degrees; ++m)
+      for (int m = 0, at = 0; m < Waves; ++m)
       {
         Color wave{};
         for (int l = m; l <= Degrees; ++l, ++at)
@@ -292,8 +293,8 @@ public:
   }
 
 private:
-  std::array<std::array<float, Degrees + 1>, RingPlaces> RingWaves;
-  std::array<std::array<float, Azimuths>, Degrees + 1> TableWaves;
+  std::array<std::array<float, Waves>, RingPlaces> RingWaves;
+  std::array<std::array<float, Azimuths>, Waves> TableWaves;
   std::array<HarmonicValues, Views> TableHarmonics;
 };
 
@@ -428,7 +429,7 @@ private:
     const AirLayers::Coefficients c = this->Air.At(altitude);
     const Vector3 molecules = c.Molecules / (c.Molecules + c.Aerosols);
     std::array<Color, Harmonics> factors;
-    for (int m = 0, at = 0; m <= Degrees; ++m)
+    for (int m = 0, at = 0; m < Waves; ++m)
     {
       for (int l = m; l <= Degrees; ++l, ++at)
       {
