@@ -75,6 +75,17 @@ std::vector<Sample> SamplesOf(const SkyTables& sky)
   return samples;
 }
 
+/// E = integral of L cos
+Vector3 LightOnPlane(const std::vector<Sample>& samples, const Vector3& normal)
+{
+  Vector3 light(0.0);
+  for (const Sample& sample : samples)
+  {
+    light += std::max(glm::dot(normal, sample.Direction), 0.0) * sample.Light;
+  }
+  return light;
+}
+
 }
 
 Vector3 ColorTable::Between(double x, double y) const
@@ -106,41 +117,45 @@ Vector3 SkyTables::LightOn(const Vector3& normal) const
 
 SkyTables TabulateSky(const Atmosphere& air, const Vector3& sun, const ParallelFor& parallel)
 {
+  return TabulateSky([&](const std::vector<Vector3>& directions) { return air.SkyLuminances(directions, sun); }, sun,
+    air.SunLight(sun), parallel);
+}
+
+SkyTables TabulateSky(
+  const SkyRow& luminances, const Vector3& sun, const Vector3& sunLight, const ParallelFor& parallel)
+{
   SkyTables sky;
   sky.Sun = glm::normalize(sun);
-  sky.SunLight = air.SunLight(sky.Sun);
+  sky.SunLight = sunLight;
   const double from = std::atan2(sky.Sun.y, sky.Sun.x);
   sky.Dome = { SkyTables::DomeColumns, SkyTables::DomeRows, {} };
   sky.Dome.Colors.resize(static_cast<std::size_t>(SkyTables::DomeColumns) * SkyTables::DomeRows);
   parallel(SkyTables::DomeRows, [&](std::size_t begin, std::size_t end) {
-    for (int row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
+    for (std::size_t row = begin; row < end; ++row)
     {
-      const double up = ElevationOf(row);
+      const double up = ElevationOf(static_cast<int>(row));
+      std::vector<Vector3> directions;
       for (int column = 0; column < SkyTables::DomeColumns; ++column)
       {
         const double part = column / (SkyTables::DomeColumns - 1.0);
         const double around = from + Pi * part * part;
-        sky.Dome.At(column, row) =
-          air.SkyLuminance({ std::cos(up) * std::cos(around), std::cos(up) * std::sin(around), std::sin(up) }, sky.Sun);
+        directions.emplace_back(std::cos(up) * std::cos(around), std::cos(up) * std::sin(around), std::sin(up));
       }
+      const std::vector<Vector3> colors = luminances(directions);
+      std::copy(colors.begin(), colors.end(), &sky.Dome.At(0, static_cast<int>(row)));
     }
   });
   const std::vector<Sample> samples = SamplesOf(sky);
   sky.Light = { SkyTables::LightSize, SkyTables::LightSize, {} };
   sky.Light.Colors.resize(static_cast<std::size_t>(SkyTables::LightSize) * SkyTables::LightSize);
   parallel(SkyTables::LightSize, [&](std::size_t begin, std::size_t end) {
-    for (int row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
+    for (std::size_t row = begin; row < end; ++row)
     {
       for (int column = 0; column < SkyTables::LightSize; ++column)
       {
-        const Vector3 normal = OctahedronNormal(
-          2.0 * column / (SkyTables::LightSize - 1.0) - 1.0, 2.0 * row / (SkyTables::LightSize - 1.0) - 1.0);
-        Vector3 light(0.0);
-        for (const Sample& sample : samples)
-        {
-          light += std::max(glm::dot(normal, sample.Direction), 0.0) * sample.Light;
-        }
-        sky.Light.At(column, row) = light;
+        const double v = 2.0 * static_cast<double>(row) / (SkyTables::LightSize - 1.0) - 1.0;
+        const double u = 2.0 * column / (SkyTables::LightSize - 1.0) - 1.0;
+        sky.Light.At(column, static_cast<int>(row)) = LightOnPlane(samples, OctahedronNormal(u, v));
       }
     }
   });

@@ -8,6 +8,7 @@
 #include "Numerics/Vector3.h"
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace littoral
@@ -51,6 +52,13 @@ struct SkyTables
 };
 
 SkyTables TabulateSky(const Atmosphere& air, const Vector3& sun, const ParallelFor& parallel = SerialFor);
+
+/// Luminances in directions of one elevation [kcd/m2], as Atmosphere::SkyLuminances.
+using SkyRow = std::function<std::vector<Vector3>(const std::vector<Vector3>& directions)>;
+
+/// Tables of any sky that is the same on both sides of the sun.
+SkyTables TabulateSky(
+  const SkyRow& luminances, const Vector3& sun, const Vector3& sunLight, const ParallelFor& parallel = SerialFor);
 
 }
 
