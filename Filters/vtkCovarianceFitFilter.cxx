@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCovarianceFitFilter.h"
 
+#include "Data/Arrays.h"
 #include "Data/Georeference.h"
 #include "Data/Inputs.h"
 #include "Data/Tables.h"
@@ -53,7 +54,7 @@ littoral::GridSamples ReadSamples(vtkImageData* image, vtkDataArray* array, bool
   samples.Width = dimensions[0];
   samples.Height = dimensions[1];
   samples.Spacing = { image->GetSpacing()[0], image->GetSpacing()[1] };
-  samples.Values.resize(static_cast<std::size_t>(image->GetNumberOfPoints()));
+  littoral::SetSize(samples.Values, image->GetNumberOfPoints());
   for (std::size_t i = 0; i < samples.Values.size(); ++i)
   {
     const double value = array->GetComponent(static_cast<vtkIdType>(i), 0);

@@ -343,7 +343,8 @@ void vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
   littoral::Require(count > std::numeric_limits<int>::max() ? "More particles than 2147483647 have no levels." : "");
   littoral::RequireMemory(
     BytesAParticle * static_cast<double>(count), "A water of " + std::to_string(count) + " particles", "take fewer");
-  std::vector<littoral::Vector3> places(static_cast<std::size_t>(count));
+  std::vector<littoral::Vector3> places;
+  littoral::SetSize(places, count);
   const littoral::Poll poll = littoral::PollOf(this);
   littoral::SteppedPoll steps(poll);
   auto* single = vtkFloatArray::SafeDownCast(points);

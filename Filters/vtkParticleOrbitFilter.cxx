@@ -61,7 +61,8 @@ bool IsAtSeaLevel(vtkPoints* points, double level)
 std::vector<int> ReadTrainCounts(vtkPointSet* input)
 {
   vtkDataArray* array = littoral::ArrayReader::OfPoints(input, "a set of particles").Find(littoral::sea::TrainCount, 1);
-  std::vector<int> counts(array ? static_cast<std::size_t>(array->GetNumberOfTuples()) : 0);
+  std::vector<int> counts;
+  littoral::SetSize(counts, array ? array->GetNumberOfTuples() : 0);
   for (std::size_t id = 0; id < counts.size(); ++id)
   {
     const double count = array->GetComponent(static_cast<vtkIdType>(id), 0);
@@ -113,14 +114,7 @@ template <typename Array>
 vtkSmartPointer<Array> CentersOf(vtkPointSet* input)
 {
   auto centers = vtkSmartPointer<Array>::New();
-  if (Array* own = Array::SafeDownCast(input->GetPoints()->GetData()))
-  {
-    centers->ShallowCopy(own);
-  }
-  else
-  {
-    centers->DeepCopy(input->GetPoints()->GetData());
-  }
+  centers->ShallowCopy(littoral::WithType<Array>(input->GetPoints()->GetData()));
   centers->SetName("Center");
   return centers;
 }
@@ -160,7 +154,7 @@ struct MovedArrays
     {
       this->Normals = littoral::NewArray<Array>("Normals", 3, count);
       this->Jacobian = littoral::NewArray<Array>("Jacobian", 1, count);
-      this->Gradient.resize(5 * static_cast<std::size_t>(count));
+      littoral::SetSize(this->Gradient, 5 * count);
       this->Request.Gradient = this->Gradient.data();
       arrays->SetNormals(this->Normals);
       arrays->AddArray(this->Jacobian);

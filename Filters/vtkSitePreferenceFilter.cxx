@@ -46,6 +46,7 @@ namespace
 constexpr int SitesPort = 0;
 constexpr int TerrainPort = 1;
 constexpr int PreferencesPort = 2;
+constexpr double BytesOfSite = 100.0; // in the output, without the arrays of the input
 constexpr double LargestIdentity = 9007199254740992.0; // 2^53
 
 using Factor = littoral::GroundFactor;
@@ -264,8 +265,9 @@ int vtkSitePreferenceFilter::RequestData(
   littoral::RequireLengths(sites, "Sites", littoral::FarForPoints);
   const Sites arrays(sites);
   const auto count = static_cast<double>(sites->GetNumberOfPoints());
-  littoral::RequireMemory(
-    2.0 * sizeof(KeptSite) * count, "the choice of " + littoral::TextOf(count) + " sites", "take fewer");
+  const double ofArrays = 1024.0 * static_cast<double>(sites->GetPointData()->GetActualMemorySize());
+  littoral::RequireMemory((2.0 * sizeof(KeptSite) + BytesOfSite) * count + ofArrays,
+    "the choice of " + littoral::TextOf(count) + " sites", "take fewer");
   const littoral::Poll poll = littoral::PollOf(this);
   littoral::SteppedPoll steps(poll);
   std::vector<KeptSite> kept;

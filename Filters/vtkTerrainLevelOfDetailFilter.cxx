@@ -467,7 +467,7 @@ void vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataAr
   image->GetPoint(0, corner);
   samples.Origin = { corner[0], corner[1] };
   samples.Spacing = { image->GetSpacing()[0], image->GetSpacing()[1] };
-  samples.Values.resize(static_cast<std::size_t>(image->GetNumberOfPoints()));
+  littoral::SetSize(samples.Values, image->GetNumberOfPoints());
   const littoral::Poll poll = littoral::PollOf(this);
   littoral::SteppedPoll steps(poll);
   for (std::size_t i = 0; i < samples.Values.size(); ++i)

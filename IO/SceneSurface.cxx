@@ -52,7 +52,7 @@ std::vector<float> NumbersOf(vtkDataArray* array, int components)
     return numbers;
   }
   const vtkIdType count = array->GetNumberOfTuples();
-  numbers.resize(static_cast<std::size_t>(count) * components);
+  SetSize(numbers, count * components);
   auto* floats = vtkFloatArray::FastDownCast(array);
   if (floats && floats->GetNumberOfComponents() == components)
   {
@@ -107,7 +107,8 @@ std::vector<float> LinearColors(vtkUnsignedCharArray* colors, const ColorSum& me
   }
   const int parts = colors->GetNumberOfComponents();
   const unsigned char* byte = colors->GetPointer(0);
-  std::vector<float> linear(static_cast<std::size_t>(colors->GetNumberOfValues()));
+  std::vector<float> linear;
+  SetSize(linear, colors->GetNumberOfValues());
   for (std::size_t value = 0; value < linear.size(); ++value)
   {
     linear[value] = tables[value % parts][byte[value]];

@@ -94,7 +94,9 @@ vtkSmartPointer<vtkCellArray> QuadsOf(vtkDataArray* heights, vtkIdType columns, 
 /// The points of polygons that have one, with their arrays, and the polygons on them.
 vtkSmartPointer<vtkPolyData> UsedPart(vtkPolyData* whole)
 {
-  std::vector<vtkIdType> places(static_cast<std::size_t>(whole->GetNumberOfPoints()), -1);
+  std::vector<vtkIdType> places;
+  SetSize(places, whole->GetNumberOfPoints());
+  std::fill(places.begin(), places.end(), -1);
   std::vector<vtkIdType> used;
   vtkNew<vtkCellArray> polygons;
   vtkIdType size = 0;
@@ -219,7 +221,7 @@ vtkSmartPointer<vtkPolyData> TerrainOf(vtkImageData* image)
   }
   // Tells what it is, whatever the name of the scalars.
   vtkNew<vtkFloatArray> heights;
-  heights->DeepCopy(samples.Heights);
+  heights->ShallowCopy(WithType<vtkFloatArray>(samples.Heights));
   heights->SetName(Elevation);
   own->AddArray(heights);
   const vtkIdType whole = static_cast<vtkIdType>(samples.Columns - 1) * (samples.Rows - 1);

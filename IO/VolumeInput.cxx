@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumeInput.h"
 
+#include "Data/Arrays.h"
+
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -124,17 +126,6 @@ bool IsProper(const VolumeLattice& lattice)
   return proper;
 }
 
-vtkSmartPointer<vtkFloatArray> AsFloat(vtkDataArray* array)
-{
-  vtkSmartPointer<vtkFloatArray> numbers = vtkFloatArray::FastDownCast(array);
-  if (!numbers)
-  {
-    numbers = vtkSmartPointer<vtkFloatArray>::New();
-    numbers->DeepCopy(array);
-  }
-  return numbers;
-}
-
 VolumeVectors VectorsOf(vtkDataSetAttributes* arrays, int index)
 {
   switch (arrays->IsArrayAnAttribute(index))
@@ -202,7 +193,7 @@ void AddArray(
   const SampleSet& set, int index, const std::string& place, const VolumeRemarks& remarks, std::vector<Volume>& volumes)
 {
   vtkDataArray* array = set.Arrays->GetArray(index);
-  const auto numbers = AsFloat(array);
+  const auto numbers = WithType<vtkFloatArray>(array);
   const int components = numbers->GetNumberOfComponents();
   const bool whole = components == 1 || components == 3;
   Volume volume;

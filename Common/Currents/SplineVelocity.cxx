@@ -47,6 +47,13 @@ SplineVelocity::SplineVelocity(std::shared_ptr<const SampledVelocity> samples, c
 {
 }
 
+double SplineVelocity::BytesOf(const SampledVelocity& samples, int threads)
+{
+  return WaterMask::BytesOf(samples) +
+    VelocitySpline::BytesOf({ samples.Nodes(0).size(), samples.Nodes(1).size(), samples.Nodes(2).size() },
+      samples.IsSingle(), threads);
+}
+
 bool SplineVelocity::CanBe(const SampledVelocity& samples)
 {
   return SplineAxis::IsMonotone(samples.Nodes(0)) && SplineAxis::IsMonotone(samples.Nodes(1)) &&

@@ -21,6 +21,9 @@ public:
   /// Samples for which CanBe is true.
   explicit SplineVelocity(std::shared_ptr<const SampledVelocity> samples, const ParallelFor& parallel = SerialFor);
 
+  /// Memory that it takes at most while it is made on so many threads [bytes].
+  static double BytesOf(const SampledVelocity& samples, int threads);
+
   /// Whether the samples are strictly ordered along each axis.
   static bool CanBe(const SampledVelocity& samples);
 

@@ -224,6 +224,16 @@ VelocitySpline::VelocitySpline(const std::array<SplineAxis, 3>& axes, const std:
   }
 }
 
+double VelocitySpline::BytesOf(const std::array<std::size_t, 3>& samples, bool isSingle, int threads)
+{
+  const double count =
+    static_cast<double>(samples[0]) * static_cast<double>(samples[1]) * static_cast<double>(samples[2]);
+  const auto longest = static_cast<double>(*std::max_element(samples.begin(), samples.end()));
+  // Samples whose lines are solved at a time: the numbers, the solution and a copy of it
+  const double solved = std::min(count, longest * static_cast<double>(LinesAtOnce) * threads);
+  return 3.0 * (isSingle ? sizeof(float) : sizeof(double)) * count + 9.0 * sizeof(double) * solved;
+}
+
 Vector3 VelocitySpline::At(const Vector3& position) const
 {
   SplineAxis::Weights weights[3];

@@ -65,6 +65,9 @@ public:
   VelocitySpline(const std::array<SplineAxis, 3>& axes, const std::function<Vector3(std::size_t)>& sample,
     bool isSingle = false, const ParallelFor& parallel = SerialFor);
 
+  /// Memory that it takes at most while it is made on so many threads [bytes].
+  static double BytesOf(const std::array<std::size_t, 3>& samples, bool isSingle, int threads);
+
   /// The velocity at a position along the axes; at rest outside.
   Vector3 At(const Vector3& position) const;
 

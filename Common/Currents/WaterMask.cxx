@@ -15,12 +15,30 @@ namespace
 /// A sample acts on a spline by 0.27 a sample: after these the rest is below 1e-9 of it.
 constexpr int ContinuedSamples = 16;
 
+std::size_t NumberOf(const SampledVelocity& samples)
+{
+  return samples.Nodes(0).size() * samples.Nodes(1).size() * samples.Nodes(2).size();
+}
+
+}
+
+double WaterMask::BytesOf(const SampledVelocity& samples)
+{
+  const std::size_t count = NumberOf(samples);
+  std::size_t land = 0;
+  for (std::size_t id = 0; id < count; ++id)
+  {
+    land += samples.IsWater(id) ? 0 : 1;
+  }
+  // Whether it is water and known, and its velocity; numbers of land are in three lists that grow by doubling.
+  const double ofAll = land > 0 ? (2.0 + sizeof(Vector3)) * static_cast<double>(count) : 0.0;
+  return ofAll + 4.0 * sizeof(std::size_t) * static_cast<double>(land);
 }
 
 WaterMask::WaterMask(const SampledVelocity& samples)
   : Nodes{ samples.Nodes(0), samples.Nodes(1), samples.Nodes(2) }
 {
-  const std::size_t count = this->Nodes[0].size() * this->Nodes[1].size() * this->Nodes[2].size();
+  const std::size_t count = NumberOf(samples);
   for (std::size_t id = 0; id < count; ++id)
   {
     if (!samples.IsWater(id))

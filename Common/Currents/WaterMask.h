@@ -20,6 +20,9 @@ class WaterMask
 public:
   explicit WaterMask(const SampledVelocity& samples);
 
+  /// Memory that a mask and Continued() take at most [bytes].
+  static double BytesOf(const SampledVelocity& samples);
+
   /// Whether all samples are water.
   bool IsOpen() const { return this->Water.empty(); }
 

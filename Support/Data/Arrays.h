@@ -3,17 +3,19 @@
 #ifndef LittoralSupportArrays_h
 #define LittoralSupportArrays_h
 
-// Arrays from numbers, and arrays that are about to be filled. Private: never installed, never wrapped.
+// Arrays from numbers, and arrays and vectors that are about to be filled. Private: never installed, never wrapped.
 
 #include "Numerics/Vector3.h"
 
+#include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkTypeTraits.h"
 
+#include <cstddef>
 #include <type_traits>
 #include <vector>
 
-class vtkAbstractArray;
 class vtkPoints;
 
 namespace littoral
@@ -22,6 +24,27 @@ namespace littoral
 /// Sets the number of tuples of an array. Throws InvalidInput where there is no memory for them: VTK itself ends the
 /// program, as distributions compile it.
 void SetTuples(vtkAbstractArray* array, vtkIdType tuples);
+
+/// Throws InvalidInput where there is no memory for so many values of a list.
+void RequireMemoryOfList(double values, double bytesOfValue);
+
+/// Sets the size of a vector by that of an input. Throws InvalidInput where there is no memory for it.
+template <typename Value>
+void SetSize(std::vector<Value>& values, vtkIdType size)
+{
+  RequireMemoryOfList(static_cast<double>(size), sizeof(Value));
+  values.resize(static_cast<std::size_t>(size));
+}
+
+/// The array itself if it lies in memory as numbers of the type, else a copy that does. Throws InvalidInput where there
+/// is no memory for it.
+vtkSmartPointer<vtkDataArray> WithType(vtkDataArray* array, int type);
+
+template <typename Array>
+vtkSmartPointer<Array> WithType(vtkDataArray* array)
+{
+  return Array::SafeDownCast(WithType(array, vtkTypeTraits<typename Array::ValueType>::VTK_TYPE_ID));
+}
 
 /// An array with a name and room for tuples, not filled.
 template <typename Array>

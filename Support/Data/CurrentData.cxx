@@ -5,6 +5,7 @@
 #include "Currents/LinearVelocity.h"
 #include "Currents/SplineVelocity.h"
 #include "Data/ArrayReader.h"
+#include "Data/Arrays.h"
 #include "Data/Cells.h"
 #include "Data/FlowPrimitiveData.h"
 #include "Data/Inputs.h"
@@ -21,6 +22,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkSMPThreadLocal.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkStaticCellLocator.h"
 
@@ -53,9 +55,8 @@ public:
     }
     else
     {
-      vtkNew<vtkDoubleArray> copy;
-      copy->DeepCopy(array);
-      this->Array = copy.Get();
+      const auto copy = WithType<vtkDoubleArray>(array);
+      this->Array = copy;
       this->Double = copy->GetPointer(0);
     }
   }
@@ -238,6 +239,8 @@ private:
   std::vector<double> Coordinates[3];
 };
 
+constexpr double BytesOfCell = 150.0; // in the locator
+
 /// Any cells: the one around a place is found, and its own interpolation taken.
 class CellVelocity : public VelocityGrid
 {
@@ -246,6 +249,8 @@ public:
     : Data(vtkSmartPointer<vtkDataSet>::Take(data->NewInstance()))
     , Values(array)
   {
+    RequireMemory(
+      BytesOfCell * static_cast<double>(data->GetNumberOfCells()), "The search in the cells of a current", "take a part of it");
     this->Data->ShallowCopy(data);
     this->Locator->SetDataSet(this->Data);
     this->Locator->BuildLocator();
@@ -356,13 +361,19 @@ vtkDataArray* FindVelocities(vtkDataSet* data, const std::string& name)
   return found;
 }
 
+std::shared_ptr<const VelocityGrid> SplineOf(const std::shared_ptr<const SampledVelocity>& samples)
+{
+  RequireMemory(SplineVelocity::BytesOf(*samples, vtkSMPTools::GetEstimatedNumberOfThreads()),
+    "The spline of a current", "take a part of it, or Linear as VelocityInterpolation");
+  return std::make_shared<SplineVelocity>(samples, SmpFor);
+}
+
 void TakeDataSet(vtkDataSet* data, const std::string& name, VelocityInterpolation interpolation,
   std::vector<FlowPrimitive>& primitives, std::vector<std::shared_ptr<const VelocityGrid>>& grids)
 {
   const auto add = [&](const std::shared_ptr<const SampledVelocity>& samples) {
     const bool isSpline = interpolation == VelocityInterpolation::CubicSpline && SplineVelocity::CanBe(*samples);
-    grids.push_back(isSpline ? std::make_shared<SplineVelocity>(samples, SmpFor)
-                             : std::static_pointer_cast<const VelocityGrid>(samples));
+    grids.push_back(isSpline ? SplineOf(samples) : samples);
   };
   if (data->GetNumberOfPoints() == 0)
   {

@@ -3,6 +3,7 @@
 #include "Data/Followers.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/Arrays.h"
 #include "Data/SeaStateTable.h"
 #include "Numerics/InvalidInput.h"
 
@@ -24,7 +25,7 @@ Slaves ReadSlaves(vtkPointSet* input)
     return slaves;
   }
   const vtkIdType points = input->GetNumberOfPoints();
-  slaves.Master.resize(static_cast<std::size_t>(points));
+  SetSize(slaves.Master, points);
   for (vtkIdType id = 0; id < points; ++id)
   {
     const double value = master->GetComponent(id, 0);

@@ -32,7 +32,7 @@ void PickTuples(vtkDataSetAttributes* from, const std::vector<vtkIdType>& places
 {
   const auto count = static_cast<vtkIdType>(places.size());
   to->CopyAllOn();
-  to->CopyAllocate(from, count);
+  to->CopyAllocate(from, 1); // of their types; SetTuples makes the room
   for (int index = 0; index < from->GetNumberOfArrays(); ++index)
   {
     vtkAbstractArray* whole = from->GetAbstractArray(index);

@@ -3,6 +3,7 @@
 #include "Data/PlantBlocks.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/Arrays.h"
 #include "Data/SeaweedBlocks.h"
 
 #include "vtkCellArray.h"
@@ -222,7 +223,7 @@ Skeleton ReadSkeleton(vtkPolyData* block)
   auto* radii = points.Need<vtkFloatArray>(plant::Radius, 1);
   Skeleton skeleton;
   const vtkIdType nodes = block->GetNumberOfPoints();
-  skeleton.Nodes.resize(static_cast<std::size_t>(nodes));
+  SetSize(skeleton.Nodes, nodes);
   for (vtkIdType node = 0; node < nodes; ++node)
   {
     SkeletonNode& to = skeleton.Nodes[static_cast<std::size_t>(node)];

@@ -54,18 +54,6 @@ const KnownArray KnownArrays[] = {
   { seaweed::Across, ArrayUse::Directions, VTK_FLOAT, 3 },
 };
 
-/// The array itself if it has the type, else a copy that has.
-vtkSmartPointer<vtkDataArray> WithType(vtkDataArray* array, int type)
-{
-  if (array->GetDataType() == type && array->HasStandardMemoryLayout())
-  {
-    return array;
-  }
-  auto copy = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
-  copy->DeepCopy(array);
-  return copy;
-}
-
 /// Use of an array of a block.
 PartArray UseOf(const char* name, vtkDataArray* array)
 {

@@ -3,6 +3,7 @@
 #include "Data/PointPattern.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/Arrays.h"
 #include "Data/Places.h"
 #include "Numerics/InvalidInput.h"
 #include "Numerics/ParameterCheck.h"
@@ -23,7 +24,8 @@ namespace littoral
 std::vector<PlanePosition> PlanePositionsOf(vtkPointSet* points)
 {
   RequireLengths(points, "Input", FarForPoints);
-  std::vector<PlanePosition> positions(static_cast<std::size_t>(points->GetNumberOfPoints()));
+  std::vector<PlanePosition> positions;
+  SetSize(positions, points->GetNumberOfPoints());
   for (std::size_t n = 0; n < positions.size(); ++n)
   {
     double position[3];
@@ -91,6 +93,7 @@ std::vector<double> ReadMarks(vtkPointSet* points, const std::string& name)
 {
   std::vector<double> marks;
   vtkDataArray* array = ArrayReader::OfPoints(points, "The input").Need(name.c_str(), 1);
+  SetSize(marks, array->GetNumberOfTuples());
   for (vtkIdType n = 0; n < array->GetNumberOfTuples(); ++n)
   {
     const double mark = array->GetComponent(n, 0);
@@ -98,7 +101,7 @@ std::vector<double> ReadMarks(vtkPointSet* points, const std::string& name)
     {
       Refuse("The mark ", name, " of point ", n, " is missing or not positive.");
     }
-    marks.push_back(mark);
+    marks[static_cast<std::size_t>(n)] = mark;
   }
   return marks;
 }
@@ -106,19 +109,20 @@ std::vector<double> ReadMarks(vtkPointSet* points, const std::string& name)
 std::vector<std::string> ReadSpecies(vtkPointSet* points, const std::string& name)
 {
   std::vector<std::string> species;
+  SetSize(species, points->GetNumberOfPoints());
   const ArrayReader reader = ArrayReader::OfPoints(points, "The input");
   if (vtkStringArray* texts = reader.FindTexts(name.c_str()))
   {
-    for (vtkIdType n = 0; n < texts->GetNumberOfValues(); ++n)
+    for (vtkIdType n = 0; n < points->GetNumberOfPoints(); ++n)
     {
-      species.push_back(texts->GetValue(n));
+      species[static_cast<std::size_t>(n)] = texts->GetValue(n);
     }
     return species;
   }
   vtkDataArray* array = reader.Need(name.c_str(), 1);
   for (vtkIdType n = 0; n < array->GetNumberOfTuples(); ++n)
   {
-    species.push_back(TextOf(array->GetComponent(n, 0)));
+    species[static_cast<std::size_t>(n)] = TextOf(array->GetComponent(n, 0));
   }
   return species;
 }

@@ -3,6 +3,7 @@
 #include "Data/ProcessTable.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/Arrays.h"
 #include "Data/Inputs.h"
 #include "Numerics/ParameterCheck.h"
 #include "Patterns/IntensityTrend.h"
@@ -129,7 +130,7 @@ void ReadIntensity(vtkImageData* image, vtkDataArray* values, IntensityRaster& r
     raster.Center[axis] = image->GetOrigin()[axis] + extent[2 * axis] * raster.Spacing[axis];
     raster.Count[axis] = extent[2 * axis + 1] - extent[2 * axis] + 1;
   }
-  raster.Values.resize(static_cast<std::size_t>(values->GetNumberOfTuples()));
+  SetSize(raster.Values, values->GetNumberOfTuples());
   for (std::size_t n = 0; n < raster.Values.size(); ++n)
   {
     raster.Values[n] = values->GetComponent(static_cast<vtkIdType>(n), 0);

@@ -59,7 +59,8 @@ void AddSegments(const Skeleton& skeleton, const std::vector<SeaweedSegment>& se
 std::vector<SeaweedSegment> ReadSegments(vtkPolyData* block)
 {
   const vtkIdType nodes = block->GetNumberOfPoints();
-  std::vector<SeaweedSegment> segments(static_cast<std::size_t>(nodes));
+  std::vector<SeaweedSegment> segments;
+  SetSize(segments, nodes);
   const ArrayReader points = ArrayReader::OfPoints(block, "High/Skeleton");
   const struct
   {

@@ -3,6 +3,7 @@
 #include "Data/Survey.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/Arrays.h"
 #include "Data/Inputs.h"
 #include "Data/Places.h"
 #include "Numerics/InvalidInput.h"
@@ -90,7 +91,8 @@ void TakeGrid(vtkImageData* grid, Survey& survey)
 //----------------------------------------------------------------------------
 void TakeDrift(vtkDataArray* drift, Survey& survey)
 {
-  std::vector<double> values(static_cast<std::size_t>(drift->GetNumberOfTuples()));
+  std::vector<double> values;
+  SetSize(values, drift->GetNumberOfTuples());
   for (std::size_t n = 0; n < values.size(); ++n)
   {
     values[n] = drift->GetComponent(static_cast<vtkIdType>(n), 0);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/TerrainHeights.h"
 
+#include "Data/Arrays.h"
 #include "Data/Inputs.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Memory.h"
@@ -67,7 +68,7 @@ GridSamples ReadHeights(
   heights.Width = size[0];
   heights.Height = size[1];
   heights.Spacing = { image->GetSpacing()[0], image->GetSpacing()[1] };
-  heights.Values.resize(static_cast<std::size_t>(image->GetNumberOfPoints()));
+  SetSize(heights.Values, image->GetNumberOfPoints());
   for (std::size_t cell = 0; cell < heights.Values.size(); ++cell)
   {
     const double height = values->GetComponent(static_cast<vtkIdType>(cell), 0);

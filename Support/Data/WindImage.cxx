@@ -3,6 +3,7 @@
 #include "Data/WindImage.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/Arrays.h"
 #include "Data/Tables.h"
 #include "Numerics/InvalidInput.h"
 #include "Pipeline/Pipeline.h"
@@ -24,17 +25,6 @@ namespace littoral
 
 namespace
 {
-
-vtkSmartPointer<vtkFloatArray> FloatsOf(vtkDataArray* array)
-{
-  vtkSmartPointer<vtkFloatArray> floats = vtkFloatArray::SafeDownCast(array);
-  if (!floats)
-  {
-    floats = vtkSmartPointer<vtkFloatArray>::New();
-    floats->DeepCopy(array);
-  }
-  return floats;
-}
 
 /// Parameters of the model of a wind and their names as field data.
 template <typename Model, typename Visit>
@@ -130,7 +120,7 @@ WindTimes ReadTimes(vtkImageData* image)
 vtkSmartPointer<vtkFloatArray> ReadVelocity(vtkImageData* image)
 {
   const ArrayReader points = ArrayReader::OfPoints(image, "The wind");
-  vtkSmartPointer<vtkFloatArray> floats = FloatsOf(points.Need("Velocity", WindComponents));
+  const auto floats = WithType<vtkFloatArray>(points.Need("Velocity", WindComponents));
   points.NeedFinite(floats);
   return floats;
 }
