@@ -13,7 +13,7 @@ from states import visible
 from TestScenes import check
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import vtkPointGaussianMapper, vtkWindowToImageFilter
-from window import apart, picture
+from window import apart, picture, small_view
 
 #: A VTK that can draw points as ellipses hands on no depth to their fragments, which then fade as at 1 m: from ParaView
 #: 5.13 and VTK 9.4 on.
@@ -71,38 +71,53 @@ def check_foam(_):
     assert 0.001 < white < 0.1, f"Sea: foam on {white:.2%}"
 
 
-def sight():
+def sight(view=None):
     """Heights of the eye and of what it looks at [m]."""
-    camera = simple.GetActiveView().GetActiveCamera()
+    camera = (view or simple.GetActiveView()).GetActiveCamera()
     return np.array([camera.GetPosition()[2], camera.GetFocalPoint()[2]])
 
 
-def check_depth(depth, seen):
-    """The bed, the particles and the sight, in depths of the water, are those of a depth."""
+def another_view(eye, focus):
+    """Another view of the water at those heights [m], which does not become the active one."""
+    active, view = simple.GetActiveView(), small_view((60, 40))
+    simple.Show(simple.FindSource("Particles"), view)
+    view.CameraPosition, view.CameraFocalPoint = [0.0, -5.0, eye], [0.0, 0.0, focus]
+    simple.SetActiveView(active)
+    return view
+
+
+def check_depth(depth, seen, under, over):
+    """The bed, the particles and the sight, in depths of the water, are those of a depth; so is that of another view under
+    water, and not that of one over it."""
     water = simple.FindSource("Water")
     simple.FindSource("Relief").UpdatePipeline()
     low, high = simple.FindSource("Relief").PointData["Elevation"].GetRange()
     assert low < -depth < high < 0.0 and np.isclose(water.Bounds[4], -depth), f"a bed from {low} to {high} m"
-    assert np.allclose(sight(), depth * seen), f"a sight from {sight()} m at {depth} m"
+    for what, here, there in (("a", sight(), depth * seen), ("another", sight(under), depth * np.array([-0.5, -0.75])),
+                              ("an upper", sight(over), np.array([2.0, -3.0]))):
+        assert np.allclose(here, there), f"{what} sight from {here} m at {depth} m"
 
 
 def check_depths():
     """Parts and camera go along with the depth of the water, also by undo and redo."""
     seen = sight() / 6.0
+    others = another_view(-3.0, -4.5), another_view(2.0, -3.0)
     builder = vtkSMProxyManager.GetProxyManager().GetUndoStackBuilder()
     stack = builder.GetUndoStack()
     builder.Begin("Apply")
     simple.FindSource("Underwater1").WaterDepth = 12.0
     builder.End()
     builder.PushToStack()
-    check_depth(12.0, seen)
+    check_depth(12.0, seen, *others)
     for act, depth in ((stack.Undo, 6.0), (stack.Redo, 12.0)):
         act()
         servermanager.ProxyManager().SMProxyManager.UpdateRegisteredProxiesInOrder(False)
-        check_depth(depth, seen)
+        check_depth(depth, seen, *others)
     for depth in (2.0, 6.0):
         simple.FindSource("Underwater1").WaterDepth = depth
-        check_depth(depth, seen)
+        check_depth(depth, seen, *others)
+    for view in others:
+        simple.Delete(view)
 
 
 def check_water(name):

@@ -174,7 +174,7 @@ void NaturalDisplay::TakeBack()
 }
 
 //----------------------------------------------------------------------------
-/// Takes the camera along with the depth, and tells by how much the depth is another. A state file has its camera.
+/// Takes the cameras along with the depth, and tells by how much the depth is another. A state file has its cameras.
 double NaturalDisplay::FollowDepth()
 {
   const double before = this->Depth;
@@ -184,7 +184,7 @@ double NaturalDisplay::FollowDepth()
   {
     return 1.0;
   }
-  this->Drag.ScaleDepths(this->Depth / before);
+  this->Drag.ScaleDepths(this->Depth / before, ViewsThatShow(this->Manager, this->Owner));
   return this->Depth / before;
 }
 

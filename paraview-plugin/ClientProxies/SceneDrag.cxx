@@ -85,16 +85,23 @@ void SceneDrag::Keep(vtkSMRenderViewProxy* view, vtkSMProxy* source, const EyeHe
 }
 
 //----------------------------------------------------------------------------
-void SceneDrag::ScaleDepths(double ratio)
+void SceneDrag::ScaleDepths(double ratio, std::vector<vtkSMRenderViewProxy*> views)
 {
   const double level = ValueOf(this->Source, "SeaLevel", 0.0);
-  const Sight sight = this->View ? SightOf(this->View->GetActiveCamera()) : Sight();
-  if (this->View && sight.Eye.z < level)
+  if (this->View && std::find(views.begin(), views.end(), this->View) == views.end())
   {
-    vtkCamera* camera = this->View->GetActiveCamera();
-    camera->SetPosition(sight.Eye.x, sight.Eye.y, level + ratio * (sight.Eye.z - level));
-    camera->SetFocalPoint(sight.Focus.x, sight.Focus.y, level + ratio * (sight.Focus.z - level));
-    TurnAboutFocus(this->View);
+    views.push_back(this->View);
+  }
+  for (vtkSMRenderViewProxy* view : views)
+  {
+    vtkCamera* camera = view->GetActiveCamera();
+    const Sight sight = SightOf(camera);
+    if (sight.Eye.z < level)
+    {
+      camera->SetPosition(sight.Eye.x, sight.Eye.y, level + ratio * (sight.Eye.z - level));
+      camera->SetFocalPoint(sight.Focus.x, sight.Focus.y, level + ratio * (sight.Focus.z - level));
+      TurnAboutFocus(view);
+    }
   }
 }
 

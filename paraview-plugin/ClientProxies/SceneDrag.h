@@ -7,6 +7,8 @@
 
 #include "vtkWeakPointer.h" // for what is watched
 
+#include <vector>
+
 class vtkCamera;
 class vtkObject;
 class vtkSMProxy;
@@ -40,8 +42,8 @@ public:
   /// Starts with the next still picture of a view.
   void Keep(vtkSMRenderViewProxy* view, vtkSMProxy* source, const EyeHeights& heights);
 
-  /// Scales the depths of an eye under water and of what it looks at.
-  void ScaleDepths(double ratio);
+  /// Scales the depths of an eye under water and of what it looks at, in the view that is kept and in others.
+  void ScaleDepths(double ratio, std::vector<vtkSMRenderViewProxy*> views);
 
 private:
   struct Sight

@@ -11,6 +11,7 @@
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSessionProxyManager.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace littoral
@@ -67,21 +68,20 @@ bool Shows(vtkSMProxy* view, vtkSMProxy* source)
 }
 
 //----------------------------------------------------------------------------
+std::vector<vtkSMRenderViewProxy*> ViewsThatShow(vtkSMSessionProxyManager* manager, vtkSMProxy* source)
+{
+  std::vector<vtkSMRenderViewProxy*> views = RenderViews(manager);
+  views.erase(
+    std::remove_if(views.begin(), views.end(), [=](auto* view) { return !Shows(view, source); }), views.end());
+  std::stable_partition(views.begin(), views.end(), [=](auto* view) { return view == ViewOfScene(manager); });
+  return views;
+}
+
+//----------------------------------------------------------------------------
 vtkSMRenderViewProxy* ViewThatShows(vtkSMSessionProxyManager* manager, vtkSMProxy* source)
 {
-  auto* active = vtkSMRenderViewProxy::SafeDownCast(ViewOfScene(manager));
-  if (active && Shows(active, source))
-  {
-    return active;
-  }
-  for (vtkSMRenderViewProxy* view : RenderViews(manager))
-  {
-    if (Shows(view, source))
-    {
-      return view;
-    }
-  }
-  return nullptr;
+  const std::vector<vtkSMRenderViewProxy*> views = ViewsThatShow(manager, source);
+  return views.empty() ? nullptr : views.front();
 }
 
 //----------------------------------------------------------------------------

@@ -3,6 +3,8 @@
 #ifndef LittoralSceneView_h
 #define LittoralSceneView_h
 
+#include <vector>
+
 class vtkSMProxy;
 class vtkSMRenderViewProxy;
 class vtkSMSessionProxyManager;
@@ -16,7 +18,10 @@ vtkSMProxy* ViewOfScene(vtkSMSessionProxyManager* manager);
 /// Whether a source, or what is made of it, is visible in a view.
 bool Shows(vtkSMProxy* view, vtkSMProxy* source);
 
-/// The view of a scene if it shows a source, else the first other one that does; null if none does.
+/// All views in three dimensions that show a source; the active one is the first, if it is one of them.
+std::vector<vtkSMRenderViewProxy*> ViewsThatShow(vtkSMSessionProxyManager* manager, vtkSMProxy* source);
+
+/// The first of them; null if there is none.
 vtkSMRenderViewProxy* ViewThatShows(vtkSMSessionProxyManager* manager, vtkSMProxy* source);
 
 /// Makes the view of a scene the active one.
