@@ -80,7 +80,7 @@ void AddParticles(vtkPointSet* set, double defaultRadius, double efficiency,
   vtkDataArray* alphas = points.Find(littoral::sea::Alpha, 1);
   points.NeedFinite(set->GetPoints()->GetData());
   const std::size_t first = particles.size();
-  particles.resize(first + static_cast<std::size_t>(set->GetNumberOfPoints()));
+  littoral::SetSize(particles, static_cast<vtkIdType>(first) + set->GetNumberOfPoints());
   std::atomic<vtkIdType> bad(set->GetNumberOfPoints());
   const auto numbers = [](vtkDataArray* array) {
     const auto* single = vtkFloatArray::SafeDownCast(array);

@@ -46,7 +46,7 @@ namespace
 constexpr int SitesPort = 0;
 constexpr int TerrainPort = 1;
 constexpr int PreferencesPort = 2;
-constexpr double BytesOfSite = 100.0; // in the output, without the arrays of the input
+constexpr double BytesOfSite = 100.0;                  // in the output, without the arrays of the input
 constexpr double LargestIdentity = 9007199254740992.0; // 2^53
 
 using Factor = littoral::GroundFactor;

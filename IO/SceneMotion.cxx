@@ -3,6 +3,7 @@
 #include "SceneMotion.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/Arrays.h"
 #include "Data/Blocks.h"
 #include "Data/JointBlock.h"
 #include "Data/PlantBlocks.h"
@@ -263,10 +264,8 @@ MovingPlants::MovingPlants(SceneAddress address, std::string name, int node, vtk
   this->Table = ReadTable(plants);
   auto* joints = vtkPolyData::SafeDownCast(FindBlock(plants, joint::Joints));
   const ArrayReader arrays = ArrayReader::OfPoints(joints, "");
-  vtkIntArray* parents = arrays.Find<vtkIntArray>(joint::ParentId, 1);
-  vtkFloatArray* rests = arrays.Find<vtkFloatArray>(joint::RestPosition, 3);
-  this->Parents.assign(parents->GetPointer(0), parents->GetPointer(0) + parents->GetNumberOfValues());
-  this->Rests.assign(rests->GetPointer(0), rests->GetPointer(0) + rests->GetNumberOfValues());
+  this->Parents = ListOf(arrays.Find<vtkIntArray>(joint::ParentId, 1));
+  this->Rests = ListOf(arrays.Find<vtkFloatArray>(joint::RestPosition, 3));
 }
 
 //----------------------------------------------------------------------------
@@ -293,12 +292,9 @@ void MovingPlants::Follow(const std::vector<SceneSource>& sources, double time)
     Refuse(this->Name, " has other joints at ", TextOf(time),
       " s after the start than there; levels of detail must not change during a motion.");
   }
-  auto* rotations = ArrayReader::OfPoints(joints, "").Find<vtkFloatArray>(joint::Rotation, 4);
-  auto* positions = vtkFloatArray::SafeDownCast(joints->GetPoints()->GetData());
-  Frame frame;
-  frame.Rotations.assign(rotations->GetPointer(0), rotations->GetPointer(0) + rotations->GetNumberOfValues());
-  frame.Positions.assign(positions->GetPointer(0), positions->GetPointer(0) + positions->GetNumberOfValues());
-  this->Frames.push_back(std::move(frame));
+  EndIfShortOfMemory(); // frame by frame
+  this->Frames.push_back({ ListOf(ArrayReader::OfPoints(joints, "").Find<vtkFloatArray>(joint::Rotation, 4)),
+    ListOf(vtkFloatArray::SafeDownCast(joints->GetPoints()->GetData())) });
 }
 
 //----------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ScenePictures.h"
 
+#include "Data/Arrays.h"
 #include "Data/PlantBlocks.h"
 
 #include "vtkImageData.h"
@@ -20,9 +21,8 @@ ScenePicture PictureOf(vtkPolyData* data)
   writer->SetInputData(image);
   writer->WriteToMemoryOn();
   writer->Write();
-  vtkUnsignedCharArray* bytes = writer->GetResult();
   ScenePicture picture;
-  picture.Png.assign(bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues());
+  picture.Png = ListOf(writer->GetResult());
   return picture;
 }
 

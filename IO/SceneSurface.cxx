@@ -157,7 +157,8 @@ vtkSmartPointer<vtkPolyData> Triangulated(vtkPolyData* data)
 std::vector<std::uint32_t> TrianglesOf(vtkCellArray* polygons)
 {
   std::vector<std::uint32_t> corners;
-  corners.reserve(6 * static_cast<std::size_t>(polygons->GetNumberOfCells()));
+  SetSize(corners, 6 * polygons->GetNumberOfCells());
+  corners.clear(); // with room for quadrilaterals
   ForCells(polygons, [&](const vtkIdType* ids, vtkIdType count) {
     for (vtkIdType corner = 2; corner < count; ++corner)
     {
@@ -218,13 +219,12 @@ std::vector<float> PositionsOf(vtkPoints* points, const std::array<double, 3>& p
     return NumbersOf(points->GetData(), 3);
   }
   std::vector<float> positions;
-  positions.reserve(3 * static_cast<std::size_t>(points->GetNumberOfPoints()));
-  for (vtkIdType point = 0; point < points->GetNumberOfPoints(); ++point)
+  SetSize(positions, 3 * points->GetNumberOfPoints());
+  for (std::size_t n = 0; n < positions.size(); ++n)
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      positions.push_back(static_cast<float>(points->GetData()->GetComponent(point, axis) - place[axis]));
-    }
+    const auto axis = static_cast<int>(n % 3);
+    positions[n] =
+      static_cast<float>(points->GetData()->GetComponent(static_cast<vtkIdType>(n / 3), axis) - place[axis]);
   }
   return positions;
 }

@@ -3,6 +3,7 @@
 #include "VolumeInput.h"
 
 #include "Data/Arrays.h"
+#include "Numerics/InvalidInput.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
@@ -248,7 +249,7 @@ void ReadSamples(const SampleSet& set, const std::string& place, const VolumeRem
     result.Reason = WhyUnfit(set, array);
     if (result.Reason.empty())
     {
-      AddArray(set, index, place, remarks, result.Volumes);
+      result.Reason = WhyRefused([&] { AddArray(set, index, place, remarks, result.Volumes); });
     }
   }
 }

@@ -62,8 +62,9 @@ std::string WhyUnfit(const littoral::VolumeInput& input)
   {
     return "the input has no array of numbers, or none is chosen.";
   }
-  return littoral::WhyRefused(
-    [&] { littoral::RequireMemory(GridBytes(input.Volumes), "a file of its volumes", "take a smaller or coarser grid"); });
+  return littoral::WhyRefused([&] {
+    littoral::RequireMemory(GridBytes(input.Volumes), "a file of its volumes", "take a smaller or coarser grid");
+  });
 }
 
 /// Gives the only volume a name, unless that is empty. Why it cannot; empty if it can.
@@ -139,7 +140,8 @@ vtkTypeBool vtkVDBVolumeWriter::ProcessRequest(
     }
     return 1;
   }
-  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+  return littoral::WithoutExceptions(
+    this, request, outputVector, [&] { return this->Superclass::ProcessRequest(request, inputVector, outputVector); });
 }
 
 //----------------------------------------------------------------------------

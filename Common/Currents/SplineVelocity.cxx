@@ -49,9 +49,10 @@ SplineVelocity::SplineVelocity(std::shared_ptr<const SampledVelocity> samples, c
 
 double SplineVelocity::BytesOf(const SampledVelocity& samples, int threads)
 {
-  return WaterMask::BytesOf(samples) +
-    VelocitySpline::BytesOf({ samples.Nodes(0).size(), samples.Nodes(1).size(), samples.Nodes(2).size() },
-      samples.IsSingle(), threads);
+  const auto [kept, besides] = WaterMask::BytesOf(samples);
+  const double ofSpline = VelocitySpline::BytesOf(
+    { samples.Nodes(0).size(), samples.Nodes(1).size(), samples.Nodes(2).size() }, samples.IsSingle(), threads);
+  return kept + std::max(besides, ofSpline);
 }
 
 bool SplineVelocity::CanBe(const SampledVelocity& samples)

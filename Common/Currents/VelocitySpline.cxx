@@ -6,6 +6,7 @@
 #include <Eigen/SparseLU>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace littoral
@@ -16,6 +17,9 @@ namespace
 
 /// Lines that are solved at once.
 constexpr std::size_t LinesAtOnce = 64;
+
+/// Memory of a solver for a node [bytes].
+constexpr double BytesOfSolver = 500.0;
 
 }
 
@@ -229,9 +233,12 @@ double VelocitySpline::BytesOf(const std::array<std::size_t, 3>& samples, bool i
   const double count =
     static_cast<double>(samples[0]) * static_cast<double>(samples[1]) * static_cast<double>(samples[2]);
   const auto longest = static_cast<double>(*std::max_element(samples.begin(), samples.end()));
-  // Samples whose lines are solved at a time: the numbers, the solution and a copy of it
-  const double solved = std::min(count, longest * static_cast<double>(LinesAtOnce) * threads);
-  return 3.0 * (isSingle ? sizeof(float) : sizeof(double)) * count + 9.0 * sizeof(double) * solved;
+  // Lines that are solved at a time: their numbers, the solution and a copy of it; and the solver of each batch
+  const double lines = count / longest;
+  const double atOnce = static_cast<double>(LinesAtOnce);
+  const double ofLines = 9.0 * sizeof(double) * longest * std::min(lines, threads * atOnce);
+  const double ofSolvers = BytesOfSolver * longest * std::min(std::ceil(lines / atOnce), static_cast<double>(threads));
+  return 3.0 * (isSingle ? sizeof(float) : sizeof(double)) * count + ofLines + ofSolvers;
 }
 
 Vector3 VelocitySpline::At(const Vector3& position) const

@@ -22,7 +22,7 @@ std::size_t NumberOf(const SampledVelocity& samples)
 
 }
 
-double WaterMask::BytesOf(const SampledVelocity& samples)
+std::array<double, 2> WaterMask::BytesOf(const SampledVelocity& samples)
 {
   const std::size_t count = NumberOf(samples);
   std::size_t land = 0;
@@ -30,9 +30,9 @@ double WaterMask::BytesOf(const SampledVelocity& samples)
   {
     land += samples.IsWater(id) ? 0 : 1;
   }
-  // Whether it is water and known, and its velocity; numbers of land are in three lists that grow by doubling.
-  const double ofAll = land > 0 ? (2.0 + sizeof(Vector3)) * static_cast<double>(count) : 0.0;
-  return ofAll + 4.0 * sizeof(std::size_t) * static_cast<double>(land);
+  // A sample's velocity and mark, and its mark in a round; numbers of land are in three lists that grow by doubling.
+  const double all = land > 0 ? static_cast<double>(count) : 0.0;
+  return { (1.0 + sizeof(Vector3)) * all, all + 4.0 * sizeof(std::size_t) * static_cast<double>(land) };
 }
 
 WaterMask::WaterMask(const SampledVelocity& samples)

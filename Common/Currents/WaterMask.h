@@ -20,8 +20,9 @@ class WaterMask
 public:
   explicit WaterMask(const SampledVelocity& samples);
 
-  /// Memory that a mask and Continued() take at most [bytes].
-  static double BytesOf(const SampledVelocity& samples);
+  /// Memory of a mask with what Continued() returns, and of what Continued() takes besides while it works [bytes]; none
+  /// where all samples are water.
+  static std::array<double, 2> BytesOf(const SampledVelocity& samples);
 
   /// Whether all samples are water.
   bool IsOpen() const { return this->Water.empty(); }

@@ -12,6 +12,7 @@
 #include "vtkType.h"
 #include "vtkTypeTraits.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -34,6 +35,16 @@ void SetSize(std::vector<Value>& values, vtkIdType size)
 {
   RequireMemoryOfList(static_cast<double>(size), sizeof(Value));
   values.resize(static_cast<std::size_t>(size));
+}
+
+/// The numbers of an array, tuple by tuple. Throws InvalidInput where there is no memory for them.
+template <typename Array>
+std::vector<typename Array::ValueType> ListOf(Array* array)
+{
+  std::vector<typename Array::ValueType> values;
+  SetSize(values, array->GetNumberOfValues());
+  std::copy_n(array->GetPointer(0), values.size(), values.begin());
+  return values;
 }
 
 /// The array itself if it lies in memory as numbers of the type, else a copy that does. Throws InvalidInput where there

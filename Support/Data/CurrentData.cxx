@@ -239,7 +239,7 @@ private:
   std::vector<double> Coordinates[3];
 };
 
-constexpr double BytesOfCell = 150.0; // in the locator
+constexpr double BytesOfCell = 75.0; // in the locator
 
 /// Any cells: the one around a place is found, and its own interpolation taken.
 class CellVelocity : public VelocityGrid
@@ -249,8 +249,8 @@ public:
     : Data(vtkSmartPointer<vtkDataSet>::Take(data->NewInstance()))
     , Values(array)
   {
-    RequireMemory(
-      BytesOfCell * static_cast<double>(data->GetNumberOfCells()), "The search in the cells of a current", "take a part of it");
+    RequireMemory(BytesOfCell * static_cast<double>(data->GetNumberOfCells()), "The search in the cells of a current",
+      "take a part of it");
     this->Data->ShallowCopy(data);
     this->Locator->SetDataSet(this->Data);
     this->Locator->BuildLocator();

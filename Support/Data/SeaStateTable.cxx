@@ -3,6 +3,7 @@
 #include "Data/SeaStateTable.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/Arrays.h"
 #include "Data/Tables.h"
 #include "Numerics/Constants.h"
 #include "Numerics/InvalidInput.h"
@@ -78,10 +79,7 @@ SampledSpectrum ReadSpectrum(vtkTable* table)
   const auto read = [&fields](const char* name, std::vector<double>& values) {
     auto* array = fields.Find<vtkDoubleArray>(name, 1);
     fields.NeedFinite(array);
-    if (array)
-    {
-      values.assign(array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues());
-    }
+    values = array ? ListOf(array) : std::vector<double>();
   };
   read(sea::BinEdges, spectrum.Edges);
   read(sea::SpectralDensity, spectrum.Densities);
@@ -100,7 +98,7 @@ SeaState ReadSeaState(vtkTable* table)
 {
   Require(table->GetNumberOfRows() == 0 ? "the sea state has no wave trains." : "");
   SeaState state;
-  state.Trains.assign(static_cast<std::size_t>(table->GetNumberOfRows()), WaveTrain{});
+  SetSize(state.Trains, table->GetNumberOfRows());
   const struct
   {
     const char* Name;

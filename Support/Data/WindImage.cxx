@@ -177,8 +177,7 @@ ModelledWind ReadModelledWind(vtkImageData* image)
   const vtkMatrix3x3* axes = image->GetDirectionMatrix();
   const double cosine = axes->GetElement(0, 0);
   const double sine = axes->GetElement(1, 0);
-  const float* values = floats->GetPointer(0);
-  wind.Velocities.assign(values, values + floats->GetNumberOfValues());
+  wind.Velocities = ListOf(floats.Get());
   for (std::size_t n = 0; n < wind.Velocities.size(); n += WindComponents)
   {
     float* v = wind.Velocities.data() + n;

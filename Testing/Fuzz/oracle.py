@@ -33,7 +33,7 @@ MESSAGE = re.compile(r"^(ERROR|Warning|Generic Warning): In ([^\n]*), line \d+\n
 FAILURE = re.compile(r"Algorithm vtk\w+ \(0x[0-9a-f]+\) returned failure for request")
 ABOUT_INPUTS = re.compile(r"\b(inputs?|array|table|column|image|points?|blocks?|plants?|sites|prototypes?|wind|"
                           r"sea state|currents?|flow primitives?|terrain|leaf|leaves|cells?|skeleton|file|folder|"
-                          r"memory|time|data|datum|grid|reference|window)\b", re.I)
+                          r"memory|time|data|datum|grid|reference|window|sources?)\b", re.I)
 
 
 PATIENCE = 3.0  # before a request is stopped, which large ones must allow [s of the processor]

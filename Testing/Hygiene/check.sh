@@ -158,6 +158,11 @@ case "${1:-}" in
     grep -rnE '(->|\.)(SetNumberOfTuples|SetNumberOfValues|SetNumberOfPoints|AllocateScalars)\(' --include='*.cxx' \
       --include='*.h' Support Filters Sources IO | grep -v '^Support/Data/Arrays\.cxx' |
       fail_if_found "Arrays whose room is not made by SetTuples or NewArray:"
+    # Copies and vectors as long as an input are made by WithType, ListOf and SetSize, which ask too.
+    grep -rnE --include='*.cxx' --include='*.h' -e '->DeepCopy\(|>CopyAllocate\([^)]*, *[a-z]' -e \
+      '(\.(resize|reserve|assign)|^ *std::vector<.*> [a-zA-Z]+)\(.*[>.]GetNumberOf(Tuples|Points|Values|Cells|Rows)\(\)' \
+      Support Filters Sources IO | grep -v '^Support/Data/Arrays\.' |
+      fail_if_found "Copies and vectors that are not made by WithType, ListOf and SetSize:"
     # Classes that put out no more than a table or a few primitives, and pass on what they get.
     small='vtkFlowPrimitiveSource|vtkSeaStateSource|vtkFlowArrowFilter|vtkPlantWakeFilter|vtkSeaStatisticsFilter'
     # Functions that ask for the class that calls them.
