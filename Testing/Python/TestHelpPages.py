@@ -1,13 +1,16 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Each source and filter has a page in ParaView's help that lists its properties with the defaults of its panel."""
+"""Each source and filter has a page in ParaView's help that lists its properties with the defaults of its panel, and is in
+the file that the button "?" looks it up in, by the name that the button gives it."""
 
 import glob
 import html
 import os
 import re
+import sqlite3
 import sys
 import xml.etree.ElementTree
+import zlib
 
 import littoral
 
@@ -44,13 +47,23 @@ def rows(page):
     return {html.unescape(name).replace(" ", ""): " ".join(html.unescape(value).split()) for name, value in cells}
 
 
+def pages_of_help():
+    """Texts of a Qt help file by their names: the length of each, then the bytes of zlib."""
+    (path,) = glob.glob(os.path.join(BUILD, "paraview-plugin", "paraview_help", "*.qch"))
+    with sqlite3.connect(f"file:{path}?mode=ro", uri=True) as file:
+        rows_of_file = file.execute("SELECT n.Name, d.Data FROM FileNameTable n JOIN FileDataTable d ON d.Id = n.FileId")
+        return {name: zlib.decompress(data[4:]) for name, data in rows_of_file if data}
+
+
 if not glob.glob(os.path.join(PAGES, "sources.*.html")):
     print("skipped: the help pages are not built")
     sys.exit(125)
-checked, known = 0, proxies()
+checked, known, in_help = 0, proxies(), pages_of_help()
 for (group, name), proxy in known.items():
     shown = rows(os.path.join(PAGES, f"{group}.{name}.html"))
     assert shown, f"{name}: a page without properties"
+    with open(os.path.join(PAGES, f"{group}.{name}.html"), "rb") as file:
+        assert in_help.get(f"{group}.{name}.html") == file.read(), f"{name}: not the page of the help"
     for one, default in properties(proxy, known).items():
         if one in shown and default is not None:
             assert shown[one] == " ".join(default.split()), f"{name}: {one} is {default}, not {shown[one]!r} of its page"
