@@ -118,20 +118,20 @@ def memory(line):
     with open("/proc/self/status", encoding="ascii") as file:
         return next(float(text.split()[1]) for text in file if text.startswith(line)) / 1024
 
-cases = [("spline", lambda: drift(image(200, 100, 100, 3, "f8"))),
-         ("spline", lambda: drift(image(200, 100, 100, 3, "f8", 0.3))),
-         ("spline", lambda: drift(image(200, 100, 100, 3, "f4", 0.95))),
-         ("spline", lambda: drift(image(100000, 2, 1, 3, "f8"))),
-         ("cells", lambda: drift(curved(80, 80, 80))),
-         ("whole", lambda: drift(image(200, 100, 100, 3, "i4"), 0)),
-         ("intensity", lambda: made("vtkPointProcessSource", None, image(2000, 2000, 1, 1, "f4"))),
+cases = [("spline", lambda: drift(image(100, 100, 100, 3, "f8"))),
+         ("spline", lambda: drift(image(100, 100, 100, 3, "f8", 0.3))),
+         ("spline", lambda: drift(image(100, 100, 100, 3, "f4", 0.95))),
+         ("spline", lambda: drift(image(50000, 2, 1, 3, "f8"))),
+         ("cells", lambda: drift(curved(70, 70, 70))),
+         ("whole", lambda: drift(image(100, 100, 100, 3, "i4"), 0)),
+         ("intensity", lambda: made("vtkPointProcessSource", None, image(1600, 1500, 1, 1, "f4"))),
          ("drift", lambda: made("vtkConditionalTerrainFilter", on_points(scattered(20), numpy.arange(20.0)),
-                                image(2000, 2000, 1, 1, "f4"), KrigingType=4, Model=0)),
-         ("verdict", lambda: made("vtkPatternVerdictFilter", scattered(2000000))),
-         ("statistics", lambda: made("vtkPointPatternStatisticsFilter", scattered(2000000))),
-         ("sites", lambda: made("vtkSitePreferenceFilter", scattered(300000), image(100, 100, 1, 1, "f4")))]
+                                image(1600, 1500, 1, 1, "f4"), KrigingType=4, Model=0)),
+         ("verdict", lambda: made("vtkPatternVerdictFilter", scattered(1200000))),
+         ("statistics", lambda: made("vtkPointPatternStatisticsFilter", scattered(1200000))),
+         ("sites", lambda: made("vtkSitePreferenceFilter", scattered(100000), image(100, 100, 1, 1, "f4")))]
 if hasattr(littoral, "vtkVDBVolumeWriter"):
-    cases.append(("volume", lambda: made("vtkVDBVolumeWriter", image(200, 200, 200, 1, "f8"), FileName="/dev/null")))
+    cases.append(("volume", lambda: made("vtkVDBVolumeWriter", image(170, 170, 170, 1, "f8"), FileName="/dev/null")))
 drift(image(9, 9, 9, 3, "f8")).Update()
 before = resource.getrlimit(resource.RLIMIT_AS)
 for name, make in cases:
@@ -286,7 +286,8 @@ class Shortages(Program):
 
     def test_large_inputs(self):
         """What takes memory by the size of an input says how much, and splines of currents take as much."""
-        ran = run(LARGE_INPUTS, VTK_SMP_BACKEND_IN_USE="Sequential")
+        # With that threshold what is freed is gone, and each peak its own.
+        ran = run(LARGE_INPUTS, VTK_SMP_BACKEND_IN_USE="Sequential", MALLOC_MMAP_THRESHOLD_="100000")
         self.assertEqual((ran.returncode, ran.stderr), (0, ""))
         lines = ran.stdout.splitlines()
         self.assertGreater(len(lines), 10)
@@ -297,7 +298,7 @@ class Shortages(Program):
                 if name == "spline":
                     asked = float(re.search("spline of a current needs ([0-9.]+) MiB", said)[1])
                     self.assertLess(float(grown), 1.05 * asked + 3.0)
-                    self.assertGreater(float(grown), 0.85 * asked)
+                    self.assertGreater(float(grown), 0.7 * asked)  # lists that double
 
     def test_group_of_processes(self):
         """A control group of 1.2 GB, by its files: a raster of 2 GB is refused, one of 0.6 GB stays within what is asked."""
