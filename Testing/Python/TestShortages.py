@@ -64,95 +64,6 @@ for megabytes in 4, 60, 0:
         data.Initialize()
 """
 
-#: Updates of classes with inputs that take more memory than a limit leaves: prints who, and what is said. For a spline
-#: of a current also by how much memory grows at most where there is no limit [MB].
-LARGE_INPUTS = """
-import resource
-import littoral, numpy
-from littoral import errors
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkLogger, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkStructuredGrid
-vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
-
-def on_points(data, values):
-    array = numpy_to_vtk(values, deep=True)
-    array.SetName("Velocity")
-    data.GetPointData().SetScalars(array)
-    return data
-
-def placed(data, places):
-    data.SetPoints(vtkPoints())
-    data.GetPoints().SetData(numpy_to_vtk(places, deep=True))
-    return data
-
-def image(x, y, z, components, kind, land=0.0):
-    data, values = vtkImageData(), numpy.ones((x * y * z, components), kind)
-    data.SetDimensions(x, y, z)
-    if land:
-        values[:int(land * len(values))] = numpy.nan
-    return on_points(data, values)
-
-def scattered(count):
-    return placed(vtkPolyData(), numpy.random.default_rng(1).uniform(0.0, 99.0, (count, 3)))
-
-def curved(x, y, z):
-    data = vtkStructuredGrid()
-    data.SetDimensions(x, y, z)
-    places = numpy.indices((z, y, x), "f4").reshape(3, -1)[::-1].T
-    return on_points(placed(data, numpy.ascontiguousarray(places)), numpy.ones((x * y * z, 3)))
-
-def made(name, *inputs, **settings):
-    algorithm = getattr(littoral, name)()
-    for port, data in enumerate(inputs):
-        if data:
-            algorithm.SetInputData(port, data)
-    for setter, value in settings.items():
-        getattr(algorithm, "Set" + setter)(value)
-    return algorithm
-
-def drift(current, interpolation=1):
-    return made("vtkCurrentDriftFilter", scattered(1), current, VelocityInterpolation=interpolation)
-
-def memory(line):
-    with open("/proc/self/status", encoding="ascii") as file:
-        return next(float(text.split()[1]) for text in file if text.startswith(line)) / 1024
-
-cases = [("spline", lambda: drift(image(100, 100, 100, 3, "f8"))),
-         ("spline", lambda: drift(image(100, 100, 100, 3, "f8", 0.3))),
-         ("spline", lambda: drift(image(100, 100, 100, 3, "f4", 0.95))),
-         ("spline", lambda: drift(image(50000, 2, 1, 3, "f8"))),
-         ("cells", lambda: drift(curved(70, 70, 70))),
-         ("whole", lambda: drift(image(100, 100, 100, 3, "i4"), 0)),
-         ("intensity", lambda: made("vtkPointProcessSource", None, image(1600, 1500, 1, 1, "f4"))),
-         ("drift", lambda: made("vtkConditionalTerrainFilter", on_points(scattered(20), numpy.arange(20.0)),
-                                image(1600, 1500, 1, 1, "f4"), KrigingType=4, Model=0)),
-         ("verdict", lambda: made("vtkPatternVerdictFilter", scattered(1200000))),
-         ("statistics", lambda: made("vtkPointPatternStatisticsFilter", scattered(1200000))),
-         ("sites", lambda: made("vtkSitePreferenceFilter", scattered(100000), image(100, 100, 1, 1, "f4")))]
-if hasattr(littoral, "vtkVDBVolumeWriter"):
-    cases.append(("volume", lambda: made("vtkVDBVolumeWriter", image(170, 170, 170, 1, "f8"), FileName="/dev/null")))
-drift(image(9, 9, 9, 3, "f8")).Update()
-before = resource.getrlimit(resource.RLIMIT_AS)
-for name, make in cases:
-    algorithm = make()
-    act = algorithm.Write if hasattr(algorithm, "Write") else algorithm.Update
-    said = errors.kept(algorithm)
-    with open("/proc/self/statm", encoding="ascii") as file:
-        used = int(file.read().split()[0]) * resource.getpagesize()
-    resource.setrlimit(resource.RLIMIT_AS, (used + (18 << 20), before[1]))
-    act()
-    resource.setrlimit(resource.RLIMIT_AS, before)
-    with open("/proc/self/clear_refs", "w", encoding="ascii") as file:
-        file.write("5")  # the peak begins anew
-    begin = memory("VmRSS")
-    if name == "spline":
-        algorithm.Modified()
-        act()
-    print(name, memory("VmHWM") - begin, " ".join(said), flush=True)
-    del algorithm, act
-"""
-
 
 #: A raster without pixels of its own, and a program that reads it: message, points, growth of its memory [MB].
 GROUND = ('<VRTDataset rasterXSize="{side}" rasterYSize="{side}"><GeoTransform>0,1,0,0,0,-1</GeoTransform>'
@@ -283,22 +194,6 @@ class Shortages(Program):
                 self.assertGreater(ends[-1][1], 100000)
                 for end in ends:
                     self.assertIn(end, (ends[0], ends[-1]))
-
-    def test_large_inputs(self):
-        """What takes memory by the size of an input says how much, and splines of currents take as much."""
-        # With that threshold what is freed is gone, and each peak its own.
-        ran = run(LARGE_INPUTS, VTK_SMP_BACKEND_IN_USE="Sequential", MALLOC_MMAP_THRESHOLD_="100000")
-        self.assertEqual((ran.returncode, ran.stderr), (0, ""))
-        lines = ran.stdout.splitlines()
-        self.assertGreater(len(lines), 10)
-        for line in lines:
-            with self.subTest(line):
-                self.assertRegex(line, "needs [0-9.]+ [MG]iB of memory, and [0-9.]+ MiB are free: ")
-                name, grown, said = line.split(maxsplit=2)
-                if name == "spline":
-                    asked = float(re.search("spline of a current needs ([0-9.]+) MiB", said)[1])
-                    self.assertLess(float(grown), 1.05 * asked + 3.0)
-                    self.assertGreater(float(grown), 0.7 * asked)  # lists that double
 
     def test_group_of_processes(self):
         """A control group of 1.2 GB, by its files: a raster of 2 GB is refused, one of 0.6 GB stays within what is asked."""
