@@ -70,7 +70,7 @@ public:
   vtkGetMacro(SunAzimuth, double);
   ///@}
   ///@{
-  /** Year, month and day of Universal Time; default (2026, 6, 21). */
+  /** Year, month and day of Universal Time; default 2026 6 21. */
   vtkSetVector3Macro(Date, int);
   vtkGetVector3Macro(Date, int);
   ///@}
@@ -112,7 +112,7 @@ public:
   vtkGetMacro(CloudHeight, double);
   ///@}
   ///@{
-  /** Way that the clouds have drifted to the east and to the north [m]; default (0, 0). */
+  /** Way that the clouds have drifted to the east and to the north [m]; default 0 0. */
   vtkSetVector2Macro(CloudDrift, double);
   vtkGetVector2Macro(CloudDrift, double);
   ///@}
@@ -186,7 +186,7 @@ public:
   vtkGetMacro(CoverHeight, double);
   ///@}
   ///@{
-  /** Color of the grass in the code of sRGB; default (0.46, 0.52, 0.23). */
+  /** Color of the grass in the code of sRGB; default 0.46 0.52 0.23. */
   vtkSetVector3Macro(CoverColor, double);
   vtkGetVector3Macro(CoverColor, double);
   ///@}
