@@ -6,8 +6,10 @@
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
+#include "vtkCommunicator.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
+#include "vtkMultiProcessController.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -42,6 +44,33 @@ vtkBoundingBox BoundsOf(const std::vector<vtkProp*>& props)
     }
   }
   return box;
+}
+
+/// Whether there are others.
+bool AreSeveral(vtkMultiProcessController* processes)
+{
+  return processes && processes->GetNumberOfProcesses() > 1;
+}
+
+/// The box around those of all processes.
+vtkBoundingBox Joint(const vtkBoundingBox& own, vtkMultiProcessController* processes)
+{
+  if (!AreSeveral(processes))
+  {
+    return own;
+  }
+  // Least x, y, z and least -x, -y, -z
+  double ends[6];
+  double all[6];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    ends[axis] = own.GetMinPoint()[axis];
+    ends[axis + 3] = -own.GetMaxPoint()[axis];
+  }
+  processes->AllReduce(ends, all, 6, vtkCommunicator::MIN_OP);
+  vtkBoundingBox joint;
+  joint.SetBounds(all[0], -all[3], all[1], -all[4], all[2], -all[5]);
+  return joint;
 }
 
 /// The latest change of what casts shadows.
@@ -163,10 +192,10 @@ DepthMaps::Place DepthMaps::PlaceOf(int map, vtkRenderer* renderer, const Whole&
 }
 
 //----------------------------------------------------------------------------
-void DepthMaps::Draw(
-  vtkRenderer* renderer, const std::vector<vtkProp*>& casters, const Wish& wish, const Drawing& drawCasters)
+void DepthMaps::Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& casters, const Wish& wish,
+  const Drawing& drawCasters, vtkMultiProcessController* processes)
 {
-  const vtkBoundingBox box = BoundsOf(casters);
+  const vtkBoundingBox box = Joint(BoundsOf(casters), processes);
   const bool isShown = box.IsValid() && box.GetDiagonalLength() > 0.0;
   Whole whole;
   if (isShown)
@@ -176,6 +205,7 @@ void DepthMaps::Draw(
     whole.Radius = 0.5 * box.GetDiagonalLength();
     whole.Time = ChangeOf(casters);
   }
+  std::array<int, Count> areOld{};
   for (int map = 0; map < Count; ++map)
   {
     Place& last = this->Places[map];
@@ -186,17 +216,27 @@ void DepthMaps::Draw(
       continue;
     }
     const Place place = this->PlaceOf(map, renderer, whole, wish);
-    if (last.Time != place.Time || last.Center != place.Center || last.Towards != place.Towards ||
-      last.Radius != place.Radius || last.Depth != place.Depth)
+    areOld[map] = last.Time != place.Time || last.Center != place.Center || last.Towards != place.Towards ||
+      last.Radius != place.Radius || last.Depth != place.Depth;
+    last = place;
+  }
+  if (AreSeveral(processes))
+  {
+    const std::array<int, Count> own = areOld;
+    processes->AllReduce(own.data(), areOld.data(), Count, vtkCommunicator::MAX_OP);
+  }
+  for (int map = 0; map < Count; ++map)
+  {
+    if (areOld[map])
     {
-      last = place;
-      this->DrawOne(map, renderer, drawCasters);
+      this->DrawOne(map, renderer, drawCasters, processes);
     }
   }
 }
 
 //----------------------------------------------------------------------------
-void DepthMaps::DrawOne(int map, vtkRenderer* renderer, const Drawing& drawCasters)
+void DepthMaps::DrawOne(
+  int map, vtkRenderer* renderer, const Drawing& drawCasters, vtkMultiProcessController* processes)
 {
   const Place& place = this->Places[map];
   const glm::dmat4 projection =
@@ -247,8 +287,27 @@ void DepthMaps::DrawOne(int map, vtkRenderer* renderer, const Drawing& drawCaste
   drawCasters(map);
   renderer->SetActiveCamera(eye);
 
+  if (AreSeveral(processes))
+  {
+    this->TakeNearest(map, processes);
+  }
   this->Frame->RemoveDepthAttachment();
   state->PopFramebufferBindings();
+}
+
+//----------------------------------------------------------------------------
+/// The nearest of the depths that the processes have drawn, while the frame is bound.
+void DepthMaps::TakeNearest(int map, vtkMultiProcessController* processes)
+{
+  const auto count = static_cast<std::size_t>(this->Size) * this->Size;
+  std::vector<float> own(count);
+  std::vector<float> nearest(count);
+  glReadPixels(0, 0, this->Size, this->Size, GL_DEPTH_COMPONENT, GL_FLOAT, own.data());
+  processes->AllReduce(own.data(), nearest.data(), static_cast<vtkIdType>(count), vtkCommunicator::MIN_OP);
+  vtkTextureObject* texture = this->Textures[map];
+  texture->Activate();
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, this->Size, this->Size, GL_DEPTH_COMPONENT, GL_FLOAT, nearest.data());
+  texture->Deactivate();
 }
 
 //----------------------------------------------------------------------------

@@ -15,6 +15,7 @@
 #include <vector>
 
 class vtkCamera;
+class vtkMultiProcessController;
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
 class vtkProp;
@@ -55,8 +56,10 @@ public:
   /// A function that draws all that is seen by a map with the renderer's camera.
   using Drawing = std::function<void(int map)>;
 
-  /// Draws the maps that are out of date.
-  void Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& casters, const Wish& wish, const Drawing& drawCasters);
+  /// Draws the maps that are out of date. The processes of a controller, if there is one, do so together, and have the
+  /// maps of what casts shadows on all.
+  void Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& casters, const Wish& wish, const Drawing& drawCasters,
+    vtkMultiProcessController* processes);
 
   /// A texture of depths, which compares with them or tells them.
   static vtkSmartPointer<vtkTextureObject> NewTexture(vtkOpenGLRenderWindow* window, int size, bool compares = true);
@@ -90,7 +93,8 @@ private:
   };
 
   Place PlaceOf(int map, vtkRenderer* renderer, const Whole& whole, const Wish& wish) const;
-  void DrawOne(int map, vtkRenderer* renderer, const Drawing& drawCasters);
+  void DrawOne(int map, vtkRenderer* renderer, const Drawing& drawCasters, vtkMultiProcessController* processes);
+  void TakeNearest(int map, vtkMultiProcessController* processes);
   void Allocate(vtkOpenGLRenderWindow* window, int size);
 
   std::array<Place, Count> Places;

@@ -5,6 +5,7 @@
 #include "LandscapeLight.h"
 #include "LandscapeNoise.h"
 #include "Lighting.h"
+#include "SurfacePass.h"
 #include "vtkLandscapePass.h"
 
 #include "vtkActor.h"
@@ -54,10 +55,11 @@ bool GlassPass::PreReplaceShaderValues(
   if (IsLit(mapper, prop))
   {
     vtkShaderProgram::Substitute(fragment, "//VTK::Light::Dec",
-      std::string("//VTK::Light::Dec\n") + LandscapeNoise + LandscapeLight + "uniform float landscapeTransmittance;\n",
+      std::string("//VTK::Light::Dec\n#define LandscapeLight\n") + LandscapeNoise + LandscapeLight +
+        "uniform float landscapeTransmittance;\n",
       false);
     vtkShaderProgram::Substitute(
-      fragment, "//VTK::Light::Impl", "gl_FragData[0] = vec4(ambientColor + diffuseColor, opacity);\n", false);
+      fragment, "//VTK::Light::Impl", "gl_FragData[0] = vec4(max(ambientColor, diffuseColor), opacity);\n", false);
     vtkShaderProgram::Substitute(
       fragment, "//VTK::DepthPeeling::Impl", "//VTK::Landscape::Impl\n  //VTK::DepthPeeling::Impl", false);
   }
@@ -71,8 +73,8 @@ bool GlassPass::PostReplaceShaderValues(std::string&, std::string&, std::string&
   const bool hasNormal = fragment.find("normalVCVSOutput") != std::string::npos;
   vtkShaderProgram::Substitute(fragment, "//VTK::Landscape::Impl",
     hasPlace && hasNormal
-      ? "gl_FragData[0].rgb = landscapeLit(landscapeLinear(gl_FragData[0].rgb), landscapeEyeOf(vertexVC.xyz), "
-        "vertexVC.xyz, normalVCVSOutput, landscapeTransmittance);\n"
+      ? "if (landscapeTransmittance >= 0.0) gl_FragData[0].rgb = landscapeLit(landscapeLinear(gl_FragData[0].rgb), "
+        "landscapeEyeOf(vertexVC.xyz), vertexVC.xyz, normalVCVSOutput, landscapeTransmittance);\n"
       : "",
     false);
   return true;
@@ -85,7 +87,7 @@ bool GlassPass::SetShaderParameters(
   if (this->Light && program->IsUniformUsed("landscapeDome"))
   {
     this->Light->SetUniforms(program);
-    program->SetUniformf("landscapeTransmittance", static_cast<float>(vtkLandscapePass::GetTransmittance(prop)));
+    program->SetUniformf("landscapeTransmittance", static_cast<float>(SurfacePass::TransmittanceOf(prop)));
   }
   return true;
 }

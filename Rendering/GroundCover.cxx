@@ -140,7 +140,7 @@ void Prepare(vtkActor* actor, const Tile& tile, const std::function<void(vtkShad
   uniforms->Set = setUniforms;
   mapper->AddObserver(vtkCommand::UpdateShaderEvent, uniforms);
   actor->SetMapper(mapper);
-  vtkLandscapePass::SetMaterial(actor, vtkLandscapePass::COVER);
+  vtkLandscapePass::SetMaterial(actor, vtkLandscapePass::Cover);
   vtkShaderProperty* shader = actor->GetShaderProperty();
   shader->AddVertexShaderReplacement("//VTK::Normal::Dec", true,
     std::string(LandscapeNoise) + LandscapeGround + GroundCoverDec + "//VTK::Normal::Dec\n", false);

@@ -8,6 +8,7 @@ uniform mat4 landscapeToView;       // from clip coordinates
 uniform vec3 landscapeEye;          // place of the eye in the world, modulo the period of noise [m]
 uniform vec3 landscapeCoverColor;   // albedo of grass
 uniform float landscapePixel;       // side of a pixel, in perspective at a distance of 1 [m]
+uniform int landscapeBackground;    // 1: sky behind the surfaces
 //VTK::Landscape::Dec
 //VTK::Output::Dec
 
@@ -36,6 +37,8 @@ void main()
   vec3 color = code;
   if (surface.z < -1.5)
   {
+    if (landscapeBackground == 0) discard;
+    depth = 0.9999999; // drawn, for who composes pictures by their depths
     vec3 d = normalize(landscapeToWorld * (landscapeIsParallel == 1 ? vec3(0.0, 0.0, -1.0) : sight));
     vec3 luminance = landscapeSkyAt(d);
     // The disk of 0.53 degrees has the luminance E / solid angle.

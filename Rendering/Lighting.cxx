@@ -67,6 +67,7 @@ void Lighting::SetUniforms(vtkShaderProgram* program) const
   SetUniform(program, "landscapeSunLight", sky.SunLight);
   SetUniform(program, "landscapeExtinction", this->Extinction);
   SetUniform(program, "landscapeExposure", this->Exposure);
+  SetUniform(program, "landscapeBackground", this->Background ? 1 : 0);
   SetUniform(program, "landscapeFilmCurve", this->FilmCurve ? 1 : 0);
   SetUniform(program, "landscapeDome", this->Sky.GetDome()->GetTextureUnit());
   SetUniform(program, "landscapeSkyLight", this->Sky.GetLight()->GetTextureUnit());

@@ -32,6 +32,7 @@ public:
   bool IsParallel = false;              ///< whether the camera is
   double Exposure = 1.0;                ///< of a luminance [m2/kcd]
   bool FilmCurve = true;
+  bool Background = true;                  ///< sky behind the surfaces
   double Extinction = 0.0;                 ///< of the air [1/m]
   glm::dvec3 CoverColor = glm::dvec3(0.0); ///< albedo of grass, linear
   double CloudCover = 0.0;                 ///< part of the sky, from 0 to 1

@@ -50,6 +50,19 @@ bool AreSame(const AirParameters& a, const AirParameters& b)
   return a.Turbidity == b.Turbidity && a.GroundAlbedo == b.GroundAlbedo && a.Altitude == b.Altitude;
 }
 
+/// An atmosphere of parameters, which takes a second to compute: the last one is kept for other pictures.
+std::shared_ptr<const Atmosphere> AtmosphereOf(const AirParameters& air)
+{
+  static AirParameters lastAir;
+  static std::shared_ptr<const Atmosphere> last;
+  if (!last || !AreSame(air, lastAir))
+  {
+    last = std::make_shared<const Atmosphere>(air, OnThreads);
+    lastAir = air;
+  }
+  return last;
+}
+
 }
 
 //----------------------------------------------------------------------------
@@ -57,7 +70,7 @@ void SkyTextures::TakeClear(const AirParameters& air, const Vector3& sun)
 {
   if (!this->Air || !AreSame(air, this->Parameters))
   {
-    this->Air.emplace(air, OnThreads);
+    this->Air = AtmosphereOf(air);
     this->Parameters = air;
     this->Tables.reset();
   }

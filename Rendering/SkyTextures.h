@@ -8,6 +8,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <memory>
 #include <optional>
 
 class vtkOpenGLRenderWindow;
@@ -37,7 +38,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  std::optional<Atmosphere> Air; ///< none for an even sky
+  std::shared_ptr<const Atmosphere> Air; ///< none for an even sky
   AirParameters Parameters;
   std::optional<SkyTables> Tables;
   vtkSmartPointer<vtkTextureObject> Dome;

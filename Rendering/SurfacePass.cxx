@@ -45,6 +45,14 @@ bool IsLit(vtkProp* prop)
 }
 
 //----------------------------------------------------------------------------
+double SurfacePass::TransmittanceOf(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  const bool isAmbient = actor && actor->GetProperty()->GetDiffuse() <= 0.0;
+  return isAmbient ? Unlit : vtkLandscapePass::GetTransmittance(prop);
+}
+
+//----------------------------------------------------------------------------
 void SurfacePass::Begin(const vtkRenderState* state)
 {
   this->SetActiveDrawBuffers(2);
@@ -69,12 +77,12 @@ bool SurfacePass::PreReplaceShaderValues(
   {
     // The color without light, which a texture then multiplies
     vtkShaderProgram::Substitute(
-      fragment, "//VTK::Light::Impl", "gl_FragData[0] = vec4(ambientColor + diffuseColor, opacity);\n", false);
+      fragment, "//VTK::Light::Impl", "gl_FragData[0] = vec4(max(ambientColor, diffuseColor), opacity);\n", false);
   }
   vtkShaderProgram::Substitute(
     fragment, "//VTK::DepthPeeling::Impl", "//VTK::Landscape::Impl\n  //VTK::DepthPeeling::Impl", false);
-  vtkShaderProgram::Substitute(
-    fragment, "//VTK::Light::Dec", "//VTK::Light::Dec\nuniform float landscapeMaterial;\n", false);
+  vtkShaderProgram::Substitute(fragment, "//VTK::Light::Dec",
+    "//VTK::Light::Dec\n#define LandscapeLight\nuniform float landscapeMaterial;\n", false);
   return true;
 }
 
@@ -96,9 +104,9 @@ bool SurfacePass::SetShaderParameters(
   {
     const int material = vtkLandscapePass::GetMaterial(prop);
     SetUniform(program, "landscapeMaterial",
-      material == vtkLandscapePass::GROUND    ? Ground
-        : material == vtkLandscapePass::COVER ? Cover
-                                              : vtkLandscapePass::GetTransmittance(prop));
+      material == vtkLandscapePass::Ground    ? Ground
+        : material == vtkLandscapePass::Cover ? Cover
+                                              : TransmittanceOf(prop));
   }
   return true;
 }

@@ -27,6 +27,9 @@ public:
   static constexpr double Unlit = -1.0;
   static constexpr double Nothing = -2.0; ///< where there is no surface
 
+  /// Transmittance of a prop, or Unlit where lights do not change its color: with ambient light alone.
+  static double TransmittanceOf(vtkProp* prop);
+
   /// Between them, the props of a state are drawn by their shaders of this pass.
   void Begin(const vtkRenderState* state);
   void End(const vtkRenderState* state);

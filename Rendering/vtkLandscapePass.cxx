@@ -20,6 +20,7 @@
 #include "vtkInformationIntegerKey.h"
 #include "vtkLightCollection.h"
 #include "vtkLightsPass.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -118,6 +119,8 @@ struct vtkLandscapePass::Internals
   vtkNew<vtkTranslucentPass> Translucent;
   littoral::GroundCover Cover;
   std::vector<vtkProp*> Shown;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
+  bool HasMaps = false; ///< of the next picture
 
   void DrawCover(vtkRenderer* renderer);
 };
@@ -140,8 +143,8 @@ void vtkLandscapePass::Internals::DrawCover(vtkRenderer* renderer)
 //----------------------------------------------------------------------------
 vtkLandscapePass::vtkLandscapePass()
   : Own(new Internals)
-  , Sky(CLEAR)
-  , SunPlacement(ANGLES)
+  , Sky(Clear)
+  , SunPlacement(Angles)
   , SunElevation(35.0)
   , SunAzimuth(235.0)
   , Date{ 2026, 6, 21 }
@@ -153,7 +156,7 @@ vtkLandscapePass::vtkLandscapePass()
   , CloudCover(0.3)
   , CloudHeight(1500.0)
   , CloudDrift{ 0.0, 0.0 }
-  , Exposure(INCIDENT)
+  , Exposure(Incident)
   , ExposureValue(15.0)
   , ExposureCompensation(0.5)
   , FilmCurve(true)
@@ -165,6 +168,7 @@ vtkLandscapePass::vtkLandscapePass()
   , CoverRadius(30.0)
   , CoverHeight(0.3)
   , CoverColor{ 0.46, 0.52, 0.23 }
+  , Background(true)
 {
   Internals& own = *this->Own;
   vtkNew<vtkVolumetricPass> volumes;
@@ -217,7 +221,7 @@ void vtkLandscapePass::SetMaterial(vtkProp* prop, int material)
 int vtkLandscapePass::GetMaterial(vtkProp* prop)
 {
   vtkInformation* keys = prop->GetPropertyKeys();
-  return keys && keys->Has(MATERIAL()) ? keys->Get(MATERIAL()) : SURFACE;
+  return keys && keys->Has(MATERIAL()) ? keys->Get(MATERIAL()) : Surface;
 }
 
 //----------------------------------------------------------------------------
@@ -234,7 +238,7 @@ std::string vtkLandscapePass::WhyInvalid() const
   check.Range("ExposureValue", this->ExposureValue, -20.0, 30.0);
   check.Range("ExposureCompensation", this->ExposureCompensation, -20.0, 20.0);
   check.Positive("ShadowDistance", this->ShadowDistance, "m");
-  if (this->SunPlacement == CLOCK)
+  if (this->SunPlacement == Clock)
   {
     check.Range("Latitude", this->Latitude, -90.0, 90.0, "degrees");
     check.Range("Longitude", this->Longitude, -180.0, 180.0, "degrees");
@@ -248,7 +252,7 @@ std::string vtkLandscapePass::WhyInvalid() const
 void vtkLandscapePass::GetSunDirection(double direction[3])
 {
   littoral::SunAngles angles{ this->SunElevation, this->SunAzimuth };
-  if (this->SunPlacement == CLOCK)
+  if (this->SunPlacement == Clock)
   {
     angles =
       littoral::SunAt({ this->Date[0], this->Date[1], this->Date[2], this->Hours }, this->Latitude, this->Longitude);
@@ -287,7 +291,7 @@ double vtkLandscapePass::GetExposureFactor()
 void vtkLandscapePass::TakeLight()
 {
   littoral::Lighting& lighting = this->Own->Light;
-  if (this->Sky == EVEN)
+  if (this->Sky == Even)
   {
     lighting.Sky.TakeEven();
   }
@@ -300,27 +304,33 @@ void vtkLandscapePass::TakeLight()
     lighting.Sky.TakeClear(air, sun);
   }
   // L exp(-k V) = 0.02 L at the visibility V  (Koschmieder)
-  lighting.Extinction = this->Sky == EVEN ? 0.0 : std::log(50.0) / this->Visibility;
-  lighting.CloudCover = this->Sky == EVEN ? 0.0 : this->CloudCover;
+  lighting.Extinction = this->Sky == Even ? 0.0 : std::log(50.0) / this->Visibility;
+  lighting.CloudCover = this->Sky == Even ? 0.0 : this->CloudCover;
   lighting.CloudHeight = this->CloudHeight;
   lighting.CloudDrift = { this->CloudDrift[0], this->CloudDrift[1] };
   lighting.FilmCurve = this->FilmCurve;
+  lighting.Background = this->Background;
   lighting.OcclusionRadius = this->OcclusionRadius;
   lighting.CoverColor = LinearOf(this->CoverColor);
   // White on level ground is white, or luminances of 1.2 cd/m2 2^EV are.
   const littoral::SkyTables& sky = lighting.Sky.GetTables();
   const littoral::Vector3 light = sky.LightOn({ 0.0, 0.0, 1.0 }) + std::max(sky.Sun.z, 0.0) * sky.SunLight;
   const double level = std::max(littoral::LuminanceOf(light) / littoral::Pi, 1e-9);
-  const double white = this->Exposure == MANUAL ? 1.2e-3 * std::exp2(this->ExposureValue)
-    : this->Sky == EVEN                         ? level
+  const double white = this->Exposure == Manual ? 1.2e-3 * std::exp2(this->ExposureValue)
+    : this->Sky == Even                         ? level
                                                 : level / KeyOf(level);
   lighting.Exposure = std::exp2(this->ExposureCompensation) / white;
 }
 
 //----------------------------------------------------------------------------
-void vtkLandscapePass::DrawMaps(vtkRenderer* renderer)
+void vtkLandscapePass::RenderMaps(vtkRenderer* renderer, vtkMultiProcessController* processes)
 {
   Internals& own = *this->Own;
+  // Normals are there only if there is a light; shaders are built for it once.
+  if (renderer->GetLights()->GetNumberOfItems() == 0)
+  {
+    renderer->CreateLight();
+  }
   own.Shown.clear();
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator next;
@@ -339,7 +349,7 @@ void vtkLandscapePass::DrawMaps(vtkRenderer* renderer)
   wish.HasZenith = this->OcclusionRadius > 0.0;
   wish.Distance = this->ShadowDistance;
   wish.Size = this->MapSize;
-  const auto isGround = [](vtkProp* prop) { return GetMaterial(prop) == GROUND; };
+  const auto isGround = [](vtkProp* prop) { return GetMaterial(prop) == Ground; };
   const bool hasGround = std::any_of(own.Shown.begin(), own.Shown.end(), isGround);
   wish.GroundRadius = hasGround && this->CoverHeight > 0.0 ? this->CoverRadius : 0.0;
   own.Cover.SetSize(this->CoverHeight, this->CoverRadius);
@@ -348,7 +358,7 @@ void vtkLandscapePass::DrawMaps(vtkRenderer* renderer)
   all.SetPropArrayAndCount(own.Shown.data(), static_cast<int>(own.Shown.size()));
   own.Surfaces->Begin(&all);
   own.Lights->Render(&all);
-  own.Light.Maps.Draw(renderer, own.Shown, wish, [&](int map) {
+  const auto drawCasters = [&](int map) {
     for (vtkProp* prop : own.Shown)
     {
       if (map != littoral::DepthMaps::Ground || isGround(prop))
@@ -356,8 +366,37 @@ void vtkLandscapePass::DrawMaps(vtkRenderer* renderer)
         prop->RenderOpaqueGeometry(renderer);
       }
     }
-  });
+  };
+  own.Light.Maps.Draw(renderer, own.Shown, wish, drawCasters, processes);
   own.Surfaces->End(&all);
+}
+
+//----------------------------------------------------------------------------
+void vtkLandscapePass::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Own->Controller != controller)
+  {
+    this->Own->Controller = controller;
+    this->Modified();
+  }
+}
+
+//----------------------------------------------------------------------------
+vtkMultiProcessController* vtkLandscapePass::GetController()
+{
+  return this->Own->Controller;
+}
+
+//----------------------------------------------------------------------------
+void vtkLandscapePass::DrawMaps(vtkRenderer* renderer)
+{
+  Internals& own = *this->Own;
+  if (!renderer->GetSelector() && this->WhyInvalid().empty())
+  {
+    this->TakeLight();
+    this->RenderMaps(renderer, own.Controller);
+    own.HasMaps = true;
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -377,12 +416,11 @@ void vtkLandscapePass::Render(const vtkRenderState* state)
     return;
   }
   this->TakeLight();
-  // Normals are there only if there is a light; shaders are built for it once.
-  if (renderer->GetLights()->GetNumberOfItems() == 0)
+  if (!own.HasMaps)
   {
-    renderer->CreateLight();
+    this->RenderMaps(renderer, nullptr);
   }
-  this->DrawMaps(renderer);
+  own.HasMaps = false;
   own.Quad.SetSamples(this->Supersampling ? 2 : 1);
   vtkCamera* camera = renderer->GetActiveCamera();
   own.Light.ToWorld = glm::inverse(littoral::MatrixOf(camera->GetModelViewTransformMatrix()));
@@ -410,8 +448,8 @@ void vtkLandscapePass::ReleaseGraphicsResources(vtkWindow* window)
 void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Sky: " << (this->Sky == EVEN ? "even" : "clear") << "\n";
-  os << indent << "SunPlacement: " << (this->SunPlacement == CLOCK ? "clock" : "angles") << "\n";
+  os << indent << "Sky: " << this->Sky << "\n";
+  os << indent << "SunPlacement: " << this->SunPlacement << "\n";
   os << indent << "SunElevation: " << this->SunElevation << "\n";
   os << indent << "SunAzimuth: " << this->SunAzimuth << "\n";
   os << indent << "Date: " << this->Date[0] << " " << this->Date[1] << " " << this->Date[2] << "\n";
@@ -423,7 +461,7 @@ void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CloudCover: " << this->CloudCover << "\n";
   os << indent << "CloudHeight: " << this->CloudHeight << "\n";
   os << indent << "CloudDrift: " << this->CloudDrift[0] << " " << this->CloudDrift[1] << "\n";
-  os << indent << "Exposure: " << (this->Exposure == MANUAL ? "manual" : "incident") << "\n";
+  os << indent << "Exposure: " << this->Exposure << "\n";
   os << indent << "ExposureValue: " << this->ExposureValue << "\n";
   os << indent << "ExposureCompensation: " << this->ExposureCompensation << "\n";
   os << indent << "FilmCurve: " << (this->FilmCurve ? "on" : "off") << "\n";
@@ -436,4 +474,6 @@ void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CoverHeight: " << this->CoverHeight << "\n";
   os << indent << "CoverColor: " << this->CoverColor[0] << " " << this->CoverColor[1] << " " << this->CoverColor[2]
      << "\n";
+  os << indent << "Background: " << (this->Background ? "on" : "off") << "\n";
+  os << indent << "Controller: " << this->Own->Controller.Get() << "\n";
 }

@@ -9,7 +9,9 @@
  * albedos in the code of sRGB. x is to the east, y to the north and z up; lengths are metres. Surfaces shade each other
  * from the sun, by maps of depths that are drawn anew only where something moved, and from the sky.
  *
- * What is picked, what is not lit (Lighting off), volumes and annotations are drawn as without the pass.
+ * Shaders of surfaces define LandscapeLight, by which a user's own replacements in them may tell that their color is an
+ * albedo. What is picked, what no light changes (Lighting off, or Diffuse 0), volumes and annotations are drawn as
+ * without the pass.
  */
 #ifndef vtkLandscapePass_h
 #define vtkLandscapePass_h
@@ -22,6 +24,7 @@
 
 class vtkInformationDoubleKey;
 class vtkInformationIntegerKey;
+class vtkMultiProcessController;
 class vtkProp;
 class vtkRenderer;
 
@@ -35,29 +38,29 @@ public:
   /** Skies: that of clear air under the sun, or the same luminance from everywhere and no sun. */
   enum SkyType
   {
-    CLEAR,
-    EVEN
+    Clear,
+    Even
   };
   ///@{
-  /** Sky; default CLEAR. */
-  vtkSetClampMacro(Sky, int, CLEAR, EVEN);
+  /** Sky; default Clear. */
+  vtkSetClampMacro(Sky, int, Clear, Even);
   vtkGetMacro(Sky, int);
-  void SetSkyToClear() { this->SetSky(CLEAR); }
-  void SetSkyToEven() { this->SetSky(EVEN); }
+  void SetSkyToClear() { this->SetSky(Clear); }
+  void SetSkyToEven() { this->SetSky(Even); }
   ///@}
 
   /** Sources of the sun's place: two angles, or a moment and a place on earth. */
   enum SunPlacementType
   {
-    ANGLES,
-    CLOCK
+    Angles,
+    Clock
   };
   ///@{
-  /** Source of the sun's place; default ANGLES. */
-  vtkSetClampMacro(SunPlacement, int, ANGLES, CLOCK);
+  /** Source of the sun's place; default Angles. */
+  vtkSetClampMacro(SunPlacement, int, Angles, Clock);
   vtkGetMacro(SunPlacement, int);
-  void SetSunPlacementToAngles() { this->SetSunPlacement(ANGLES); }
-  void SetSunPlacementToClock() { this->SetSunPlacement(CLOCK); }
+  void SetSunPlacementToAngles() { this->SetSunPlacement(Angles); }
+  void SetSunPlacementToClock() { this->SetSunPlacement(Clock); }
   ///@}
   ///@{
   /** Elevation of the sun above the horizon [degrees], -90 to 90; default 35. */
@@ -120,18 +123,18 @@ public:
   /** Sources of the exposure: the light on a level ground, or a number. */
   enum ExposureType
   {
-    INCIDENT,
-    MANUAL
+    Incident,
+    Manual
   };
   ///@{
-  /** Source of the exposure; default INCIDENT. */
-  vtkSetClampMacro(Exposure, int, INCIDENT, MANUAL);
+  /** Source of the exposure; default Incident. */
+  vtkSetClampMacro(Exposure, int, Incident, Manual);
   vtkGetMacro(Exposure, int);
-  void SetExposureToIncident() { this->SetExposure(INCIDENT); }
-  void SetExposureToManual() { this->SetExposure(MANUAL); }
+  void SetExposureToIncident() { this->SetExposure(Incident); }
+  void SetExposureToManual() { this->SetExposure(Manual); }
   ///@}
   ///@{
-  /** Exposure value at ISO 100 for the exposure MANUAL; default 15, of a sunny day. */
+  /** Exposure value at ISO 100 for the exposure Manual; default 15, of a sunny day. */
   vtkSetMacro(ExposureValue, double);
   vtkGetMacro(ExposureValue, double);
   ///@}
@@ -176,7 +179,7 @@ public:
   ///@}
 
   ///@{
-  /** Distance from the eye to which grass grows on props of the material GROUND [m], 0 for none; default 30. */
+  /** Distance from the eye to which grass grows on props of the material Ground [m], 0 for none; default 30. */
   vtkSetClampMacro(CoverRadius, double, 0.0, 200.0);
   vtkGetMacro(CoverRadius, double);
   ///@}
@@ -202,16 +205,35 @@ public:
    * color is a part of CoverColor. */
   enum MaterialType
   {
-    SURFACE,
-    GROUND,
-    COVER
+    Surface,
+    Ground,
+    Cover
   };
   ///@{
-  /** Material of a prop; SURFACE for one without this key. */
+  /** Material of a prop; Surface for one without this key. */
   static vtkInformationIntegerKey* MATERIAL();
   static void SetMaterial(vtkProp* prop, int material);
   static int GetMaterial(vtkProp* prop);
   ///@}
+  ///@{
+  /** Sky behind the surfaces, off where nothing is drawn there; default on. */
+  vtkSetMacro(Background, bool);
+  vtkGetMacro(Background, bool);
+  vtkBooleanMacro(Background, bool);
+  ///@}
+  ///@{
+  /**
+   * Processes of which each draws a part of the surfaces, which shade each other where DrawMaps() is called on all;
+   * null by default: this process alone.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+  /**
+   * Draws the maps of depths for the next picture, with the renderer's camera, on all processes of Controller together.
+   * Without it Render() draws them, of the surfaces of this process.
+   */
+  void DrawMaps(vtkRenderer* renderer);
 
   /** Direction towards the sun, of length 1, by the properties. */
   void GetSunDirection(double direction[3]) VTK_SIZEHINT(3);
@@ -237,7 +259,7 @@ private:
 
   std::string WhyInvalid() const;
   void TakeLight();
-  void DrawMaps(vtkRenderer* renderer);
+  void RenderMaps(vtkRenderer* renderer, vtkMultiProcessController* processes);
 
   struct Internals;
   std::unique_ptr<Internals> Own;
@@ -267,6 +289,7 @@ private:
   double CoverRadius;
   double CoverHeight;
   double CoverColor[3];
+  bool Background;
 };
 
 #endif

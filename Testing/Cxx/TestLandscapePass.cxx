@@ -379,7 +379,7 @@ bool TestGrass()
     vtkActor* ground = picture.Add(
       Plane({ x - 30.0, -30.0, -30.0 * slope }, { x + 30.0, -30.0, 30.0 * slope }, { x - 30.0, 30.0, -30.0 * slope }),
       0.3);
-    vtkLandscapePass::SetMaterial(ground, isGround ? vtkLandscapePass::GROUND : vtkLandscapePass::SURFACE);
+    vtkLandscapePass::SetMaterial(ground, isGround ? vtkLandscapePass::Ground : vtkLandscapePass::Surface);
     picture.Look({ x, -10.0, 0.0 }, { x, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
     vtkCamera* camera = picture.Renderer->GetActiveCamera();
     camera->ParallelProjectionOn();

@@ -229,8 +229,22 @@ def check_motion(view, squares, shown):
     near(at(picture(view), 1.0), (200, 100, 50), "the color of the points again")
 
 
+def check_still(view):
+    """A picture like the last one changes nothing that is drawn, by which maps of shadows would be drawn anew."""
+    def times():
+        simple.Render(view)
+        props = view.GetRenderer().GetViewProps()
+        each = [props.GetItemAsObject(index) for index in range(props.GetNumberOfItems())]
+        return [prop.GetRedrawMTime() for prop in each if prop.GetVisibility() and prop.GetBounds()]
+
+    times()
+    before = times()
+    assert len(before) >= 3 and times() == before, "a picture like the last one changes what is drawn"
+
+
 def main():
     view, squares, shown, light = scene()
+    check_still(view)
     check_colors(view, squares, shown, "alone")
     check_motion(view, squares, shown)
     check_light(view, shown, light, "alone")

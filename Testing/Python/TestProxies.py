@@ -27,7 +27,8 @@ LEFT_OUT = {
 OTHER_ENUMERATION = {"FlowType": "PrimitiveType", "KrigingType": "KrigingKind", "ReflectanceModel": "ModelType",
                      "CoordinateUnit": "UnitType", "DiameterUnit": "UnitType", ("StandInventory", "HeightUnit"): "UnitType"}
 # Numbers that are chosen from a list, and choices of VTK's own.
-NOT_NAMED = {("GardnerPlant", "Frequency"), ("SuspendedParticles", "OutputPointsPrecision")}
+NOT_NAMED = {("GardnerPlant", "Frequency"), ("SuspendedParticles", "OutputPointsPrecision"),
+             ("LandscapePass", "MapSize")}
 # Defaults that no method gives back.
 NO_GETTER = {("SuspendedParticles", "Boxes"), ("SuspendedParticles", "BoxNames")}
 

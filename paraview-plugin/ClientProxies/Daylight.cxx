@@ -152,11 +152,14 @@ void FadeAway(vtkSMProxy* representation, const char* name, double extinction)
   {
     return;
   }
-  // c = mix(b, c, exp(-k d)), with the depth d = 1 / w of the fragment; after light and texture
+  // c = mix(b, c, exp(-k d)), with the depth d = 1 / w of the fragment; after light and texture. vtkLandscapePass has
+  // air of its own, and no water.
+  const bool isAir = std::strcmp(name, "land") == 0;
   std::ostringstream code;
   code << R"([{"type": "fragment", "original": "//VTK::DepthPeeling::Impl", "replacement": ")"
-       << "gl_FragData[0].rgb = mix(" << Middle(*mood) << ", gl_FragData[0].rgb, exp(-" << extinction
-       << R"( / gl_FragCoord.w));\n  //VTK::DepthPeeling::Impl"}])";
+       << (isAir ? R"(\n#ifndef LandscapeLight\n  )" : "") << "gl_FragData[0].rgb = mix(" << Middle(*mood)
+       << ", gl_FragData[0].rgb, exp(-" << extinction << " / gl_FragCoord.w));" << (isAir ? R"(\n#endif)" : "")
+       << R"(\n  //VTK::DepthPeeling::Impl"}])";
   vtkSMPropertyHelper(representation, "ShaderReplacements").Set(code.str().c_str());
   vtkSMPropertyHelper(representation, "UseShaderReplacements").Set(1);
 }

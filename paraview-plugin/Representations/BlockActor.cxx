@@ -4,6 +4,7 @@
 
 #include "BlockMapper.h"
 #include "InstanceMapper.h"
+#include "vtkLandscapePass.h"
 
 #include "vtkActor.h"
 #include "vtkCompositeDataDisplayAttributes.h"
@@ -11,6 +12,8 @@
 #include "vtkDataObjectTreeRange.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleKey.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -172,6 +175,8 @@ void BlockActor::Picture::Show(vtkDataArray* texels, vtkDataArray* size)
 BlockActor::BlockActor()
 {
   this->Hide();
+  this->Actor->SetUserMatrix(this->Matrix);
+  this->Actor->SetPropertyKeys(this->Keys);
 }
 
 //----------------------------------------------------------------------------
@@ -201,11 +206,19 @@ void BlockActor::Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper,
   }
   vtkNew<vtkMatrix4x4> matrix;
   like->GetMatrix(matrix);
-  this->Actor->SetUserMatrix(matrix);
-  this->Actor->GetProperty()->DeepCopy(like->GetProperty());
-  this->Actor->SetPropertyKeys(like->GetPropertyKeys());
+  if (!std::equal(matrix->GetData(), matrix->GetData() + 16, this->Matrix->GetData()))
+  {
+    this->Matrix->DeepCopy(matrix); // a change is one for who draws maps of shadows
+  }
+  if (this->GivenProperty != like->GetProperty() || this->PropertyTime != like->GetProperty()->GetMTime())
+  {
+    this->GivenProperty = like->GetProperty();
+    this->PropertyTime = like->GetProperty()->GetMTime();
+    this->Actor->GetProperty()->DeepCopy(like->GetProperty());
+  }
+  this->TakeKeys(like->GetPropertyKeys(), part.Transmittance);
   this->Actor->SetPickable(like->GetPickable() && !part.Prototype);
-  this->Actor->SetVisibility(like->GetVisibility() && (!isAlone || IsVisible(part.Tree, part.Attributes)));
+  this->Actor->SetVisibility(!isAlone || IsVisible(part.Tree, part.Attributes));
   vtkProperty* property = like->GetProperty();
   const bool hasNormals = isLit && property->GetLighting() && property->GetRepresentation() == VTK_SURFACE;
   this->TakeTexture(part.Textured, like->GetShaderProperty(), hasNormals);
@@ -217,6 +230,7 @@ void BlockActor::Hide()
   this->Actor->VisibilityOff();
   this->Actor->SetMapper(nullptr);
   this->Mapper = nullptr;
+  this->MapperTime = 0;
 }
 
 //----------------------------------------------------------------------------
@@ -232,7 +246,15 @@ void BlockActor::TakeMapper(const PartOfTree& part, vtkMapper* like)
   {
     this->Mapper = vtkSmartPointer<vtkMapper>::Take(like->NewInstance());
     this->Actor->SetMapper(this->Mapper);
+    this->MapperTime = 0;
   }
+  this->Mapper->SetSelection(like->GetSelection());
+  const vtkMTimeType time = std::max(like->GetMTime(), part.Attributes->GetMTime());
+  if (this->MapperTime == time && this->Mapper->GetInputDataObject(0, 0) == part.Tree)
+  {
+    return;
+  }
+  this->MapperTime = time;
   this->Mapper->ShallowCopy(like);
   this->Mapper->SetSelection(like->GetSelection());
   auto* own = CompositeMapper::SafeDownCast(this->Mapper);
@@ -254,6 +276,7 @@ void BlockActor::TakeBlock(const PartOfTree& part, vtkMapper* like)
   if (!mapper || mapper->GetVBOShiftScaleMethod() != other->GetVBOShiftScaleMethod())
   {
     const auto made = vtkSmartPointer<BlockMapper>::New();
+    this->MapperTime = 0;
     this->Mapper = mapper = made;
     this->Actor->SetMapper(mapper);
   }
@@ -279,6 +302,7 @@ void BlockActor::TakeInstances(const PartOfTree& part, vtkMapper* like)
   if (!mapper)
   {
     const auto made = vtkSmartPointer<InstanceMapper>::New();
+    this->MapperTime = 0;
     this->Mapper = mapper = made;
     this->Actor->SetMapper(mapper);
   }
@@ -300,10 +324,19 @@ void BlockActor::TakeTexture(vtkDataObject* block, vtkShaderProperty* given, boo
     this->Colors.Show(FieldOf(block, TextureName), FieldOf(block, SizeName));
     this->TakeMean(block);
   }
-  if (hasNormals && isLit)
+  const bool isRough = hasNormals && isLit;
+  if (isRough)
   {
     this->Normals.Show(FieldOf(block, NormalsName), FieldOf(block, SizeName));
-    this->Actor->GetProperty()->SetTexture(NormalsUniform, this->Normals.Texture);
+  }
+  vtkProperty* property = this->Actor->GetProperty();
+  if (isRough && !property->GetTexture(NormalsUniform))
+  {
+    property->SetTexture(NormalsUniform, this->Normals.Texture);
+  }
+  else if (!isRough && property->GetTexture(NormalsUniform) == this->Normals.Texture)
+  {
+    property->RemoveTexture(NormalsUniform);
   }
 }
 
@@ -358,6 +391,17 @@ void BlockActor::SetShading(Shading shading, vtkShaderProperty* given)
     {
       shader->AddGeometryShaderReplacement(name, isFirst, code, isAll);
     }
+  }
+}
+
+//----------------------------------------------------------------------------
+/// Keys are of this actor alone: passes that draw it leave theirs in them.
+void BlockActor::TakeKeys(vtkInformation* given, double transmittance)
+{
+  this->Keys->Copy(given);
+  if (transmittance > 0.0)
+  {
+    this->Keys->Set(vtkLandscapePass::TRANSMITTANCE(), transmittance);
   }
 }
 

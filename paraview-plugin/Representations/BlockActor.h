@@ -14,8 +14,11 @@
 class vtkActor;
 class vtkCompositeDataDisplayAttributes;
 class vtkDataArray;
+class vtkInformation;
 class vtkMapper;
+class vtkMatrix4x4;
 class vtkProp;
+class vtkProperty;
 class vtkShaderProperty;
 class vtkTexture;
 
@@ -32,6 +35,7 @@ struct PartOfTree
   unsigned int BlockIndex = 0;                                   ///< of the only leaf in the tree
   vtkSmartPointer<vtkPolyData> Prototype;                        ///< drawn in place of the tree where it has instances
   std::shared_ptr<const InstanceBatch> Instances;
+  double Transmittance = 0.0; ///< of the light on the far side of surfaces (vtkLandscapePass)
 };
 
 /**
@@ -54,7 +58,8 @@ public:
   /// Whether a block carries a texture, of as many texels as it says.
   static bool IsTextured(vtkDataObject* block);
 
-  /// Draws blocks as an actor with its mapper would, in a view with lights or without.
+  /// Draws blocks as an actor with its mapper would, in a view with lights or without. Where nothing changed, nothing is
+  /// modified: what follows from it, such as maps of shadows, is kept.
   void Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper, bool isLit);
 
   /// Draws nothing, and keeps nothing.
@@ -86,14 +91,20 @@ private:
   void TakeBlock(const PartOfTree& part, vtkMapper* like);
   void TakeInstances(const PartOfTree& part, vtkMapper* like);
   void TakeTexture(vtkDataObject* block, vtkShaderProperty* given, bool isLit);
+  void TakeKeys(vtkInformation* given, double transmittance);
   void SetShading(Shading shading, vtkShaderProperty* given);
   void TakeMean(vtkDataObject* block);
 
   vtkNew<vtkActor> Actor;
+  vtkNew<vtkMatrix4x4> Matrix;
+  vtkNew<vtkInformation> Keys;
   vtkSmartPointer<vtkMapper> Mapper;
   Picture Colors;
   Picture Normals;
   Shading Shaded = Shading::Plain;
+  vtkProperty* GivenProperty = nullptr; ///< copied last, at its time
+  vtkMTimeType PropertyTime = 0;
+  vtkMTimeType MapperTime = 0; ///< of what the mapper of a tree was copied from
   vtkMTimeType GivenTime = 0; ///< of the replacements in the shader that a user gave
 };
 

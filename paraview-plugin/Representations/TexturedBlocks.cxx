@@ -6,6 +6,8 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkPVDataRepresentation.h"
@@ -15,6 +17,8 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 
 namespace littoral
 {
@@ -33,6 +37,15 @@ PartOfTree Branches(vtkDataObjectTree* tree)
   part.Tree = branches;
   part.Attributes = vtkSmartPointer<vtkCompositeDataDisplayAttributes>::New();
   return part;
+}
+
+/// Part of the light on the far side of a block of leaves that comes through, by the name of the block, as `Leaves` or
+/// `0 High/Leaves`: all others let none through.
+double TransmittanceOf(const std::string& name)
+{
+  constexpr double leaves = 0.4;
+  const std::string last = name.substr(name.rfind('/') + 1); // all, if there is none
+  return last == "Leaves" || last == "Crown" || last == "Low" ? leaves : 0.0;
 }
 
 /// Whether a light is on, or VTK will make one.
@@ -141,11 +154,16 @@ void TexturedBlocks::Split(vtkDataObject* data)
   std::size_t others = 0;
   const auto leaf = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
   const InstancedBlocks instanced = InstancesIn(tree);
+  std::map<vtkDataObject*, double> transmittances;
   for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
   {
     vtkSmartPointer<vtkDataObject> block = leaf->GetCurrentDataObject();
+    vtkInformation* about = leaf->HasCurrentMetaData() ? leaf->GetCurrentMetaData() : nullptr;
+    const char* name = about ? about->Get(vtkCompositeDataSet::NAME()) : nullptr;
+    const double transmittance = TransmittanceOf(name ? name : "");
     if (instanced.Blocks.count(block) > 0)
     {
+      transmittances[block] = transmittance;
       continue;
     }
     const bool isTextured = BlockActor::IsTextured(block);
@@ -160,6 +178,7 @@ void TexturedBlocks::Split(vtkDataObject* data)
       this->Parts.back().Textured = isTextured ? block : nullptr;
       this->Parts.back().Block = vtkPolyData::SafeDownCast(block);
       this->Parts.back().BlockIndex = leaf->GetCurrentFlatIndex();
+      this->Parts.back().Transmittance = transmittance;
     }
     PartOfTree& part = isAlone ? this->Parts.back() : this->Parts.front();
     vtkDataObjectTree::SafeDownCast(part.Tree)->SetDataSetFrom(leaf, block);
@@ -171,6 +190,7 @@ void TexturedBlocks::Split(vtkDataObject* data)
     part.Textured = BlockActor::IsTextured(block) ? block : nullptr;
     part.Prototype = vtkPolyData::SafeDownCast(block);
     part.Instances = BatchOf(pair);
+    part.Transmittance = transmittances[pair.Prototype];
     this->Parts.push_back(part);
   }
   const auto isSpecial = [](const PartOfTree& part) { return part.Textured || part.Prototype; };

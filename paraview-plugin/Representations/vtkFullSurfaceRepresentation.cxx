@@ -142,7 +142,7 @@ void vtkFullSurfaceRepresentation::TakeBoundsOfPoints()
 }
 
 //----------------------------------------------------------------------------
-/// Leaves data with textures to their own actors.
+/// Leaves data with textures to their own actors, while this representation is visible.
 void vtkFullSurfaceRepresentation::DrawTextures(bool attributesChanged)
 {
   vtkMapper* mapper = this->Actor->GetEnableLOD() ? this->LODMapper : this->Mapper;
@@ -150,11 +150,8 @@ void vtkFullSurfaceRepresentation::DrawTextures(bool attributesChanged)
   const auto take = [this](vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* blocks) {
     this->PopulateBlockAttributes(attributes, blocks);
   };
-  if (data && this->Textured->Draw(data, this->Actor, mapper, attributesChanged, take))
-  {
-    const auto nothing = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
-    mapper->SetInputDataObject(nothing);
-  }
+  const bool isDrawn = data && this->Textured->Draw(data, this->Actor, mapper, attributesChanged, take);
+  this->Actor->SetVisibility(!isDrawn);
 }
 
 //----------------------------------------------------------------------------

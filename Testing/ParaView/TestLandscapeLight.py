@@ -1,0 +1,238 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+# run-with: pvpython together=looks
+"""Landscape Light lights the view that shows it, and no other: what is hidden leaves the bytes as they were. Under it,
+colors that are to be read, annotations, volumes, selections and screenshots are as without it.
+
+A ball over a plane, with a shadow where the sun puts it. TestLightBeforeServer has servers and ranks.
+"""
+
+import numpy as np
+import quick
+import TestTextures
+from paraview import simple
+from paraview.servermanager import Fetch
+from paraview.vtk.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+from window import colors, picture, small_view
+
+SIZE = [240, 160]
+SUN = {"SunElevation": 45.0, "SunAzimuth": 270.0, "MapSize": "1024"}
+
+
+def look(view, eye=(0.0, -9.0, 7.0), target=(0.0, 0.0, 0.5)):
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = list(eye), list(target), [0.0, 0.0, 1.0]
+    view.CameraViewAngle = 30.0
+
+
+def scene(size=SIZE):
+    """A view of a ball 1 m above a plane."""
+    view = small_view(size)
+    ground = simple.Plane(Origin=[-3.0, -3.0, 0.0], Point1=[3.0, -3.0, 0.0], Point2=[-3.0, 3.0, 0.0],
+                          XResolution=12, YResolution=12)
+    ball = simple.Sphere(Center=[0.0, 0.0, 1.5], Radius=0.5, ThetaResolution=32, PhiResolution=32)
+    simple.Show(ground, view)
+    simple.Show(ball, view).DiffuseColor = [0.8, 0.3, 0.2]
+    simple.Render(view)
+    look(view)
+    return view, ground, ball
+
+
+def pixel_of(view, place):
+    """Column and row of a place."""
+    renderer = view.GetRenderer()
+    renderer.SetWorldPoint(*place, 1.0)
+    renderer.WorldToDisplay()
+    return [int(number) for number in renderer.GetDisplayPoint()[:2]]
+
+
+def shade_at(view, lit, place):
+    column, row = pixel_of(view, place)
+    return lit[row - 1:row + 2, column - 1:column + 2].mean()
+
+
+def check_light(view, light):
+    """The shadow is where the sun puts it, for two suns, and the view without the light as before; returns the display."""
+    before = picture(view)
+    shown = simple.Show(light, view, **SUN)
+    lit = picture(view)
+    assert not np.array_equal(lit, before), "no light"
+    west, east = (-1.5, 0.0, 0.0), (1.5, 0.0, 0.0)  # 45 degrees high, in the west
+    assert shade_at(view, lit, east) < 0.75 * shade_at(view, lit, west), "no shadow in the east of the ball"
+    shown.SunAzimuth = 90.0
+    other = picture(view)
+    assert shade_at(view, other, west) < 0.75 * shade_at(view, other, east), "no shadow in the west of the ball"
+    simple.Hide(light, view)
+    assert np.array_equal(picture(view), before), "a view without light is another one after it"
+    simple.Show(light, view)
+    assert np.array_equal(picture(view), other), "another light when it is shown again"
+    return shown
+
+
+def check_clock(view, shown):
+    """NREL's example (Reda and Andreas 2008): 39.888 degrees high, from 194.340 degrees."""
+    shown.SunPlacement, shown.Date, shown.Hours = "Clock", [2003, 10, 17], 19.508333
+    shown.Latitude, shown.Longitude = 39.742476, -105.1786
+    by_clock = picture(view)
+    shown.SunPlacement, shown.SunElevation, shown.SunAzimuth = "Angles", 39.888, 194.340
+    assert np.abs(picture(view) - by_clock).max() <= 2, "the clock has another sun than its angles"
+
+
+def check_two_views(view, light):
+    """A second view of the same things is lit only by a light of its own."""
+    second, _, _ = scene()
+    plain = picture(second)
+    lit = picture(view)
+    simple.Show(light, second, **SUN)
+    assert not np.array_equal(picture(second), plain)
+    simple.Hide(light, second)
+    assert np.array_equal(picture(second), plain) and np.array_equal(picture(view), lit)
+    simple.Delete(second)
+    simple.SetActiveView(view)
+
+
+def selected(source, view, kind):
+    getattr(simple, kind)(Rectangle=[80, 40, 130, 90], View=view)
+    found = simple.ExtractSelection(Input=source, Selection=source.GetSelectionInput(0))
+    data = Fetch(found)
+    simple.ClearSelection(source)
+    simple.Delete(found)
+    attributes, name = ((data.GetPointData(), "vtkOriginalPointIds") if kind.endswith("Points") else
+                        (data.GetCellData(), "vtkOriginalCellIds"))
+    return sorted(vtk_to_numpy(attributes.GetArray(name)))
+
+
+def check_selection(view, ground, light):
+    """The same points and cells are selected through the view with the light and without."""
+    for kind in ("SelectSurfacePoints", "SelectSurfaceCells"):
+        simple.Show(light, view)
+        simple.Render(view)
+        lit = selected(ground, view, kind)
+        simple.Hide(light, view)
+        simple.Render(view)
+        plain = selected(ground, view, kind)
+        assert lit == plain and len(plain) > 10, f"{kind}: {lit} with the light, {plain} without"
+    simple.Show(light, view)
+
+
+def check_screenshot(view):
+    lit = picture(view)
+    simple.SaveScreenshot("lit.png", view, ImageResolution=SIZE)
+    reader = vtkPNGReader()
+    reader.SetFileName("lit.png")
+    reader.Update()
+    saved = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(lit.shape)
+    assert np.array_equal(saved, lit), "a screenshot is another picture"
+
+
+def check_others(light):
+    """Colors to be read keep their values, a text, a legend and the cross of the axes are drawn, a volume too."""
+    view = small_view(SIZE)
+    view.OrientationAxesVisibility = 1
+    view.UseColorPaletteForBackground, view.BackgroundColorMode = 0, "Gradient"
+    view.Background, view.Background2 = [0.2, 0.3, 0.9], [0.9, 0.1, 0.1]
+    board = simple.Plane(Origin=[-1.0, 0.0, -1.0], Point1=[1.0, 0.0, -1.0], Point2=[-1.0, 0.0, 1.0])
+    colored = simple.Elevation(Input=board, LowPoint=[0.0, 0.0, -1.0], HighPoint=[0.0, 0.0, 1.0])
+    shown = simple.Show(colored, view)
+    simple.ColorBy(shown, ("POINTS", "Elevation"))
+    shown.SetScalarBarVisibility(view, True)
+    shown.Ambient, shown.Diffuse = 1.0, 0.0
+    words = simple.Text(Text="West wind")
+    simple.Show(words, view).WindowLocation = "Upper Left Corner"
+    simple.Render(view)
+    look(view, (0.0, -8.0, 0.0), (0.0, 0.0, 0.0))
+    before = picture(view)
+    display = simple.Show(light, view, **SUN)
+    lit = picture(view)
+    column, row = pixel_of(view, (0.0, 0.0, 0.0))
+    middle = np.s_[row - 20:row + 20, column - 20:column + 20]
+    assert np.abs(lit[middle] - before[middle]).max() <= 1, "a color map by ambient light alone has other colors"
+    corner = np.s_[:SIZE[1] // 4, :SIZE[0] // 5]
+    assert (lit[corner][..., 1] - lit[corner][..., ::2].max(axis=-1) > 80).sum() > 5, "no cross of the axes"
+    simple.HideAll(view)
+    simple.Show(light, view)
+    bare = picture(view)
+    simple.Show(words, view)
+    assert (np.abs(picture(view) - bare).max(axis=-1) > 60).sum() > 60, "no text"
+    simple.HideAll(view)
+    image = simple.Wavelet(WholeExtent=[-5, 5, -5, 5, -5, 5])
+    volume = simple.Show(image, view)
+    volume.SetRepresentationType("Volume")
+    look(view, (0.0, -40.0, 0.0), (0.0, 0.0, 0.0))
+    fog = picture(view)
+    simple.Show(light, view)
+    cloud = picture(view)
+    simple.Hide(image, view)
+    sky = picture(view)
+    part = (np.abs(cloud - sky).max(axis=-1) > 12).mean()
+    assert part > 0.1, f"{part:.1%} of the picture are a volume"
+    simple.Hide(light, view)
+    simple.Show(image, view)
+    assert np.array_equal(picture(view), fog), "a view of a volume is another one after the light"
+    simple.HideAll(view)
+    simple.Show(colored, view), simple.Show(words, view)
+    shown.SetScalarBarVisibility(view, True)
+    look(view, (0.0, -8.0, 0.0), (0.0, 0.0, 0.0))
+    assert np.array_equal(picture(view), before), "another background"
+    simple.Delete(view)
+
+
+def linear(code):
+    """Part of the light of white of a color of the display (IEC 61966-2-1)."""
+    return code / 12.92 if code <= 0.04045 else ((code + 0.055) / 1.055) ** 2.4
+
+
+def check_leaves(light):
+    """Boards that face away from the sun: one is dark, one of leaves has 0.4 of the light on its far side."""
+    view = small_view(SIZE)
+    script = TestTextures.SQUARES.replace("x + 2 * u, 2 * v, 0)", "x + 2 * u, 0, 2 * v)").replace(
+        "[(0, 0, 1)] * 4", "[(0, -1, 0)] * 4").replace('"Cut"', '"0 High/Leaves"')
+    boards = simple.Show(simple.ProgrammableSource(OutputDataSetType="vtkMultiblockDataSet", Script=script), view)
+    boards.SetRepresentationType("Full Surface")
+    simple.ColorBy(boards, ("POINTS", "RGB"))
+    boards.MapScalars = 0
+    simple.Render(view)
+    look(view, (4.0, -20.0, 1.0), (4.0, 0.0, 1.0))
+    display = simple.Show(light, view, SunElevation=30.0, SunAzimuth=0.0, FilmCurve=0, OcclusionRadius=0.0, MapSize="512",
+                          ExposureCompensation=-1.0, VisibilityDistance=1e9)
+    boards = {"wood": (1.0, 0.0, 1.0), "leaf": (3.5, 0.0, 1.0)}
+    found = {}
+    for side, azimuth in (("back", 0.0), ("front", 180.0)):
+        display.SunAzimuth = azimuth
+        lit = picture(view)
+        for board, place in boards.items():
+            column, row = pixel_of(view, place)
+            found[side, board] = linear(lit[row, column, 0] / 255.0)
+    wanted = found["back", "wood"] + 0.4 * found["front", "wood"]
+    assert abs(found["back", "leaf"] / wanted - 1.0) < 0.03, f"backlit leaves are {found['back', 'leaf']}, not {wanted}"
+    simple.Delete(view)
+
+
+def check_state(view, light):
+    lit = picture(view)
+    simple.SaveState("light.pvsm")
+    simple.ResetSession()
+    simple.LoadState("light.pvsm")
+    view = simple.GetRenderViews()[0]
+    view.ViewSize = SIZE
+    assert np.array_equal(picture(view), lit), "another light after a state"
+    simple.Delete(simple.FindSource("LandscapeLight1"))
+    unlit = picture(view)
+    assert not np.array_equal(unlit, lit), "lit by a light that was deleted"
+
+
+def main():
+    light = simple.LandscapeLight()
+    check_others(light)
+    check_leaves(light)
+    view, ground, _ = scene()
+    shown = check_light(view, light)
+    check_clock(view, shown)
+    check_two_views(view, light)
+    check_selection(view, ground, light)
+    check_screenshot(view)
+    check_state(view, light)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,99 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+# run-with: pvbatch mpi=1,2,3 tier=all
+"""Landscape Light has the same picture of surfaces on one rank and spread over ranks, where those of one rank shade
+those of another; the sky is there where nothing is, and where pictures are composed in order."""
+
+import numpy as np
+import quick
+from paraview import simple
+from paraview.servermanager import vtkProcessModule
+from paraview.vtk.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+from window import small_view
+
+SIZE = [240, 160]
+
+module = vtkProcessModule.GetProcessModule()
+ranks, rank = module.GetNumberOfLocalPartitions(), module.GetPartitionId()
+
+#: A ground and three boxes above it, all on the first rank or each on another.
+BOXES = """
+from paraview.servermanager import vtkProcessModule
+from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+
+module = vtkProcessModule.GetProcessModule()
+ranks, rank = module.GetNumberOfLocalPartitions(), module.GetPartitionId()
+append = vtkAppendPolyData()
+for box in range(4):
+    if box % ({spread} * (ranks - 1) + 1) == rank:
+        cube = vtkCubeSource()
+        cube.SetBounds(-4, 4, -4, 4, -0.2, 0) if box == 0 else cube.SetBounds(
+            2 * box - 4.5, 2 * box - 3.5, -0.5, 0.5, 1, 2)
+        append.AddInputConnection(cube.GetOutputPort())
+if append.GetNumberOfInputConnections(0):
+    append.Update()
+    self.GetOutput().ShallowCopy(append.GetOutput())
+"""
+
+
+def picture_of(view):
+    """The picture of a view on the first rank, else black."""
+    simple.Render(view)
+    simple.SaveScreenshot(f"light-{ranks}.png", view, ImageResolution=SIZE)
+    if rank > 0:
+        return np.zeros((SIZE[1], SIZE[0], 3), int)
+    reader = vtkPNGReader()
+    reader.SetFileName(f"light-{ranks}.png")
+    reader.Update()
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(SIZE[1], SIZE[0], -1).astype(int)
+
+
+def look(view, eye):
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = eye, [0.0, 0.0, 0.5], [0.0, 0.0, 1.0]
+
+
+def pictures(view, light, spread):
+    """Pictures of the boxes under two suns, from two places, and without the light."""
+    shown = simple.Show(simple.ProgrammableSource(Script=BOXES.format(spread=spread)), view)
+    simple.Render(view)
+    look(view, [0.0, -14.0, 8.0])
+    display = simple.Show(light, view, SunElevation=40.0, SunAzimuth=250.0, MapSize="512")
+    found = {"lit": picture_of(view)}
+    display.SunAzimuth = 110.0
+    found["another sun"] = picture_of(view)
+    look(view, [2.0, -14.0, 2.0])
+    found["another place"] = picture_of(view)
+    display.Visibility = 0
+    found["unlit"] = picture_of(view)
+    shown.Visibility = 0
+    return found
+
+
+def check_sky(view, light):
+    """The sky around a translucent surface, before which ranks compose in order, is that of an empty view."""
+    simple.Show(light, view)
+    empty = picture_of(view)
+    pane = simple.Plane(Origin=[-2.0, -3.0, 0.5], Point1=[2.0, -3.0, 0.5], Point2=[-2.0, -3.0, 3.0])
+    glass = simple.Show(pane, view)
+    glass.Opacity = 0.5
+    seen = picture_of(view)
+    part = (np.abs(seen - empty).max(axis=-1) > 1).mean()
+    assert rank > 0 or 0.1 < part < 0.4, f"{part:.1%} of the picture are glass before a sky"
+    corners = np.s_[::SIZE[1] - 1, ::SIZE[0] - 1]
+    assert np.array_equal(seen[corners], empty[corners]), "another sky beside glass"
+
+
+def main():
+    view, light = small_view(SIZE), simple.LandscapeLight()
+    wanted, seen = (pictures(view, light, spread) for spread in (0, 1))
+    check_sky(view, light)
+    for name in wanted:
+        apart = np.abs(seen[name] - wanted[name]).max(axis=-1)
+        print(f"{name}, {ranks} ranks: {(apart > 1).mean():.2%} of the picture are another, by {apart.max()}", flush=True)
+        assert (apart > 1).mean() < 0.0005, f"{name}: another picture on {ranks} ranks"
+    assert rank > 0 or (np.abs(wanted["lit"] - wanted["another sun"]).max(axis=-1) > 12).mean() > 0.02, "no shadows"
+
+
+main()
