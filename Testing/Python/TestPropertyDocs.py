@@ -24,7 +24,8 @@ WEAK = {"of", "by", "from", "to", "in", "on", "at", "with", "for", "that", "what
 # Methods that set no property.
 WITHOUT_DEFAULT = {"vtkSuspendedParticleSource::SetBoxName", "vtkViewDependentAlgorithm::SetCamera"}
 # Defaults that are no value of a Get method, or that subclasses have.
-IN_WORDS = {"vtkVDBVolumeWriter::SetController", "vtkLandscapePass::SetController", "vtkGLTFSceneWriter::SetSourceName", "vtkGLTFSceneWriter::SetSourceKind",
+IN_WORDS = {"vtkVDBVolumeWriter::SetController", "vtkLandscapePass::SetController",
+            "vtkGLTFSceneWriter::SetSourceName", "vtkGLTFSceneWriter::SetSourceKind",
             "vtkPlantScatterFilter::SetWeight", "vtkRandomFieldAlgorithm::SetModel",
             "vtkConditionalTerrainFilter::SetModelToFittedToData",
             "vtkViewDependentAlgorithm::SetNearDistance", "vtkViewDependentAlgorithm::SetFarDistance",
