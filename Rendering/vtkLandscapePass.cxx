@@ -31,6 +31,7 @@
 #include "vtkRenderer.h"
 #include "vtkSequencePass.h"
 #include "vtkTextureObject.h"
+#include "vtkTimeStamp.h"
 #include "vtkTranslucentPass.h"
 #include "vtkVolumetricPass.h"
 
@@ -120,7 +121,8 @@ struct vtkLandscapePass::Internals
   littoral::GroundCover Cover;
   std::vector<vtkProp*> Shown;
   vtkSmartPointer<vtkMultiProcessController> Controller;
-  bool HasMaps = false; ///< of the next picture
+  bool HasMaps = false;  ///< of the next picture
+  vtkTimeStamp Reported; ///< of the last mistake
 
   void DrawCover(vtkRenderer* renderer);
 };
@@ -405,8 +407,9 @@ void vtkLandscapePass::Render(const vtkRenderState* state)
   vtkRenderer* renderer = state->GetRenderer();
   Internals& own = *this->Own;
   const std::string reason = renderer->GetSelector() ? std::string() : this->WhyInvalid();
-  if (!reason.empty())
+  if (!reason.empty() && own.Reported < this->GetMTime())
   {
+    own.Reported.Modified();
     vtkErrorMacro(<< reason);
   }
   if (renderer->GetSelector() || !reason.empty())

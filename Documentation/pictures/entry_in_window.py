@@ -43,6 +43,9 @@ def show(proxy, inputs=()):
 def prepare(name):
     """A filter with its usual inputs, shown after them, in whose place it is; a source is made in the window."""
     simple.SetActiveView(simple.GetActiveViewOrCreate("RenderView"))
+    if name == "LandscapeLight":
+        show(simple.Forest())
+        simple.RenderAllViews()
     given = mistakes.pv.shown_inputs(name)
     if not given:
         say_ready()
@@ -56,13 +59,18 @@ def prepare(name):
 
 
 def make_mistake(name):
-    """The first mistake of an entry, shown as the window does it."""
+    """The first mistake of an entry, shown as the window does it; a light has its properties in its display."""
     given = {"Forest": {"MeanPerQuadrat": -1.0}, "SwayingForest": {"ReferenceSpeed": -1.0},
              "Sea": {"SignificantWaveHeight": -1.0}, "Underwater": {"WindSpeed": -1.0},
-             "TwinOfAPlace": {"Range": -1.0}}
-    arguments = given.get(name) or next(mistake[1] for mistake in mistakes.MISTAKES if mistake[0] == name)()
+             "TwinOfAPlace": {"Range": -1.0}, "LandscapeLight": {}}
+    displayed = {"LandscapeLight": {"Turbidity": 0.0}}
+    arguments = given[name] if name in given else next(
+        mistake[1] for mistake in mistakes.MISTAKES if mistake[0] == name)()
     simple.SetActiveView(simple.GetActiveViewOrCreate("RenderView"))
-    show(getattr(simple, name)(**arguments))
+    proxy = getattr(simple, name)(**arguments)
+    show(proxy)
+    for one, value in displayed.get(name, {}).items():
+        setattr(simple.GetRepresentation(proxy, simple.GetActiveView()), one, value)
     say_ready()
 
 

@@ -10,6 +10,7 @@ A ball over a plane, with a shadow where the sun puts it. TestLightBeforeServer 
 import numpy as np
 import quick
 import TestTextures
+from mistakes import Messages
 from paraview import simple
 from paraview.servermanager import Fetch
 from paraview.vtk.util.numpy_support import vtk_to_numpy
@@ -208,6 +209,19 @@ def check_leaves(light):
     simple.Delete(view)
 
 
+def check_mistake(view, light):
+    """A bad property is one message for all pictures, which are as without the light meanwhile."""
+    simple.Hide(light, view)
+    plain = picture(view)
+    shown = simple.Show(light, view)
+    with Messages() as messages:
+        shown.Turbidity = 20.0
+        unlit = [picture(view) for _ in range(3)]
+    assert len(messages.lines) == 1 and "Turbidity" in messages.lines[0], messages.lines
+    assert [np.array_equal(one, plain) for one in unlit] == [True] * 3, "another picture than without the light"
+    shown.Turbidity = 2.5
+
+
 def check_state(view, light):
     lit = picture(view)
     simple.SaveState("light.pvsm")
@@ -231,6 +245,7 @@ def main():
     check_two_views(view, light)
     check_selection(view, ground, light)
     check_screenshot(view)
+    check_mistake(view, light)
     check_state(view, light)
 
 
