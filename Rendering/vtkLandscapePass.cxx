@@ -20,6 +20,7 @@
 #include "vtkInformationIntegerKey.h"
 #include "vtkLightCollection.h"
 #include "vtkLightsPass.h"
+#include "vtkMapper.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
@@ -223,7 +224,10 @@ void vtkLandscapePass::SetMaterial(vtkProp* prop, int material)
 int vtkLandscapePass::GetMaterial(vtkProp* prop)
 {
   vtkInformation* keys = prop->GetPropertyKeys();
-  return keys && keys->Has(MATERIAL()) ? keys->Get(MATERIAL()) : Surface;
+  auto* actor = vtkActor::SafeDownCast(prop);
+  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+  const bool isMapped = mapper && mapper->GetScalarVisibility() && mapper->GetColorMode() == VTK_COLOR_MODE_MAP_SCALARS;
+  return keys && keys->Has(MATERIAL()) && !isMapped ? keys->Get(MATERIAL()) : Surface;
 }
 
 //----------------------------------------------------------------------------

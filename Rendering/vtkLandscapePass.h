@@ -210,7 +210,7 @@ public:
     Cover
   };
   ///@{
-  /** Material of a prop; Surface for one without this key. */
+  /** Material of a prop; Surface for one without this key, and for one with a color map. */
   static vtkInformationIntegerKey* MATERIAL();
   static void SetMaterial(vtkProp* prop, int material);
   static int GetMaterial(vtkProp* prop);

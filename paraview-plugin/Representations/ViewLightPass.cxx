@@ -38,9 +38,8 @@ ViewLightPass::ViewLightPass()
   : Whole(vtkSmartPointer<Everywhere>::New())
 {
   this->Start->SetClientData(this);
-  this->Start->SetCallback([](vtkObject*, unsigned long, void* pass, void*) {
-    static_cast<ViewLightPass*>(pass)->BeforePicture();
-  });
+  this->Start->SetCallback(
+    [](vtkObject*, unsigned long, void* pass, void*) { static_cast<ViewLightPass*>(pass)->BeforePicture(); });
 }
 
 //----------------------------------------------------------------------------

@@ -49,8 +49,7 @@ void vtkFogRepresentation::UpdateMapperParameters()
   if (vtkImageData* image = vtkImageData::SafeDownCast(this->Cache); mapper && image)
   {
     const double* spacing = image->GetSpacing();
-    mapper->SetSampleDistance(
-      static_cast<float>(this->SampleDistance * (spacing[0] + spacing[1] + spacing[2]) / 3.0));
+    mapper->SetSampleDistance(static_cast<float>(this->SampleDistance * (spacing[0] + spacing[1] + spacing[2]) / 3.0));
   }
 }
 

@@ -5,6 +5,7 @@
 #include "BlockSurfaces.h"
 #include "Instances.h"
 #include "TexturedBlocks.h"
+#include "vtkLandscapePass.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkBoundingBox.h"
@@ -19,9 +20,11 @@
 #include "vtkPVGeometryFilter.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 
+#include <cstring>
 #include <functional>
 
 vtkStandardNewMacro(vtkFullSurfaceRepresentation);
@@ -53,6 +56,19 @@ bool EachVisible(vtkDataObject* data, const vtkCompositeDataDisplayAttributes* a
     }
   }
   return true;
+}
+
+/// Whether data are a terrain: polygonal data whose scalars are its elevations.
+bool IsTerrain(vtkDataObject* data)
+{
+  bool isTerrain = false;
+  EachVisible(data, nullptr, [&](vtkDataObject* leaf) {
+    auto* surface = vtkPolyData::SafeDownCast(leaf);
+    vtkDataArray* scalars = surface ? surface->GetPointData()->GetScalars() : nullptr;
+    isTerrain = scalars && scalars->GetName() && std::strcmp(scalars->GetName(), "Elevation") == 0;
+    return false;
+  });
+  return isTerrain;
 }
 
 }
@@ -152,6 +168,12 @@ void vtkFullSurfaceRepresentation::DrawTextures(bool attributesChanged)
   };
   const bool isDrawn = data && this->Textured->Draw(data, this->Actor, mapper, attributesChanged, take);
   this->Actor->SetVisibility(!isDrawn);
+  const bool isTerrain = data && IsTerrain(data);
+  if (this->ShowsTerrain != isTerrain)
+  {
+    this->ShowsTerrain = isTerrain;
+    vtkLandscapePass::SetMaterial(this->Actor, isTerrain ? vtkLandscapePass::Ground : vtkLandscapePass::Surface);
+  }
 }
 
 //----------------------------------------------------------------------------

@@ -68,6 +68,7 @@ private:
   void TakeBoundsOfPoints();
 
   std::unique_ptr<littoral::TexturedBlocks> Textured;
+  bool ShowsTerrain = false;
 };
 
 #endif

@@ -48,8 +48,8 @@ bool IsFarthest(vtkPVRenderView* view, int rank)
 vtkMultiProcessController* RanksOf(vtkPVRenderView* view, bool isRemote)
 {
   vtkMultiProcessController* all = vtkMultiProcessController::GetGlobalController();
-  const bool areSeveral = isRemote && Access::RenderersOf(view)->GetParallelSynchronizer() && all &&
-    all->GetNumberOfProcesses() > 1;
+  const bool areSeveral =
+    isRemote && Access::RenderersOf(view)->GetParallelSynchronizer() && all && all->GetNumberOfProcesses() > 1;
   return areSeveral ? all : nullptr;
 }
 
@@ -98,8 +98,9 @@ int vtkLandscapeLightRepresentation::ProcessViewRequest(
   auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
   if (isVisible && view && request == vtkPVView::REQUEST_RENDER())
   {
-    this->Prepare(view, in->Has(vtkPVRenderView::USE_LOD()) ? view->GetUseDistributedRenderingForLODRender()
-                                                            : view->GetUseDistributedRenderingForRender());
+    this->Prepare(view,
+      in->Has(vtkPVRenderView::USE_LOD()) ? view->GetUseDistributedRenderingForLODRender()
+                                          : view->GetUseDistributedRenderingForRender());
   }
   return isVisible;
 }
@@ -115,9 +116,8 @@ void vtkLandscapeLightRepresentation::Prepare(vtkPVRenderView* view, bool isRemo
   }
   this->Light->IsOn = renderers->GetRenderPass() == this->Light && Access::DrawsSurfaces(view, isRemote);
   vtkMultiProcessController* ranks = this->Light->IsOn ? RanksOf(view, isRemote) : nullptr;
-  this->Light->SetRanks(ranks, view->GetRenderer(), [view, ranks] {
-    return !view->GetUseOrderedCompositing() || IsFarthest(view, ranks->GetLocalProcessId());
-  });
+  this->Light->SetRanks(ranks, view->GetRenderer(),
+    [view, ranks] { return !view->GetUseOrderedCompositing() || IsFarthest(view, ranks->GetLocalProcessId()); });
 }
 
 //----------------------------------------------------------------------------

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainReliefRepresentation.h"
 
+#include "vtkLandscapePass.h"
 #include "vtkTerrainLevelOfDetailFilter.h"
 
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVLODActor.h"
 
 vtkStandardNewMacro(vtkTerrainReliefRepresentation);
 
@@ -16,6 +18,7 @@ vtkTerrainReliefRepresentation::vtkTerrainReliefRepresentation()
   filter->SetNumberOfLevels(1); // all samples, wherever the camera is
   filter->UseCullingOff();
   this->SetFilter(filter);
+  vtkLandscapePass::SetMaterial(this->Actor, vtkLandscapePass::Ground);
 }
 
 //----------------------------------------------------------------------------
