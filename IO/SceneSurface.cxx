@@ -214,9 +214,9 @@ std::array<double, 3> PlaceOf(vtkPolyData* data)
 
 std::vector<float> PositionsOf(vtkPoints* points, const std::array<double, 3>& place)
 {
-  if (place == std::array<double, 3>{})
+  if (!points || place == std::array<double, 3>{})
   {
-    return NumbersOf(points->GetData(), 3);
+    return NumbersOf(points ? points->GetData() : nullptr, 3);
   }
   std::vector<float> positions;
   SetSize(positions, 3 * points->GetNumberOfPoints());

@@ -159,9 +159,8 @@ vtkSmartPointer<vtkUnsignedCharArray> GroundColors(
 }
 
 //----------------------------------------------------------------------------
-void RequireTerrain(vtkImageData* image, const std::string& source)
+void RequireTerrain(vtkImageData* image, const std::string& owner)
 {
-  const std::string owner = source + ", a terrain,";
   RequireFit(image, owner.c_str());
   RequireRaster(image, 2);
   const ArrayReader arrays = ArrayReader::OfPoints(image, owner);

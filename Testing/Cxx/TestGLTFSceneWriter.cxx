@@ -10,6 +10,7 @@
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -144,6 +145,19 @@ bool WritesScene(const std::string& path)
   return Check(writer->Write() == 1 && BytesOf(path) == bytes, "The same scene makes other bytes") && good;
 }
 
+/// A block without points among others does not keep a motion from being written.
+bool WritesMotionBesideNothing(const std::string& path)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, Triangle());
+  blocks->SetBlock(1, vtkNew<vtkPolyData>());
+  vtkNew<vtkGLTFSceneWriter> writer;
+  writer->SetFileName(path.c_str());
+  writer->WriteMotionOn();
+  writer->SetInputDataObject(0, blocks);
+  return Check(writer->Write() == 1 && Chunks(BytesOf(path)).AreGood, "Cannot write a motion beside nothing");
+}
+
 /// A setting, and a word of the one message that it must give.
 struct Mistake
 {
@@ -156,7 +170,8 @@ bool BadInput(const std::string& path)
   using Writer = vtkGLTFSceneWriter;
   const std::vector<Mistake> mistakes = {
     { [](Writer* writer) { writer->SetFileName(nullptr); }, "FileName is empty" },
-    { [](Writer* writer) { writer->SetFileName("/no/such/folder/scene.glb"); }, "Cannot write scene.glb: there is no folder /no/such/folder." },
+    { [](Writer* writer) { writer->SetFileName("/no/such/folder/scene.glb"); },
+      "Cannot write scene.glb: there is no folder /no/such/folder." },
     { [](Writer* writer) { writer->SetInstanceForm(2); }, "InstanceForm" },
     { [](Writer* writer) { writer->SetLevelForm(-1); }, "LevelForm" },
     { [](Writer* writer) { writer->SetSourceKind(0, 10); }, "source 0" },
@@ -201,6 +216,7 @@ int TestGLTFSceneWriter(int argc, char* argv[])
   const fs::path folder = EmptyFolder(argc, argv, "TestGLTFSceneWriter");
   const std::string path = (folder / "scene.glb").string();
   bool good = WritesScene(path);
+  good &= WritesMotionBesideNothing(path);
   good &= BadInput(path);
   fs::remove_all(folder);
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
