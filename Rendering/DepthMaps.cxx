@@ -131,6 +131,19 @@ vtkSmartPointer<vtkTextureObject> DepthMaps::NewTexture(vtkOpenGLRenderWindow* w
 }
 
 //----------------------------------------------------------------------------
+vtkTextureObject* DepthMaps::TextureOf(int map) const
+{
+  return map == Ground ? this->OfGround : this->Light;
+}
+
+//----------------------------------------------------------------------------
+/// First column and row of a map in its texture.
+glm::ivec2 DepthMaps::CornerOf(int map) const
+{
+  return map == Ground ? glm::ivec2(0) : this->Size * glm::ivec2(map % 2, map / 2);
+}
+
+//----------------------------------------------------------------------------
 void DepthMaps::Allocate(vtkOpenGLRenderWindow* window, int size)
 {
   if (this->Size == size)
@@ -138,10 +151,8 @@ void DepthMaps::Allocate(vtkOpenGLRenderWindow* window, int size)
     return;
   }
   this->Size = size;
-  for (int map = 0; map < Count; ++map)
-  {
-    this->Textures[map] = NewTexture(window, size, map != Ground);
-  }
+  this->Light = NewTexture(window, 2 * size);
+  this->OfGround = NewTexture(window, size, false);
   this->Places = {};
 }
 
@@ -198,6 +209,7 @@ void DepthMaps::Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& casters
   const vtkBoundingBox box = Joint(BoundsOf(casters), processes);
   const bool isShown = box.IsValid() && box.GetDiagonalLength() > 0.0;
   Whole whole;
+  this->Lowest = isShown ? box.GetMinPoint()[2] : 0.0;
   if (isShown)
   {
     this->Allocate(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), wish.Size);
@@ -272,10 +284,12 @@ void DepthMaps::DrawOne(
   state->PushFramebufferBindings();
   this->Frame->SetContext(window);
   this->Frame->Bind();
-  this->Frame->AddDepthAttachment(this->Textures[map]);
+  this->Frame->AddDepthAttachment(this->TextureOf(map));
   this->Frame->DeactivateDrawBuffers();
-  state->vtkglViewport(0, 0, this->Size, this->Size);
-  state->vtkglScissor(0, 0, this->Size, this->Size);
+  const glm::ivec2 corner = this->CornerOf(map);
+  state->vtkglViewport(corner.x, corner.y, this->Size, this->Size);
+  state->vtkglScissor(corner.x, corner.y, this->Size, this->Size);
+  state->vtkglEnable(GL_SCISSOR_TEST); // another map stays as it is
   state->vtkglDisable(GL_BLEND);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_TRUE);
@@ -302,24 +316,26 @@ void DepthMaps::TakeNearest(int map, vtkMultiProcessController* processes)
   const auto count = static_cast<std::size_t>(this->Size) * this->Size;
   std::vector<float> own(count);
   std::vector<float> nearest(count);
-  glReadPixels(0, 0, this->Size, this->Size, GL_DEPTH_COMPONENT, GL_FLOAT, own.data());
+  const glm::ivec2 corner = this->CornerOf(map);
+  glReadPixels(corner.x, corner.y, this->Size, this->Size, GL_DEPTH_COMPONENT, GL_FLOAT, own.data());
   processes->AllReduce(own.data(), nearest.data(), static_cast<vtkIdType>(count), vtkCommunicator::MIN_OP);
-  vtkTextureObject* texture = this->Textures[map];
+  vtkTextureObject* texture = this->TextureOf(map);
   texture->Activate();
-  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, this->Size, this->Size, GL_DEPTH_COMPONENT, GL_FLOAT, nearest.data());
+  glTexSubImage2D(
+    GL_TEXTURE_2D, 0, corner.x, corner.y, this->Size, this->Size, GL_DEPTH_COMPONENT, GL_FLOAT, nearest.data());
   texture->Deactivate();
 }
 
 //----------------------------------------------------------------------------
 void DepthMaps::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (auto& texture : this->Textures)
+  for (auto* texture : { &this->Light, &this->OfGround })
   {
-    if (texture)
+    if (*texture)
     {
-      texture->ReleaseGraphicsResources(window);
+      (*texture)->ReleaseGraphicsResources(window);
     }
-    texture = nullptr;
+    *texture = nullptr;
   }
   this->Frame->ReleaseGraphicsResources(window);
   this->Size = 0;

@@ -8,6 +8,7 @@
 #include "vtkType.h"
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <array>
@@ -37,7 +38,8 @@ class DepthMaps
 public:
   static constexpr int SunMaps = 3;
   static constexpr int Zenith = SunMaps;
-  static constexpr int Ground = SunMaps + 1;
+  static constexpr int LightMaps = SunMaps + 1;
+  static constexpr int Ground = LightMaps;
   static constexpr int Count = SunMaps + 2;
 
   struct Wish
@@ -65,11 +67,15 @@ public:
   static vtkSmartPointer<vtkTextureObject> NewTexture(vtkOpenGLRenderWindow* window, int size, bool compares = true);
 
   bool Has(int map) const { return this->Places[map].Radius > 0.0; }
-  vtkTextureObject* GetTexture(int map) const { return this->Textures[map]; }
+  /// Texture of the maps of light: four squares, numbered by row and column.
+  vtkTextureObject* GetLightTexture() const { return this->Light; }
+  vtkTextureObject* GetGroundTexture() const { return this->OfGround; }
   /// From the world to the coordinates of a map, 0 to 1.
   const glm::dmat4& GetMatrix(int map) const { return this->Places[map].ToMap; }
   double GetTexelSize(int map) const { return 2.0 * this->Places[map].Radius / this->Size; }
   int GetSize() const { return this->Size; }
+  /// Lowest height of all that is shown [m]; 0 without anything.
+  double GetLowest() const { return this->Lowest; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -95,13 +101,17 @@ private:
   Place PlaceOf(int map, vtkRenderer* renderer, const Whole& whole, const Wish& wish) const;
   void DrawOne(int map, vtkRenderer* renderer, const Drawing& drawCasters, vtkMultiProcessController* processes);
   void TakeNearest(int map, vtkMultiProcessController* processes);
+  vtkTextureObject* TextureOf(int map) const;
+  glm::ivec2 CornerOf(int map) const;
   void Allocate(vtkOpenGLRenderWindow* window, int size);
 
   std::array<Place, Count> Places;
-  std::array<vtkSmartPointer<vtkTextureObject>, Count> Textures;
+  vtkSmartPointer<vtkTextureObject> Light;
+  vtkSmartPointer<vtkTextureObject> OfGround;
   vtkNew<vtkOpenGLFramebufferObject> Frame;
   vtkNew<vtkCamera> Camera;
   int Size = 0;
+  double Lowest = 0.0;
 };
 
 }

@@ -193,7 +193,7 @@ void GroundCover::SetUniforms(vtkShaderProgram* program, const Tile& tile, const
 {
   constexpr double period = 4096.0;
   const glm::dmat4& toMap = maps.GetMatrix(DepthMaps::Ground);
-  SetUniform(program, "coverGround", maps.GetTexture(DepthMaps::Ground)->GetTextureUnit());
+  SetUniform(program, "coverGround", maps.GetGroundTexture()->GetTextureUnit());
   SetUniform(program, "coverTexel", maps.GetTexelSize(DepthMaps::Ground));
   // From places to the map x and y by a scale, and z from depths
   SetUniform(program, "coverToMap", glm::dvec3(toMap[0][0], toMap[1][1], toMap[2][2]));

@@ -10,15 +10,13 @@ uniform float landscapeExtinction;      // of the air [1/m]
 uniform int landscapeIsParallel;        // 1: the camera is
 uniform float landscapeExposure;        // [m2/kcd]
 uniform int landscapeFilmCurve;         // 1: luminances go through a film's curve
-uniform sampler2DShadow landscapeShadow0;
-uniform sampler2DShadow landscapeShadow1;
-uniform sampler2DShadow landscapeShadow2;
-uniform sampler2DShadow landscapeZenith;
+uniform sampler2DShadow landscapeMaps;  // depths: three maps seen from the sun, and one from the zenith (DepthMaps)
 uniform mat4 landscapeToMap[4];         // from view coordinates to the maps' coordinates from 0 to 1
 uniform mat3 landscapeZenithAxes;       // from the world's axes to those of the map of the zenith
 uniform vec4 landscapeTexel;            // side of a texel of each map [m]; 0: there is no map
 uniform float landscapeMapSize;         // texels along a side
 uniform float landscapeOcclusion;       // distance of what hides the sky [m]; 0: nothing does
+uniform float landscapeEyeHeight;       // above the earth around what is shown [m]
 uniform vec3 landscapeCloudEye;         // place of the eye below the drifting clouds, modulo their noise's period [m]
 uniform vec2 landscapeClouds;           // part of the sky that they cover, and their height above the eye [m]
 
@@ -69,18 +67,10 @@ vec3 landscapeLinear(vec3 code)
   return mix(code / 12.92, pow((code + 0.055) / 1.055, vec3(2.4)), step(0.04045, code));
 }
 
-// Part of the taps around a place of a map that the sun reaches.
-float landscapeTaps(sampler2DShadow map, vec3 at)
+// Whether the light of a map reaches a place of it, between its texels in parts.
+float landscapeReaches(int map, vec3 at)
 {
-  float lit = 0.0;
-  for (int j = -1; j <= 1; ++j)
-  {
-    for (int i = -1; i <= 1; ++i)
-    {
-      lit += texture(map, vec3(at.xy + vec2(i, j) / landscapeMapSize, at.z));
-    }
-  }
-  return lit / 9.0;
+  return texture(landscapeMaps, vec3(0.5 * at.xy + 0.5 * vec2(map & 1, map >> 1), at.z));
 }
 
 // How far a place is inside of a map: 1 within, 0 at its rim and outside.
@@ -93,25 +83,27 @@ float landscapeWithin(vec3 at)
 // Part of the sun that is seen from a place; the first map that covers it tells, and fades into the next at its rim.
 float landscapeSunSeen(vec3 placeV, vec3 normalV, float towards)
 {
-  float seen = 1.0;
   // The taps reach 2 texels, which on a surface at an angle are as much higher or lower.
   float lift = 0.5 + 2.0 * sqrt(max(0.0, 1.0 - towards * towards));
-  for (int map = 2; map >= 0; --map)
+  float seen = 0.0;
+  float left = 1.0;
+  for (int map = 0; map < 3; ++map)
   {
+    if (left <= 0.0)
+    {
+      break;
+    }
     if (landscapeTexel[map] > 0.0)
     {
       vec3 at = (landscapeToMap[map] * vec4(placeV + lift * landscapeTexel[map] * normalV, 1.0)).xyz;
-      float share = landscapeWithin(at);
-      if (share > 0.0)
-      {
-        float own = map == 0 ? landscapeTaps(landscapeShadow0, at)
-          : map == 1         ? landscapeTaps(landscapeShadow1, at)
-                             : landscapeTaps(landscapeShadow2, at);
-        seen = mix(seen, own, share);
-      }
+      float share = left * landscapeWithin(at);
+      vec3 a = vec3(0.75 / landscapeMapSize, 0.25 / landscapeMapSize, 0.0);
+      seen += 0.25 * share * (landscapeReaches(map, at + a.xyz) + landscapeReaches(map, at + a.yxz * vec3(-1.0, 1.0, 1.0)) +
+        landscapeReaches(map, at - a.xyz) + landscapeReaches(map, at + a.yxz * vec3(1.0, -1.0, 1.0)));
+      left -= share;
     }
   }
-  return seen;
+  return seen + left;
 }
 
 // Part of the light of the sky that reaches a place, by what is open to the zenith along 11 rays: one upward, for the
@@ -130,7 +122,7 @@ float landscapeSkySeen(vec3 placeV, vec3 normalV)
   {
     return 1.0;
   }
-  float zenith = texture(landscapeZenith, at);
+  float zenith = landscapeReaches(3, at);
   float seen = 0.25 * zenith;
   for (int ray = 0; ray < 5; ++ray)
   {
@@ -138,10 +130,21 @@ float landscapeSkySeen(vec3 placeV, vec3 normalV)
     vec3 flat_ = vec3(cos(around), sin(around), 0.0);
     vec3 high = landscapeZenithAxes * (landscapeOcclusion * 0.7071 * (flat_ + vec3(0.0, 0.0, zenith)));
     vec3 low = landscapeZenithAxes * (landscapeOcclusion * (0.966 * flat_.yxz + vec3(0.0, 0.0, 0.259 * zenith)));
-    seen += 0.05 * (texture(landscapeZenith, at + 0.4 * high) + texture(landscapeZenith, at + high));
-    seen += 0.025 * (texture(landscapeZenith, at + 0.4 * low) + texture(landscapeZenith, at + low));
+    seen += 0.05 * (landscapeReaches(3, at + 0.4 * high) + landscapeReaches(3, at + high));
+    seen += 0.025 * (landscapeReaches(3, at + 0.4 * low) + landscapeReaches(3, at + low));
   }
   return mix(1.0, seen, share);
+}
+
+// Luminance of the sky in a direction, or of the earth behind the air before it.
+vec3 landscapeBeyond(vec3 d)
+{
+  if (d.z >= 0.0)
+  {
+    return landscapeSkyAt(d);
+  }
+  float through = exp(-landscapeExtinction * landscapeEyeHeight / max(-d.z, 1e-6));
+  return mix(landscapeSkyAt(normalize(vec3(d.xy, 1e-3))), landscapeSkyAt(d), through);
 }
 
 // Part of the light that clouds hold back at a place of their layer, relative to the eye.

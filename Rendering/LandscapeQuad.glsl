@@ -40,7 +40,7 @@ void main()
     if (landscapeBackground == 0) discard;
     depth = 0.9999999; // drawn, for who composes pictures by their depths
     vec3 d = normalize(landscapeToWorld * (landscapeIsParallel == 1 ? vec3(0.0, 0.0, -1.0) : sight));
-    vec3 luminance = landscapeSkyAt(d);
+    vec3 luminance = landscapeBeyond(d);
     // The disk of 0.53 degrees has the luminance E / solid angle.
     float fromSun = acos(clamp(dot(d, landscapeSun), -1.0, 1.0));
     luminance += d.z > 0.0 ? smoothstep(0.00475, 0.00455, fromSun) * landscapeSunLight / 6.8e-5 : vec3(0.0);

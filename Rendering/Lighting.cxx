@@ -15,15 +15,6 @@
 namespace littoral
 {
 
-namespace
-{
-
-constexpr int LightMaps = DepthMaps::Zenith + 1;
-constexpr const char* MapNames[LightMaps] = { "landscapeShadow0", "landscapeShadow1", "landscapeShadow2",
-  "landscapeZenith" };
-
-}
-
 //----------------------------------------------------------------------------
 void Lighting::Activate(vtkOpenGLRenderWindow* window)
 {
@@ -32,13 +23,11 @@ void Lighting::Activate(vtkOpenGLRenderWindow* window)
   {
     this->NoMap = DepthMaps::NewTexture(window, 1);
   }
-  this->Bound = { this->NoMap };
-  for (int map = 0; map < DepthMaps::Count; ++map)
+  vtkTextureObject* maps = this->Maps.GetLightTexture();
+  this->Bound = { maps ? maps : this->NoMap.Get() };
+  if (this->Maps.Has(DepthMaps::Ground))
   {
-    if (this->Maps.Has(map))
-    {
-      this->Bound.push_back(this->Maps.GetTexture(map));
-    }
+    this->Bound.push_back(this->Maps.GetGroundTexture());
   }
   for (vtkTextureObject* texture : this->Bound)
   {
@@ -71,23 +60,23 @@ void Lighting::SetUniforms(vtkShaderProgram* program) const
   SetUniform(program, "landscapeFilmCurve", this->FilmCurve ? 1 : 0);
   SetUniform(program, "landscapeDome", this->Sky.GetDome()->GetTextureUnit());
   SetUniform(program, "landscapeSkyLight", this->Sky.GetLight()->GetTextureUnit());
-  float matrices[16 * LightMaps] = {};
+  SetUniform(program, "landscapeMaps", this->Bound.front()->GetTextureUnit());
+  float matrices[16 * DepthMaps::LightMaps] = {};
   glm::dvec4 texels(0.0);
-  for (int map = 0; map < LightMaps; ++map)
+  for (int map = 0; map < DepthMaps::LightMaps; ++map)
   {
-    const bool has = this->Maps.Has(map);
-    SetUniform(program, MapNames[map], (has ? this->Maps.GetTexture(map) : this->NoMap.Get())->GetTextureUnit());
-    if (has)
+    if (this->Maps.Has(map))
     {
       const glm::mat4 matrix(this->Maps.GetMatrix(map) * this->ToWorld);
       std::copy_n(&matrix[0][0], 16, matrices + 16 * map);
       texels[map] = this->Maps.GetTexelSize(map);
     }
   }
-  program->SetUniformMatrix4x4v("landscapeToMap", LightMaps, matrices);
+  program->SetUniformMatrix4x4v("landscapeToMap", DepthMaps::LightMaps, matrices);
   SetUniform(program, "landscapeTexel", texels);
   SetUniform(program, "landscapeMapSize", static_cast<double>(std::max(this->Maps.GetSize(), 1)));
   SetUniform(program, "landscapeOcclusion", this->OcclusionRadius);
+  SetUniform(program, "landscapeEyeHeight", std::max(this->Eye.z - this->Maps.GetLowest(), 1.0));
   constexpr double period = 32768.0;
   const glm::dvec3 below = this->Eye - glm::dvec3(this->CloudDrift, 0.0);
   SetUniform(program, "landscapeCloudEye", below - period * glm::floor(below / period));

@@ -29,8 +29,8 @@ import classes as rows  # noqa: E402
 
 # Pages in the order of the menu, below Documentation.
 GUIDE = ("installing", "first-steps", "scenes", "entries", "classes", "terrain", "kriging", "drainage", "patterns", "plants", "forests",
-         "stands", "wind", "sway", "sea", "currents", "particles", "seaweed", "underwater", "python", "volumes", "saving",
-         "blender", "speed", "troubleshooting", "glossary")
+         "stands", "wind", "sway", "sea", "currents", "particles", "seaweed", "underwater", "light", "python", "volumes",
+         "saving", "blender", "speed", "troubleshooting", "glossary")
 DESIGN = ("numerics", "geometry", "terrain", "kriging", "drainage", "patterns", "plants", "wind", "sway", "sea", "currents",
           "particles", "seaweed", "light", "paraview", "requests", "volumes", "scenes", "measurements")
 
@@ -74,6 +74,7 @@ EXAMPLES = {
     "Examples/Python/five_inventories.py": ("Five inventories", "five-inventories.jpg"),
     "Examples/Python/wind_spectrum.py": ("Wind spectra", "wind-spectrum.png"),
     "Examples/Python/swaying_trees.py": ("Swaying trees", "swaying-trees.jpg"),
+    "Examples/Python/landscape_light.py": ("Light of sun and sky", "landscape-light.jpg"),
     "Examples/Python/sea_surface.py": ("Sea surface", "sea-surface.jpg"),
     "Examples/Python/drifting_particles.py": ("Drifting particles", "drifting-particles.jpg"),
     "Examples/Python/swaying_kelp.py": ("Swaying kelp", "swaying-kelp.jpg"),

@@ -1,0 +1,54 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Frames of entries with Landscape Light over those without it, 960 x 540.
+
+    build/bin/littoral-env --display pvpython Testing/Benchmarks/bench_light_frames.py [ENTRY...]
+
+ENTRY: of Sources > Littoral; default Forest. In each of five rounds a view is drawn without the light, with it in a
+fast setting, and in a good one, each after a turn of the camera by 1 degree. Printed are medians of processor time [s]
+and their ratios to those without the light.
+"""
+
+import sys
+import time
+
+import numpy as np
+from paraview import simple
+
+ROUNDS = 5
+SETTINGS = {"without": None, "fast": dict(MapSize="1024", Supersampling=0), "good": dict(MapSize="2048", Supersampling=1)}
+
+
+def frame(view):
+    """Processor time of a frame after a turn of the camera [s]."""
+    view.GetActiveCamera().Azimuth(1.0)
+    begin = time.process_time()
+    simple.Render(view)
+    return time.process_time() - begin
+
+
+def measure(entry):
+    """Medians by setting."""
+    view = simple.CreateView("RenderView")
+    view.ViewSize = [960, 540]
+    simple.SetActiveView(view)
+    simple.Show(getattr(simple, entry)(), view)
+    simple.ResetCamera(view)
+    light = simple.LandscapeLight()
+    shown = simple.Show(light, view)
+    times = {name: [] for name in SETTINGS}
+    for _ in range(ROUNDS):
+        for name, settings in SETTINGS.items():
+            shown.Visibility = settings is not None
+            for key, value in (settings or {}).items():
+                setattr(shown, key, value)
+            frame(view)  # what a setting changes is made anew
+            times[name].append(frame(view))
+    simple.Delete(view)
+    return {name: float(np.median(some)) for name, some in times.items()}
+
+
+simple._DisableFirstRenderCameraReset()  # pylint: disable=protected-access
+for one in sys.argv[1:] or ["Forest"]:
+    medians = measure(one)
+    print(one, ", ".join(f"{name} {some:.2f} s ({some / medians['without']:.2f})" for name, some in medians.items()))
