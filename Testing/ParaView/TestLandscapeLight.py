@@ -63,6 +63,9 @@ def check_light(view, light):
     shown.SunAzimuth = 90.0
     other = picture(view)
     assert shade_at(view, other, west) < 0.75 * shade_at(view, other, east), "no shadow in the west of the ball"
+    view.UseFXAA = 0
+    assert not np.array_equal(picture(view), other), "edges are not smoothed"
+    view.UseFXAA = 1
     simple.Hide(light, view)
     assert np.array_equal(picture(view), before), "a view without light is another one after it"
     simple.Show(light, view)

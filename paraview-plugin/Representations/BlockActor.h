@@ -58,8 +58,8 @@ public:
   /// Whether a block carries a texture, of as many texels as it says.
   static bool IsTextured(vtkDataObject* block);
 
-  /// Draws blocks as an actor with its mapper would, in a view with lights or without. Where nothing changed, nothing is
-  /// modified: what follows from it, such as maps of shadows, is kept.
+  /// Draws blocks as an actor with its mapper would, in a view with lights or without. Where nothing changed, nothing
+  /// is modified: what follows from it, such as maps of shadows, is kept.
   void Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper, bool isLit);
 
   /// Draws nothing, and keeps nothing.
@@ -105,7 +105,7 @@ private:
   vtkProperty* GivenProperty = nullptr; ///< copied last, at its time
   vtkMTimeType PropertyTime = 0;
   vtkMTimeType MapperTime = 0; ///< of what the mapper of a tree was copied from
-  vtkMTimeType GivenTime = 0; ///< of the replacements in the shader that a user gave
+  vtkMTimeType GivenTime = 0;  ///< of the replacements in the shader that a user gave
 };
 
 }

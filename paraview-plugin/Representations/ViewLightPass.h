@@ -24,8 +24,8 @@ namespace littoral
  * A vtkLandscapePass as ParaView's view draws by it: with the view's smoothing of edges, and without light where the
  * view selects or where this process draws no surfaces.
  *
- * Where several ranks draw, IceT composes their pictures, and asks no rank that shows nothing: what ranks do together is
- * done before, at the start of the renderer's picture, and so long a prop has bounds that fill the view. In pictures
+ * Where several ranks draw, IceT composes their pictures, and asks no rank that shows nothing: what ranks do together
+ * is done before, at the start of the renderer's picture, and so long a prop has bounds that fill the view. In pictures
  * that are composed in order, instead of by depths, the farthest rank draws the sky.
  */
 class ViewLightPass : public vtkRenderPass
