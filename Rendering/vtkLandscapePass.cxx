@@ -189,7 +189,8 @@ vtkLandscapePass::vtkLandscapePass()
   vtkNew<CallPass> translucent;
   translucent->Call = [&own](const vtkRenderState* state) {
     own.Glass->Begin(state, own.Light);
-    own.Translucent->Render(state);
+    // In the order that the renderer is set to, as by depth peeling
+    state->GetRenderer()->DeviceRenderTranslucentPolygonalGeometry(state->GetFrameBuffer());
     own.Glass->End(state);
   };
   own.Lit->SetDelegatePass(Sequence({ own.Lights, opaque, translucent, volumes, overlay }));

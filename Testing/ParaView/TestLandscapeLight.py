@@ -181,6 +181,24 @@ def check_others(light):
     simple.Delete(view)
 
 
+def check_glass(light):
+    """Three panes, one behind the other, look the same in whatever order they were added."""
+    seen = []
+    for order in ((0, 1, 2), (2, 0, 1)):
+        view = small_view(SIZE)
+        for k in order:
+            pane = simple.Plane(Origin=[-1.0, -k, -1.0], Point1=[1.0, -k, -1.0], Point2=[-1.0, -k, 1.0])
+            glass = simple.Show(pane, view)
+            glass.Opacity, glass.DiffuseColor = 0.5, [float(k == part) for part in range(3)]
+        simple.Show(light, view, **SUN)
+        simple.Render(view)
+        look(view, (0.0, -9.0, 1.0), (0.0, 0.0, 0.0))
+        seen.append(picture(view))
+        simple.Delete(view)
+    assert np.abs(seen[0] - seen[1]).max() <= 1, "the order of panes makes a difference"
+    assert np.ptp(seen[0][SIZE[1] // 2, SIZE[0] // 2]) > 30, "panes without color"
+
+
 def linear(code):
     """Part of the light of white of a color of the display (IEC 61966-2-1)."""
     return code / 12.92 if code <= 0.04045 else ((code + 0.055) / 1.055) ** 2.4
@@ -242,6 +260,7 @@ def main():
     light = simple.LandscapeLight()
     check_others(light)
     check_leaves(light)
+    check_glass(light)
     view, ground, _ = scene()
     shown = check_light(view, light)
     check_clock(view, shown)
