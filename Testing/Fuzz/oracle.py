@@ -74,7 +74,7 @@ def is_of_loop(said):
 
 def numbers_of(leaf):
     """The arrays of a leaf of floating-point numbers, by name, a row a tuple."""
-    return [(name, vtk_to_numpy(array).reshape(array.GetNumberOfTuples(), -1))
+    return [(name, vtk_to_numpy(array).reshape(array.GetNumberOfTuples(), array.GetNumberOfComponents()))
             for name, array in hash_outputs.arrays(leaf)
             if isinstance(array, vtkDataArray) and array.GetDataType() in (10, 11)]
 

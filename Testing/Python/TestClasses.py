@@ -29,7 +29,8 @@ missing = []
 for files, entry in PLACES.items():
     text = "".join(file.read_text(encoding="utf-8") for file in TOP.glob(files))
     missing += [f"{files} has no {entry.format(name)}" for name in names if entry.format(name) not in text]
-missing += [f"Testing/classes.py has no row of {name}" for name in names if name not in classes.BY_NAME]
+missing += [f"Testing/classes.py has no row of {name}" for name in names
+            if name not in classes.BY_NAME and name not in classes.PASSES]
 # What is read or written is hashed by a function of its own.
 text = (TOP / "Testing" / "Hashes" / "hash_outputs.py").read_text(encoding="utf-8")
 missing += [f"hash_outputs.py makes no {row.name}" for row in classes.ROWS if row.is_of_files and f'"{row.name}"' not in text]
