@@ -244,6 +244,20 @@ def check_mistake(view, light):
     shown.Turbidity = 2.5
 
 
+def check_first_look(light):
+    """A view that shows a light alone counts as empty: the first look of a sea is the same there."""
+    looks = []
+    for is_lit in (0, 1):
+        view = small_view([60, 40])
+        if is_lit:
+            simple.Show(light, view)
+        simple.Render(view)
+        simple.Show(simple.SeaState(NumberOfTrains=3), view)
+        looks.append([*view.CameraPosition, *view.Background2, len(view.AdditionalLights)])
+        simple.Delete(view)
+    assert looks[0] == looks[1] and looks[0][2] == 9.0, f"another first look beside a light: {looks}"
+
+
 def name_of(proxy):
     return next(key[0] for key, one in simple.GetSources().items() if one == proxy)
 
@@ -270,6 +284,7 @@ def main():
     check_others(light)
     check_leaves(light)
     check_glass(light)
+    check_first_look(light)
     view, ground, _ = scene()
     check_clock(view, check_light(view, light))
     check_two_views(view, light)

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace littoral
 {
@@ -56,13 +57,20 @@ bool LooksAlongAxis(vtkCamera* camera)
 }
 
 //----------------------------------------------------------------------------
+bool ShowsData(vtkSMProxy* representation)
+{
+  return representation && representation->GetProperty("Input") &&
+    std::strcmp(representation->GetXMLName(), "LandscapeLightRepresentation") != 0 &&
+    vtkSMPropertyHelper(representation, "Visibility", true).GetAsInt() != 0;
+}
+
+//----------------------------------------------------------------------------
 bool IsEmpty(vtkSMProxy* view)
 {
   const vtkSMPropertyHelper shown(view, "Representations");
   for (unsigned int k = 0; k < shown.GetNumberOfElements(); ++k)
   {
-    vtkSMProxy* one = shown.GetAsProxy(k);
-    if (one && one->GetProperty("Input") && vtkSMPropertyHelper(one, "Visibility", true).GetAsInt() != 0)
+    if (ShowsData(shown.GetAsProxy(k)))
     {
       return false;
     }

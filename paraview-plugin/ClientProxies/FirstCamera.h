@@ -16,6 +16,9 @@ class vtkSMRenderViewProxy;
 namespace littoral
 {
 
+/// Whether a representation shows data in its view; a light does not.
+bool ShowsData(vtkSMProxy* representation);
+
 /// Whether nothing is shown in a view.
 bool IsEmpty(vtkSMProxy* view);
 

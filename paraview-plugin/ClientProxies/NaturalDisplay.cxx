@@ -68,7 +68,7 @@ std::vector<vtkSMProxy*> VisibleIn(vtkSMProxy* view)
   for (unsigned int k = 0; k < shown.GetNumberOfElements(); ++k)
   {
     vtkSMProxy* one = shown.GetAsProxy(k);
-    if (one && one->GetProperty("Input") && vtkSMPropertyHelper(one, "Visibility", true).GetAsInt() != 0)
+    if (ShowsData(one))
     {
       visible.push_back(one);
     }
