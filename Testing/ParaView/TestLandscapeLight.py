@@ -253,7 +253,7 @@ def check_first_look(light):
             simple.Show(light, view)
         simple.Render(view)
         simple.Show(simple.SeaState(NumberOfTrains=3), view)
-        looks.append([*view.CameraPosition, *view.Background2, len(view.AdditionalLights)])
+        looks.append([*view.GetActiveCamera().GetPosition(), *view.Background2, len(view.AdditionalLights)])
         simple.Delete(view)
     assert looks[0] == looks[1] and looks[0][2] == 9.0, f"another first look beside a light: {looks}"
 
