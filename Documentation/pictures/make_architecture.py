@@ -242,7 +242,7 @@ def draw(drawing):
     # Modules and Support to the rooms.
     draw_bus(drawing, arrows, "Sources", 180, foot("Sources"), 314, -16)
     draw_bus(drawing, arrows, "Data", across("Data", 0.5), foot("Data"), 324, 0)
-    draw_bus(drawing, arrows, "Filters", 570, foot("Filters"), 334, 16)
+    draw_bus(drawing, arrows, "Filters", 550, foot("Filters"), 334, 16)
     draw_bus(drawing, arrows, "Pipeline", across("Pipeline", 0.5), foot("Pipeline"), 344, 30)
     draw_bus(drawing, arrows, "IO", 950, foot("IO"), 354, -30)
     draw_bus(drawing, arrows, "Rendering", across("Rendering", 0.9), foot("Rendering"), 364, 44)
