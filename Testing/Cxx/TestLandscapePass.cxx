@@ -9,6 +9,7 @@
 #include "vtkCamera.h"
 #include "vtkCubeSource.h"
 #include "vtkGlyph3DMapper.h"
+#include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -23,6 +24,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 #include "vtkTestErrorObserver.h"
+#include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -276,30 +278,70 @@ bool TestAir()
       picture.Pass->ShadowsOff();
       picture.Pass->SetOcclusionRadius(0.0);
       picture.Pass->SetExposureCompensation(-1.0);
-      const double side = 0.4 * distance;
+      const double side = 0.6 * distance;
       picture.Add(Plane({ -side, distance, -side }, { side, distance, -side }, { -side, distance, side }), albedo);
       picture.Look({ 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 });
+      picture.Renderer->GetActiveCamera()->SetViewAngle(50.0);
       picture.Draw();
       Color sun;
       Color sunLight;
       Color skyLight;
-      Color horizon;
       picture.Pass->GetSunDirection(sun.data());
       picture.Pass->GetSunLight(sunLight.data());
       picture.Pass->GetSkyLight(0.0, -1.0, 0.0, skyLight.data());
-      picture.Pass->GetSkyLuminance(0.0, 1.0, 1e-3, horizon.data());
-      const double through = std::pow(50.0, -distance / 10000.0);
-      Color expected;
-      for (int c = 0; c < 3; ++c)
+      for (const int column : { Width / 2, 30 })
       {
-        const double own = albedo / vtkMath::Pi() * (skyLight[c] + std::max(0.0, -sun[1]) * sunLight[c]);
-        expected[c] = CodeOf(picture.Pass->GetExposureFactor() * (own * through + horizon[c] * (1.0 - through)));
+        // Line of sight of a pixel in the middle row
+        const double x = (column + 0.5 - 0.5 * Width) / (0.5 * Height) * std::tan(vtkMath::RadiansFromDegrees(25.0));
+        const double through = std::pow(50.0, -distance * std::hypot(1.0, x) / 10000.0);
+        Color horizon;
+        picture.Pass->GetSkyLuminance(x, 1.0, 1e-3 * std::hypot(1.0, x), horizon.data());
+        Color expected;
+        for (int c = 0; c < 3; ++c)
+        {
+          const double own = albedo / vtkMath::Pi() * (skyLight[c] + std::max(0.0, -sun[1]) * sunLight[c]);
+          expected[c] = CodeOf(picture.Pass->GetExposureFactor() * (own * through + horizon[c] * (1.0 - through)));
+        }
+        good &= Near(picture.At(column, Height / 2), expected, 0.0, 1.01 / 255.0,
+          "Board behind " + std::to_string(distance) + " m of air");
       }
-      good &= Near(picture.At(Width / 2, Height / 2), expected, 0.0, 1.01 / 255.0,
-        "Board behind " + std::to_string(distance) + " m of air");
     }
   }
   return good;
+}
+
+/// A card that its texture cuts out on one side casts the shadow of the other.
+bool TestCutOut()
+{
+  Picture picture;
+  picture.Pass->SetSunElevation(90.0);
+  picture.Pass->SetOcclusionRadius(0.0);
+  picture.Add(Level(6.0), 0.5);
+  vtkActor* card = picture.Add(Level(1.0, 2.0), 1.0);
+  vtkNew<vtkImageData> texels;
+  texels->SetDimensions(2, 1, 1);
+  texels->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  for (int part = 0; part < 8; ++part)
+  {
+    static_cast<unsigned char*>(texels->GetScalarPointer())[part] = part < 4 ? 64 : 255; // a quarter, then all
+  }
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(texels);
+  texture->InterpolateOff();
+  card->SetTexture(texture);
+  card->ForceOpaqueOn();
+  picture.Look({ 0.0, -9.0, 1.0 }, { 0.0, 0.0, 0.4 }, { 0.0, 0.0, 1.0 });
+  picture.Draw();
+  // Below the middles of both halves of the card
+  const auto shade = [&](double x) {
+    picture.Renderer->SetWorldPoint(x, 0.0, 0.0, 1.0);
+    picture.Renderer->WorldToDisplay();
+    const double* at = picture.Renderer->GetDisplayPoint();
+    return picture.LinearAt(static_cast<int>(at[0]), static_cast<int>(at[1]))[1];
+  };
+  return Check(shade(0.5) < 0.4 * shade(3.0) && shade(-0.5) > 0.9 * shade(3.0),
+    "Shadows of a cut card: " + std::to_string(shade(-0.5)) + " " + std::to_string(shade(0.5)) + " in " +
+      std::to_string(shade(3.0)));
 }
 
 /// A leaf with the sun behind it has the light of its far side by its transmittance.
@@ -555,6 +597,7 @@ int TestLandscapePass(int, char*[])
   good &= TestFurnace();
   good &= TestShadowOfPole();
   good &= TestAir();
+  good &= TestCutOut();
   good &= TestLeaf();
   good &= TestRoof();
   good &= TestGrass();
