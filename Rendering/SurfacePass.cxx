@@ -22,8 +22,9 @@ vtkStandardNewMacro(SurfacePass);
 namespace
 {
 
+constexpr const char* CutOut = "  if (gl_FragData[0].a < 0.5) discard;";
+
 constexpr const char* LitOutput = R"(
-  if (gl_FragData[0].a < 0.5) discard;
   gl_FragData[0].a = 1.0;
   vec3 landscapeN = normalVCVSOutput / max(dot(abs(normalVCVSOutput), vec3(1.0)), 1e-9);
   vec2 landscapeS = vec2(landscapeN.x >= 0.0 ? 1.0 : -1.0, landscapeN.y >= 0.0 ? 1.0 : -1.0);
@@ -32,7 +33,6 @@ constexpr const char* LitOutput = R"(
 )";
 
 constexpr const char* UnlitOutput = R"(
-  if (gl_FragData[0].a < 0.5) discard;
   gl_FragData[1] = vec4(0.0, 0.0, -1.0, 1.0 / gl_FragCoord.w);
 )";
 
@@ -91,8 +91,8 @@ bool SurfacePass::PostReplaceShaderValues(
   std::string&, std::string&, std::string& fragment, vtkAbstractMapper*, vtkProp* prop)
 {
   const bool hasNormal = fragment.find("normalVCVSOutput") != std::string::npos;
-  vtkShaderProgram::Substitute(
-    fragment, "//VTK::Landscape::Impl", hasNormal && IsLit(prop) ? LitOutput : UnlitOutput, false);
+  vtkShaderProgram::Substitute(fragment, "//VTK::Landscape::Impl",
+    std::string(CutOut) + (hasNormal && IsLit(prop) ? LitOutput : UnlitOutput), false);
   return true;
 }
 
