@@ -96,26 +96,6 @@ def check_forest_on_map():
         simple.Delete(view)
 
 
-def check_hidden_source():
-    """The hidden source of a scene has no legend beside something else, though a window shows one after the first pictures;
-    once it is shown, it may have one."""
-    view = small_view(SIZE)
-    simple.Show(new_terrain(), view)
-    simple.Render(view)
-    wind = simple.SwayingForest()
-    display = simple.Show(wind, view)
-    simple.Render(view)
-    simple.ColorBy(display, ("POINTS", "Velocity"))
-    for visible in 0, 0, 1:
-        assert display.Visibility == 0
-        display.Visibility = visible
-        display.SetScalarBarVisibility(view, True)
-        simple.Render(view)
-        bar = simple.GetScalarBar(simple.GetColorTransferFunction("Velocity"), view)
-        assert bar.Visibility == visible, f"a legend of what is {'shown' if visible else 'hidden'}: {bar.Visibility}"
-    simple.Delete(view)
-
-
 def check_view_after_table():
     """What a filter makes of a table is shown where the scene is, not in a view of its own beside the table."""
     scene, sea = small_view(SIZE), simple.SeaState()
@@ -162,6 +142,5 @@ check_own_camera()
 check_forest_on_map()
 check_twin_on_raster()
 check_kelp_under_sea()
-check_hidden_source()
 check_view_after_table()
 check_first_data_after_mistake()
