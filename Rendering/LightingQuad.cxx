@@ -185,9 +185,13 @@ void LightingQuad::DrawMeans(vtkOpenGLRenderWindow* window)
 void LightingQuad::DrawLit(vtkRenderer* renderer, const Lighting& light)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  std::string source = LandscapeQuad;
-  vtkShaderProgram::Substitute(
-    source, "//VTK::Landscape::Dec", std::string(LandscapeNoise) + LandscapeLight + LandscapeGround);
+  std::string source;
+  if (!this->Quad)
+  {
+    source = LandscapeQuad;
+    vtkShaderProgram::Substitute(
+      source, "//VTK::Landscape::Dec", std::string(LandscapeNoise) + LandscapeLight + LandscapeGround);
+  }
   vtkShaderProgram* program = Ready(this->Quad, window, source.c_str());
   if (!program)
   {

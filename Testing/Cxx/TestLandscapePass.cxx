@@ -455,7 +455,7 @@ bool TestGrass()
   good = Check(good, "Grass is higher than it should be.");
   good &= Check(above[0] == 0 && above[1] > 500, "Pixels of grass: " + std::to_string(above[1]));
   return good &&
-    Check(std::abs(mean[1] / mean[0] - 1.0) < 0.3,
+    Check(std::abs(mean[1] / mean[0] - 1.0) < 0.05,
       "Ground is " + std::to_string(mean[1]) + " on average for " + std::to_string(mean[0]));
 }
 
