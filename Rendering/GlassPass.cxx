@@ -8,10 +8,8 @@
 #include "SurfacePass.h"
 #include "vtkLandscapePass.h"
 
-#include "vtkActor.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLPolyDataMapper.h"
-#include "vtkProperty.h"
 #include "vtkRenderState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -22,17 +20,6 @@ namespace littoral
 {
 
 vtkStandardNewMacro(GlassPass);
-
-namespace
-{
-
-bool IsLit(vtkAbstractMapper* mapper, vtkProp* prop)
-{
-  auto* actor = vtkActor::SafeDownCast(prop);
-  return vtkOpenGLPolyDataMapper::SafeDownCast(mapper) && (!actor || actor->GetProperty()->GetLighting());
-}
-
-}
 
 //----------------------------------------------------------------------------
 void GlassPass::Begin(const vtkRenderState* state, const Lighting& light)
@@ -52,7 +39,7 @@ void GlassPass::End(const vtkRenderState* state)
 bool GlassPass::PreReplaceShaderValues(
   std::string&, std::string&, std::string& fragment, vtkAbstractMapper* mapper, vtkProp* prop)
 {
-  if (IsLit(mapper, prop))
+  if (vtkOpenGLPolyDataMapper::SafeDownCast(mapper) && SurfacePass::IsLit(prop))
   {
     vtkShaderProgram::Substitute(fragment, "//VTK::Light::Dec",
       std::string("//VTK::Light::Dec\n#define LandscapeLight\n") + LandscapeNoise + LandscapeLight +

@@ -206,8 +206,8 @@ vec3 landscapeBehindAir(vec3 luminance, vec3 lineV)
   return mix(horizon, luminance, through);
 }
 
-// Color that the display shows of a surface of an albedo and of a transmittance.
-vec3 landscapeLit(vec3 albedo, vec3 eyeV, vec3 placeV, vec3 normalV, float transmittance)
+// Luminance of a surface of an albedo and of a transmittance, without the air before it.
+vec3 landscapeLuminance(vec3 albedo, vec3 placeV, vec3 normalV, float transmittance)
 {
   vec3 normal = landscapeToWorld * normalV;
   float towards = dot(normal, landscapeSun);
@@ -221,5 +221,12 @@ vec3 landscapeLit(vec3 albedo, vec3 eyeV, vec3 placeV, vec3 normalV, float trans
     float seen = landscapeSunSeen(placeV, towards > 0.0 ? normalV : -normalV, towards);
     light += facing * seen * landscapeBelowClouds(landscapeToWorld * placeV) * landscapeSunLight;
   }
-  return landscapeDisplayed(landscapeBehindAir(albedo / landscapePi * light, placeV - eyeV));
+  return albedo / landscapePi * light;
+}
+
+// Color that the display shows of a surface of an albedo and of a transmittance.
+vec3 landscapeLit(vec3 albedo, vec3 eyeV, vec3 placeV, vec3 normalV, float transmittance)
+{
+  return landscapeDisplayed(
+    landscapeBehindAir(landscapeLuminance(albedo, placeV, normalV, transmittance), placeV - eyeV));
 }

@@ -32,13 +32,18 @@ public:
   bool IsParallel = false;              ///< whether the camera is
   double Exposure = 1.0;                ///< of a luminance [m2/kcd]
   bool FilmCurve = true;
-  bool Background = true;                  ///< sky behind the surfaces
-  double Extinction = 0.0;                 ///< of the air [1/m]
-  glm::dvec3 CoverColor = glm::dvec3(0.0); ///< albedo of grass, linear
-  double CloudCover = 0.0;                 ///< part of the sky, from 0 to 1
-  double CloudHeight = 1500.0;             ///< [m]
-  glm::dvec2 CloudDrift = glm::dvec2(0.0); ///< [m]
-  double OcclusionRadius = 0.0;            ///< distance of what hides the sky [m]
+  bool Background = true;                       ///< sky behind the surfaces
+  double Extinction = 0.0;                      ///< of the air [1/m]
+  glm::dvec3 CoverColor = glm::dvec3(0.0);      ///< albedo of grass, linear
+  double CloudCover = 0.0;                      ///< part of the sky, from 0 to 1
+  double CloudHeight = 1500.0;                  ///< [m]
+  glm::dvec2 CloudDrift = glm::dvec2(0.0);      ///< [m]
+  double OcclusionRadius = 0.0;                 ///< distance of what hides the sky [m]
+  bool HasWater = false;                        ///< whether surfaces of water are shown
+  double WaterLevel = 0.0;                      ///< mean height of them [m]
+  double WaterSlopeVariance = 0.0;              ///< of what their meshes do not have
+  glm::dvec3 WaterAbsorption = glm::dvec3(0.0); ///< [1/m]
+  glm::dvec3 WaterScattering = glm::dvec3(0.0); ///< [1/m]
 
   /// Between them, the textures are bound.
   void Activate(vtkOpenGLRenderWindow* window);

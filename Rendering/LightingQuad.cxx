@@ -7,6 +7,7 @@
 #include "LandscapeMeans.h"
 #include "LandscapeNoise.h"
 #include "LandscapeQuad.h"
+#include "LandscapeWater.h"
 #include "Lighting.h"
 #include "OpenGL.h"
 #include "SurfacePass.h"
@@ -63,14 +64,8 @@ LightingQuad::LightingQuad() = default;
 LightingQuad::~LightingQuad() = default;
 
 //----------------------------------------------------------------------------
-void LightingQuad::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
+void LightingQuad::Layer::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
 {
-  if (this->Albedo && this->Width == width && this->Height == height && (this->Lit != nullptr) == (this->Samples > 1))
-  {
-    return;
-  }
-  this->Width = width;
-  this->Height = height;
   this->Albedo = NewPicture(window);
   this->Surface = NewPicture(window);
   this->Depth = NewPicture(window);
@@ -79,6 +74,33 @@ void LightingQuad::Allocate(vtkOpenGLRenderWindow* window, int width, int height
   this->Albedo->Allocate2D(w, h, 4, VTK_UNSIGNED_CHAR);
   this->Surface->Allocate2D(w, h, 4, VTK_FLOAT);
   this->Depth->AllocateDepth(w, h, vtkTextureObject::Float32);
+}
+
+//----------------------------------------------------------------------------
+void LightingQuad::Layer::Clear(vtkWindow* window)
+{
+  for (auto* picture : { &this->Albedo, &this->Surface, &this->Depth })
+  {
+    if (*picture)
+    {
+      (*picture)->ReleaseGraphicsResources(window);
+    }
+    *picture = nullptr;
+  }
+}
+
+//----------------------------------------------------------------------------
+void LightingQuad::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
+{
+  if (this->Dry.Albedo && this->Width == width && this->Height == height &&
+    (this->Lit != nullptr) == (this->Samples > 1))
+  {
+    return;
+  }
+  this->Width = width;
+  this->Height = height;
+  this->Dry.Allocate(window, width, height);
+  this->Wet = Layer();
   this->Lit = nullptr;
   if (this->Samples > 1)
   {
@@ -86,22 +108,36 @@ void LightingQuad::Allocate(vtkOpenGLRenderWindow* window, int width, int height
     this->Lit = NewPicture(window);
     this->Lit->SetMinificationFilter(vtkTextureObject::Linear);
     this->Lit->SetMagnificationFilter(vtkTextureObject::Linear);
-    this->Lit->Allocate2D(w, h, 4, VTK_UNSIGNED_CHAR);
+    this->Lit->Allocate2D(static_cast<unsigned int>(width), static_cast<unsigned int>(height), 4, VTK_UNSIGNED_CHAR);
   }
 }
 
 //----------------------------------------------------------------------------
-void LightingQuad::TakeSurfaces(vtkRenderer* renderer, const std::function<void()>& drawSurfaces)
+void LightingQuad::TakeSurfaces(
+  vtkRenderer* renderer, const std::function<void()>& drawSurfaces, const std::function<void()>& drawWater)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   int width = 0;
   int height = 0;
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&width, &height, &origin[0], &origin[1]);
-  width *= this->Samples;
-  height *= this->Samples;
-  this->Allocate(window, width, height);
+  this->Allocate(window, this->Samples * width, this->Samples * height);
+  this->Take(window, this->Dry, drawSurfaces);
+  if (!drawWater)
+  {
+    this->Wet.Clear(window);
+    return;
+  }
+  if (!this->Wet.Albedo)
+  {
+    this->Wet.Allocate(window, this->Width, this->Height);
+  }
+  this->Take(window, this->Wet, drawWater);
+}
 
+//----------------------------------------------------------------------------
+void LightingQuad::Take(vtkOpenGLRenderWindow* window, const Layer& layer, const std::function<void()>& draw)
+{
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglViewport viewport(state);
   vtkOpenGLState::ScopedglScissor scissor(state);
@@ -112,19 +148,19 @@ void LightingQuad::TakeSurfaces(vtkRenderer* renderer, const std::function<void(
   state->PushFramebufferBindings();
   this->Frame->SetContext(window);
   this->Frame->Bind();
-  this->Frame->AddColorAttachment(0, this->Albedo);
-  this->Frame->AddColorAttachment(1, this->Surface);
-  this->Frame->AddDepthAttachment(this->Depth);
+  this->Frame->AddColorAttachment(0, layer.Albedo);
+  this->Frame->AddColorAttachment(1, layer.Surface);
+  this->Frame->AddDepthAttachment(layer.Depth);
   this->Frame->ActivateDrawBuffers(2);
-  state->vtkglViewport(0, 0, width, height);
-  state->vtkglScissor(0, 0, width, height);
+  state->vtkglViewport(0, 0, this->Width, this->Height);
+  state->vtkglScissor(0, 0, this->Width, this->Height);
   state->vtkglDisable(GL_BLEND);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglClearDepth(1.0);
   state->vtkglClearColor(0.0F, 0.0F, static_cast<float>(SurfacePass::Nothing), 0.0F);
   state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  drawSurfaces();
+  draw();
   this->Frame->RemoveDepthAttachment();
   this->Frame->RemoveColorAttachments(2);
   state->PopFramebufferBindings();
@@ -173,11 +209,11 @@ void LightingQuad::DrawMeans(vtkOpenGLRenderWindow* window)
     return;
   }
   this->Lit->Activate();
-  this->Depth->Activate();
+  this->Dry.Depth->Activate();
   SetUniform(program, "landscapeLit", this->Lit->GetTextureUnit());
-  SetUniform(program, "landscapeDepth", this->Depth->GetTextureUnit());
+  SetUniform(program, "landscapeDepth", this->Dry.Depth->GetTextureUnit());
   this->Means->Render();
-  this->Depth->Deactivate();
+  this->Dry.Depth->Deactivate();
   this->Lit->Deactivate();
 }
 
@@ -190,7 +226,7 @@ void LightingQuad::DrawLit(vtkRenderer* renderer, const Lighting& light)
   {
     source = LandscapeQuad;
     vtkShaderProgram::Substitute(
-      source, "//VTK::Landscape::Dec", std::string(LandscapeNoise) + LandscapeLight + LandscapeGround);
+      source, "//VTK::Landscape::Dec", std::string(LandscapeNoise) + LandscapeLight + LandscapeGround + LandscapeWater);
   }
   vtkShaderProgram* program = Ready(this->Quad, window, source.c_str());
   if (!program)
@@ -198,11 +234,17 @@ void LightingQuad::DrawLit(vtkRenderer* renderer, const Lighting& light)
     return;
   }
   light.SetUniforms(program);
-  vtkTextureObject* const pictures[] = { this->Albedo, this->Surface, this->Depth };
-  const char* const names[] = { "landscapeAlbedo", "landscapeSurface", "landscapeDepth" };
-  for (int picture = 0; picture < 3; ++picture)
+  const Layer& wet = this->Wet.Albedo ? this->Wet : this->Dry;
+  vtkTextureObject* const pictures[] = { this->Dry.Albedo, this->Dry.Surface, this->Dry.Depth, wet.Albedo, wet.Surface,
+    wet.Depth };
+  const char* const names[] = { "landscapeAlbedo", "landscapeSurface", "landscapeDepth", "landscapeWetColor",
+    "landscapeWetSurface", "landscapeWetDepth" };
+  for (int picture = 0; picture < (this->Wet.Albedo ? 6 : 3); ++picture)
   {
     pictures[picture]->Activate();
+  }
+  for (int picture = 0; picture < 6; ++picture)
+  {
     SetUniform(program, names[picture], pictures[picture]->GetTextureUnit());
   }
   const glm::dmat4 projection =
@@ -214,23 +256,22 @@ void LightingQuad::DrawLit(vtkRenderer* renderer, const Lighting& light)
   SetUniform(program, "landscapeCoverColor", light.CoverColor);
   SetUniform(program, "landscapePixel", 2.0 / (projection[1][1] * this->Height));
   this->Quad->Render();
-  for (vtkTextureObject* picture : pictures)
+  for (int picture = 0; picture < (this->Wet.Albedo ? 6 : 3); ++picture)
   {
-    picture->Deactivate();
+    pictures[picture]->Deactivate();
   }
 }
 
 //----------------------------------------------------------------------------
 void LightingQuad::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (auto* picture : { &this->Albedo, &this->Surface, &this->Depth, &this->Lit })
+  this->Dry.Clear(window);
+  this->Wet.Clear(window);
+  if (this->Lit)
   {
-    if (*picture)
-    {
-      (*picture)->ReleaseGraphicsResources(window);
-    }
-    *picture = nullptr;
+    this->Lit->ReleaseGraphicsResources(window);
   }
+  this->Lit = nullptr;
   this->Frame->ReleaseGraphicsResources(window);
   for (auto* quad : { &this->Quad, &this->Means })
   {

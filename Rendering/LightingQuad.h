@@ -32,8 +32,9 @@ public:
   /// Pixels of the pictures along a side of one of the renderer, 1 or 2.
   void SetSamples(int samples) { this->Samples = samples; }
 
-  /// Draws surfaces by a function into the pictures.
-  void TakeSurfaces(vtkRenderer* renderer, const std::function<void()>& drawSurfaces);
+  /// Draws surfaces by functions into the pictures: those of water into pictures of their own, null for none.
+  void TakeSurfaces(
+    vtkRenderer* renderer, const std::function<void()>& drawSurfaces, const std::function<void()>& drawWater);
 
   /// Draws the lit surfaces, and the sky behind them, with their depths.
   void Draw(vtkRenderer* renderer, const Lighting& light);
@@ -41,14 +42,25 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  /// Pictures of what SurfacePass writes.
+  struct Layer
+  {
+    vtkSmartPointer<vtkTextureObject> Albedo;
+    vtkSmartPointer<vtkTextureObject> Surface;
+    vtkSmartPointer<vtkTextureObject> Depth;
+
+    void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
+    void Clear(vtkWindow* window);
+  };
+
   void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
+  void Take(vtkOpenGLRenderWindow* window, const Layer& layer, const std::function<void()>& draw);
   void DrawLit(vtkRenderer* renderer, const Lighting& light);
   void DrawMeans(vtkOpenGLRenderWindow* window);
 
   vtkNew<vtkOpenGLFramebufferObject> Frame;
-  vtkSmartPointer<vtkTextureObject> Albedo;
-  vtkSmartPointer<vtkTextureObject> Surface;
-  vtkSmartPointer<vtkTextureObject> Depth;
+  Layer Dry;
+  Layer Wet;                             ///< of water; empty if there is none
   vtkSmartPointer<vtkTextureObject> Lit; ///< of more than one pixel to one of the renderer
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
   std::unique_ptr<vtkOpenGLQuadHelper> Means;

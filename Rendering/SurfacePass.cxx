@@ -25,23 +25,32 @@ namespace
 constexpr const char* CutOut = "  if (gl_FragData[0].a < 0.5) discard;";
 
 constexpr const char* LitOutput = R"(
-  gl_FragData[0].a = 1.0;
+  gl_FragData[0].a = landscapeMaterial > 3.5 ? landscapeFoam() : 1.0;
   vec3 landscapeN = normalVCVSOutput / max(dot(abs(normalVCVSOutput), vec3(1.0)), 1e-9);
   vec2 landscapeS = vec2(landscapeN.x >= 0.0 ? 1.0 : -1.0, landscapeN.y >= 0.0 ? 1.0 : -1.0);
   vec2 landscapeO = landscapeN.z >= 0.0 ? landscapeN.xy : (1.0 - abs(landscapeN.yx)) * landscapeS;
   gl_FragData[1] = vec4(landscapeO, landscapeMaterial, 1.0 / gl_FragCoord.w);
 )";
 
+/// Part of a surface of water that is foam: where it nearly folds, by its Jacobian (vtkLandscapePass::SetMaterial); 0
+/// is that of a surface without one.
+constexpr const char* Foam = R"(
+in float landscapeStretchVS;
+float landscapeFoam() { return landscapeStretchVS == 0.0 ? 0.0 : 1.0 - smoothstep(0.17, 0.42, landscapeStretchVS); }
+)";
+constexpr const char* NoFoam = "float landscapeFoam() { return 0.0; }\n";
+
 constexpr const char* UnlitOutput = R"(
   gl_FragData[1] = vec4(0.0, 0.0, -1.0, 1.0 / gl_FragCoord.w);
 )";
 
-bool IsLit(vtkProp* prop)
+}
+
+//----------------------------------------------------------------------------
+bool SurfacePass::IsLit(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   return !actor || actor->GetProperty()->GetLighting();
-}
-
 }
 
 //----------------------------------------------------------------------------
@@ -67,7 +76,7 @@ void SurfacePass::End(const vtkRenderState* state)
 
 //----------------------------------------------------------------------------
 bool SurfacePass::PreReplaceShaderValues(
-  std::string&, std::string&, std::string& fragment, vtkAbstractMapper* mapper, vtkProp* prop)
+  std::string& vertex, std::string&, std::string& fragment, vtkAbstractMapper* mapper, vtkProp* prop)
 {
   if (!vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
   {
@@ -82,7 +91,16 @@ bool SurfacePass::PreReplaceShaderValues(
   vtkShaderProgram::Substitute(
     fragment, "//VTK::DepthPeeling::Impl", "//VTK::Landscape::Impl\n  //VTK::DepthPeeling::Impl", false);
   vtkShaderProgram::Substitute(fragment, "//VTK::Light::Dec",
-    "//VTK::Light::Dec\n#define LandscapeLight\nuniform float landscapeMaterial;\n", false);
+    "//VTK::Light::Dec\n#define LandscapeLight\nuniform float landscapeMaterial;\n//VTK::Landscape::Dec", false);
+  const bool hasFoam = vtkLandscapePass::GetMaterial(prop) == vtkLandscapePass::Water;
+  vtkShaderProgram::Substitute(fragment, "//VTK::Landscape::Dec", hasFoam ? Foam : NoFoam, false);
+  if (hasFoam)
+  {
+    vtkShaderProgram::Substitute(vertex, "//VTK::Normal::Dec",
+      "//VTK::Normal::Dec\nin float landscapeStretch;\nout float landscapeStretchVS;\n", false);
+    vtkShaderProgram::Substitute(
+      vertex, "//VTK::Normal::Impl", "//VTK::Normal::Impl\n  landscapeStretchVS = landscapeStretch;\n", false);
+  }
   return true;
 }
 
@@ -106,6 +124,7 @@ bool SurfacePass::SetShaderParameters(
     SetUniform(program, "landscapeMaterial",
       material == vtkLandscapePass::Ground    ? Ground
         : material == vtkLandscapePass::Cover ? Cover
+        : material == vtkLandscapePass::Water ? Water
                                               : TransmittanceOf(prop));
   }
   return true;

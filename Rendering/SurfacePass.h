@@ -24,11 +24,14 @@ public:
 
   static constexpr double Ground = 2.0;
   static constexpr double Cover = 3.0;
+  static constexpr double Water = 4.0;
   static constexpr double Unlit = -1.0;
   static constexpr double Nothing = -2.0; ///< where there is no surface
 
   /// Transmittance of a prop, or Unlit where lights do not change its color: with ambient light alone.
   static double TransmittanceOf(vtkProp* prop);
+  /// Whether lights change the look of a prop.
+  static bool IsLit(vtkProp* prop);
 
   /// Between them, the props of a state are drawn by their shaders of this pass.
   void Begin(const vtkRenderState* state);

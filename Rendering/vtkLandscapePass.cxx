@@ -15,6 +15,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
+#include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleKey.h"
 #include "vtkInformationIntegerKey.h"
@@ -26,6 +27,7 @@
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOverlayPass.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderState.h"
@@ -39,6 +41,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <vector>
 
 namespace
@@ -89,6 +92,11 @@ glm::dvec3 LinearOf(const double code[3])
   return color;
 }
 
+bool IsWater(vtkProp* prop)
+{
+  return vtkLandscapePass::GetMaterial(prop) == vtkLandscapePass::Water;
+}
+
 /**
  * Key of a picture of a level white surface of a luminance [kcd/m2]: its place between black and white, which an eye
  * that is used to the light lowers as it gets dark (Krawczyk, Myszkowski, Seidel, Perceptual effects in real-time tone
@@ -126,6 +134,7 @@ struct vtkLandscapePass::Internals
   vtkTimeStamp Reported; ///< of the last mistake
 
   void DrawCover(vtkRenderer* renderer);
+  void DrawOpaque(const vtkRenderState* state, bool isWater);
 };
 
 //----------------------------------------------------------------------------
@@ -141,6 +150,20 @@ void vtkLandscapePass::Internals::DrawCover(vtkRenderer* renderer)
   this->Surfaces->Begin(&state);
   this->Cover.Draw(renderer, this->Light.Maps);
   this->Surfaces->End(&state);
+}
+
+//----------------------------------------------------------------------------
+void vtkLandscapePass::Internals::DrawOpaque(const vtkRenderState* state, bool isWater)
+{
+  std::vector<vtkProp*> props;
+  std::copy_if(state->GetPropArray(), state->GetPropArray() + state->GetPropArrayCount(), std::back_inserter(props),
+    [isWater](vtkProp* prop) { return IsWater(prop) == isWater; });
+  vtkRenderState part(state->GetRenderer());
+  part.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+  part.SetFrameBuffer(state->GetFrameBuffer());
+  this->Surfaces->Begin(&part);
+  this->Opaque->Render(&part);
+  this->Surfaces->End(&part);
 }
 
 //----------------------------------------------------------------------------
@@ -171,6 +194,10 @@ vtkLandscapePass::vtkLandscapePass()
   , CoverRadius(30.0)
   , CoverHeight(0.3)
   , CoverColor{ 0.46, 0.52, 0.23 }
+  , WaterLevel(0.0)
+  , WaterAbsorption{ 0.32, 0.08, 0.06 }
+  , WaterScattering{ 0.06, 0.07, 0.07 }
+  , WaterSlopeVariance(0.02)
   , Background(true)
 {
   Internals& own = *this->Own;
@@ -178,12 +205,13 @@ vtkLandscapePass::vtkLandscapePass()
   vtkNew<vtkOverlayPass> overlay;
   vtkNew<CallPass> opaque;
   opaque->Call = [&own](const vtkRenderState* state) {
-    own.Quad.TakeSurfaces(state->GetRenderer(), [&] {
-      own.Surfaces->Begin(state);
-      own.Opaque->Render(state);
-      own.Surfaces->End(state);
+    const auto drawSurfaces = [&] {
+      own.DrawOpaque(state, false);
       own.DrawCover(state->GetRenderer());
-    });
+    };
+    const auto drawWater = [&] { own.DrawOpaque(state, true); };
+    own.Quad.TakeSurfaces(
+      state->GetRenderer(), drawSurfaces, own.Light.HasWater ? std::function<void()>(drawWater) : nullptr);
     own.Quad.Draw(state->GetRenderer(), own.Light);
   };
   vtkNew<CallPass> translucent;
@@ -218,6 +246,12 @@ double vtkLandscapePass::GetTransmittance(vtkProp* prop)
 void vtkLandscapePass::SetMaterial(vtkProp* prop, int material)
 {
   KeysOf(prop)->Set(MATERIAL(), material);
+  auto* actor = vtkActor::SafeDownCast(prop);
+  auto* mapper = actor ? vtkPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+  if (material == Water && mapper)
+  {
+    mapper->MapDataArrayToVertexAttribute("landscapeStretch", "Jacobian", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+  }
   prop->Modified();
 }
 
@@ -245,6 +279,12 @@ std::string vtkLandscapePass::WhyInvalid() const
   check.Range("ExposureValue", this->ExposureValue, -20.0, 30.0);
   check.Range("ExposureCompensation", this->ExposureCompensation, -20.0, 20.0);
   check.Positive("ShadowDistance", this->ShadowDistance, "m");
+  check.Finite("WaterLevel", this->WaterLevel, "m");
+  for (int c = 0; c < 3; ++c)
+  {
+    check.Range("WaterAbsorption", this->WaterAbsorption[c], 0.0, 100.0, "1/m");
+    check.Range("WaterScattering", this->WaterScattering[c], 0.0, 100.0, "1/m");
+  }
   if (this->SunPlacement == Clock)
   {
     check.Range("Latitude", this->Latitude, -90.0, 90.0, "degrees");
@@ -319,6 +359,10 @@ void vtkLandscapePass::TakeLight()
   lighting.Background = this->Background;
   lighting.OcclusionRadius = this->OcclusionRadius;
   lighting.CoverColor = LinearOf(this->CoverColor);
+  lighting.WaterLevel = this->WaterLevel;
+  std::copy_n(this->WaterAbsorption, 3, &lighting.WaterAbsorption.x);
+  std::copy_n(this->WaterScattering, 3, &lighting.WaterScattering.x);
+  lighting.WaterSlopeVariance = this->WaterSlopeVariance;
   // White on level ground is white, or luminances of 1.2 cd/m2 2^EV are.
   const littoral::SkyTables& sky = lighting.Sky.GetTables();
   const littoral::Vector3 light = sky.LightOn({ 0.0, 0.0, 1.0 }) + std::max(sky.Sun.z, 0.0) * sky.SunLight;
@@ -349,6 +393,7 @@ void vtkLandscapePass::RenderMaps(vtkRenderer* renderer, vtkMultiProcessControll
       own.Shown.push_back(prop);
     }
   }
+  own.Light.HasWater = std::any_of(own.Shown.begin(), own.Shown.end(), IsWater);
   const littoral::SkyTables& sky = own.Light.Sky.GetTables();
   littoral::DepthMaps::Wish wish;
   wish.Sun = sky.Sun;
@@ -368,7 +413,7 @@ void vtkLandscapePass::RenderMaps(vtkRenderer* renderer, vtkMultiProcessControll
   const auto drawCasters = [&](int map) {
     for (vtkProp* prop : own.Shown)
     {
-      if (map != littoral::DepthMaps::Ground || isGround(prop))
+      if (!IsWater(prop) && (map != littoral::DepthMaps::Ground || isGround(prop)))
       {
         prop->RenderOpaqueGeometry(renderer);
       }
@@ -482,6 +527,12 @@ void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CoverHeight: " << this->CoverHeight << "\n";
   os << indent << "CoverColor: " << this->CoverColor[0] << " " << this->CoverColor[1] << " " << this->CoverColor[2]
      << "\n";
+  os << indent << "WaterLevel: " << this->WaterLevel << "\n";
+  os << indent << "WaterAbsorption: " << this->WaterAbsorption[0] << " " << this->WaterAbsorption[1] << " "
+     << this->WaterAbsorption[2] << "\n";
+  os << indent << "WaterScattering: " << this->WaterScattering[0] << " " << this->WaterScattering[1] << " "
+     << this->WaterScattering[2] << "\n";
+  os << indent << "WaterSlopeVariance: " << this->WaterSlopeVariance << "\n";
   os << indent << "Background: " << (this->Background ? "on" : "off") << "\n";
   os << indent << "Controller: " << this->Own->Controller.Get() << "\n";
 }

@@ -195,6 +195,30 @@ public:
   ///@}
 
   ///@{
+  /** Mean height of the surfaces of water [m], at which the eye goes under water; default 0. */
+  vtkSetMacro(WaterLevel, double);
+  vtkGetMacro(WaterLevel, double);
+  ///@}
+  ///@{
+  /** Absorption of red, green and blue light by the water [1/m]; default 0.32 0.08 0.06. */
+  vtkSetVector3Macro(WaterAbsorption, double);
+  vtkGetVector3Macro(WaterAbsorption, double);
+  ///@}
+  ///@{
+  /** Scattering of red, green and blue light by the water [1/m]; default 0.06 0.07 0.07. */
+  vtkSetVector3Macro(WaterScattering, double);
+  vtkGetVector3Macro(WaterScattering, double);
+  ///@}
+  ///@{
+  /**
+   * Variance of the slopes of the water, in both directions together, that its mesh does not have, 0 to 0.2: that of a
+   * wind of U m/s is 0.003 + 0.00512 U in all (Cox and Munk 1954); default 0.02.
+   */
+  vtkSetClampMacro(WaterSlopeVariance, double, 0.0, 0.2);
+  vtkGetMacro(WaterSlopeVariance, double);
+  ///@}
+
+  ///@{
   /** Part of the light on the far side of a prop that leaves it on the near side, as of leaves, 0 to 1. */
   static vtkInformationDoubleKey* TRANSMITTANCE();
   static void SetTransmittance(vtkProp* prop, double transmittance);
@@ -202,15 +226,19 @@ public:
   ///@}
 
   /** Materials: a surface of the color that it has; a ground, whose color is that of what grows there; grass, whose
-   * color is a part of CoverColor. */
+   * color is a part of CoverColor; the surface of water, below which what is seen is in the water. */
   enum MaterialType
   {
     Surface,
     Ground,
-    Cover
+    Cover,
+    Water
   };
   ///@{
-  /** Material of a prop; Surface for one without this key, and for one with a color map. */
+  /**
+   * Material of a prop; Surface for one without this key, and for one with a color map. Water has foam by the point
+   * array "Jacobian" of its data, the stretch of its surface, if the prop has its mapper.
+   */
   static vtkInformationIntegerKey* MATERIAL();
   static void SetMaterial(vtkProp* prop, int material);
   static int GetMaterial(vtkProp* prop);
@@ -289,6 +317,10 @@ private:
   double CoverRadius;
   double CoverHeight;
   double CoverColor[3];
+  double WaterLevel;
+  double WaterAbsorption[3];
+  double WaterScattering[3];
+  double WaterSlopeVariance;
   bool Background;
 };
 

@@ -59,16 +59,21 @@ bool EachVisible(vtkDataObject* data, const vtkCompositeDataDisplayAttributes* a
 }
 
 /// Whether data are a terrain: polygonal data whose scalars are its elevations.
-bool IsTerrain(vtkDataObject* data)
+/// Material of a data set, by its first part: a terrain by its scalars, the surface of a sea by its stretch.
+int MaterialOf(vtkDataObject* data)
 {
-  bool isTerrain = false;
+  int material = vtkLandscapePass::Surface;
   EachVisible(data, nullptr, [&](vtkDataObject* leaf) {
     auto* surface = vtkPolyData::SafeDownCast(leaf);
-    vtkDataArray* scalars = surface ? surface->GetPointData()->GetScalars() : nullptr;
-    isTerrain = scalars && scalars->GetName() && std::strcmp(scalars->GetName(), "Elevation") == 0;
+    vtkPointData* arrays = surface ? surface->GetPointData() : nullptr;
+    vtkDataArray* scalars = arrays ? arrays->GetScalars() : nullptr;
+    const bool isTerrain = scalars && scalars->GetName() && std::strcmp(scalars->GetName(), "Elevation") == 0;
+    material = isTerrain                       ? vtkLandscapePass::Ground
+      : arrays && arrays->GetArray("Jacobian") ? vtkLandscapePass::Water
+                                               : vtkLandscapePass::Surface;
     return false;
   });
-  return isTerrain;
+  return material;
 }
 
 }
@@ -168,11 +173,11 @@ void vtkFullSurfaceRepresentation::DrawTextures(bool attributesChanged)
   };
   const bool isDrawn = data && this->Textured->Draw(data, this->Actor, mapper, attributesChanged, take);
   this->Actor->SetVisibility(!isDrawn);
-  const bool isTerrain = data && IsTerrain(data);
-  if (this->ShowsTerrain != isTerrain)
+  const int material = data ? MaterialOf(data) : vtkLandscapePass::Surface;
+  if (this->Material != material)
   {
-    this->ShowsTerrain = isTerrain;
-    vtkLandscapePass::SetMaterial(this->Actor, isTerrain ? vtkLandscapePass::Ground : vtkLandscapePass::Surface);
+    this->Material = material;
+    vtkLandscapePass::SetMaterial(this->Actor, material);
   }
 }
 

@@ -68,7 +68,7 @@ private:
   void TakeBoundsOfPoints();
 
   std::unique_ptr<littoral::TexturedBlocks> Textured;
-  bool ShowsTerrain = false;
+  int Material = 0; ///< vtkLandscapePass::Surface
 };
 
 #endif

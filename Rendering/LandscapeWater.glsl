@@ -1,0 +1,178 @@
+// Water below a surface: what it reflects, what shows through it, and what is in it. Depths are below its mean level.
+
+uniform int landscapeWater;              // 0: there is none; 1: the eye is above it; 2: below
+uniform float landscapeEyeDepth;         // of the eye below the water's level [m]
+uniform vec3 landscapeAbsorption;        // a [1/m]
+uniform vec3 landscapeScattering;        // b [1/m]
+uniform float landscapeSlopeVariance;    // of what the surface's mesh does not have, in both directions together
+
+const float landscapeIndex = 1.333;      // of refraction
+const float landscapeBackward = 0.02;    // part of scattered light that goes backwards
+const float landscapeForward = 0.9;      // mean cosine of scattering (Henyey and Greenstein)
+
+// Part of unpolarized light that a surface reflects, by the cosine of incidence and the index of what is behind it over
+// that before it  (Fresnel)
+float landscapeFresnel(float cosine, float index)
+{
+  float c = clamp(cosine, 0.0, 1.0);
+  float beyond = 1.0 - (1.0 - c * c) / (index * index);
+  if (beyond <= 0.0)
+  {
+    return 1.0;
+  }
+  float t = sqrt(beyond);
+  float across = (c - index * t) / (c + index * t);
+  float along = (index * c - t) / (index * c + t);
+  return 0.5 * (across * across + along * along);
+}
+
+// Diffuse attenuation of downward light, K = a + b_b [1/m]
+vec3 landscapeDownward()
+{
+  return landscapeAbsorption + landscapeBackward * landscapeScattering;
+}
+
+// Direction towards the sun in the water.
+vec3 landscapeSunInWater()
+{
+  vec3 s = landscapeSun / landscapeIndex;
+  s.z = sqrt(max(0.0, 1.0 - dot(s.xy, s.xy)));
+  return s;
+}
+
+// Light at right angles to the sun's rays just below the surface: E T(z) z / z_w
+vec3 landscapeSunBelow()
+{
+  float z = max(landscapeSun.z, 0.0);
+  return landscapeSunLight * (1.0 - landscapeFresnel(z, landscapeIndex)) * z / landscapeSunInWater().z;
+}
+
+// Light of the sky on a level plane just below the surface, which reflects 6.6 % of diffuse light.
+vec3 landscapeSkyBelow()
+{
+  return 0.934 * landscapeSkyLightOn(vec3(0.0, 0.0, 1.0));
+}
+
+// Light that water of a depth at its begin scatters into a line of sight of a length along a direction:
+// b p(d) E exp(-K z) (1 - exp(-k l)) / k, with k = c - K d_z, as the light changes along the line
+vec3 landscapeScattered(vec3 d, float depth, float way)
+{
+  vec3 k = max(landscapeAbsorption + landscapeScattering - landscapeDownward() * d.z, vec3(1e-4));
+  float g = landscapeForward;
+  float c = dot(d, landscapeSunInWater());
+  float phase = (1.0 - g * g) / (4.0 * landscapePi * pow(1.0 + g * g - 2.0 * g * c, 1.5));
+  float sky = (0.5 + (0.5 - landscapeBackward) * d.z) / (2.0 * landscapePi);
+  vec3 light = phase * landscapeSunBelow() + sky * landscapeSkyBelow();
+  return landscapeScattering * light * exp(-landscapeDownward() * max(depth, 0.0)) * (1.0 - exp(-k * way)) / k;
+}
+
+// Luminance at the end of a line of sight through water.
+vec3 landscapeInWater(vec3 luminance, vec3 d, float depth, float way)
+{
+  return luminance * exp(-(landscapeAbsorption + landscapeScattering) * way) + landscapeScattered(d, depth, way);
+}
+
+// Luminance of a surface in the water, of an albedo and of a transmittance.
+vec3 landscapeWet(vec3 albedo, vec3 placeV, vec3 normalV, float transmittance)
+{
+  vec3 normal = landscapeToWorld * normalV;
+  float depth = max(landscapeEyeDepth - (landscapeToWorld * placeV).z, 0.0);
+  float towards = dot(normal, landscapeSunInWater());
+  float open = landscapeSkySeen(placeV, normalV);
+  vec3 light = landscapeSkyBelow() * (0.5 + 0.5 * normal.z + transmittance * (0.5 - 0.5 * normal.z));
+  light *= open / (1.0 - albedo * (1.0 - open));
+  float facing = max(towards, 0.0) + transmittance * max(-towards, 0.0);
+  if (facing > 0.0)
+  {
+    float seen = landscapeSunSeen(placeV, towards > 0.0 ? normalV : -normalV, towards);
+    light += facing * seen * landscapeBelowClouds(landscapeToWorld * placeV) * landscapeSunBelow();
+  }
+  return albedo / landscapePi * light * exp(-landscapeDownward() * depth);
+}
+
+// Normal of a facet of the surface, tilted from the normal n by slopes.
+vec3 landscapeFacet(vec3 n, vec2 slope)
+{
+  return normalize(vec3(n.xy / n.z - slope, 1.0));
+}
+
+// Slopes and weights of five facets with the variance of the surface: its own normal, and two along each axis by
+// sqrt(3/2) of the whole deviation.
+vec3 landscapeTilt(int facet)
+{
+  float tilt = sqrt(1.5 * landscapeSlopeVariance);
+  return facet == 4 ? vec3(0.0, 0.0, 1.0 / 3.0)
+    : vec3(tilt * vec2(facet < 2 ? 1.0 - 2.0 * float(facet) : 0.0, facet < 2 ? 0.0 : 5.0 - 2.0 * float(facet)), 1.0 / 6.0);
+}
+
+// Probability of a slope of the surface, Gaussian around that of its normal (Cox and Munk 1954)
+float landscapeSlopeDensity(vec3 facet, vec3 n)
+{
+  float variance = max(landscapeSlopeVariance, 1e-5);
+  vec2 off = facet.xy / facet.z - n.xy / n.z;
+  return exp(-dot(off, off) / variance) / (landscapePi * variance);
+}
+
+// Luminance of water seen from above along d, with the luminance of its own light, which comes from below.
+vec3 landscapeWaterAbove(vec3 d, vec3 n, vec3 placeV, vec3 below)
+{
+  vec3 luminance = vec3(0.0);
+  float weights = 0.0;
+  for (int k = 0; k < 5; ++k)
+  {
+    vec3 tilt = landscapeTilt(k);
+    vec3 facet = landscapeFacet(n, tilt.xy);
+    float cosine = -dot(d, facet);
+    float weight = tilt.z * max(cosine, 1e-3); // as large as it looks
+    float back = landscapeFresnel(cosine, landscapeIndex);
+    vec3 mirrored = reflect(d, facet);
+    mirrored.z = max(abs(mirrored.z), 1e-3);
+    mirrored = normalize(mirrored);
+    vec4 clouds = landscapeCloudsIn(mirrored);
+    luminance += weight * (back * mix(landscapeSkyAt(mirrored), clouds.rgb, clouds.w) + (1.0 - back) * below);
+    weights += weight;
+  }
+  luminance /= weights;
+  // Glitter of the sun: E F p / (4 cos h_z^4)
+  vec3 half_ = normalize(landscapeSun - d);
+  if (landscapeSun.z > 0.0 && half_.z > 0.05)
+  {
+    float glint = landscapeFresnel(dot(half_, landscapeSun), landscapeIndex) * landscapeSlopeDensity(half_, n) /
+      (4.0 * max(-dot(d, n), 0.02) * pow(half_.z, 4.0));
+    luminance += glint * landscapeBelowClouds(landscapeToWorld * placeV) * landscapeSunSeen(placeV, n * landscapeToWorld, 1.0) *
+      landscapeSunLight;
+  }
+  return luminance;
+}
+
+// Luminance of the surface seen from below along d: the sky in Snell's window, water that it mirrors around it.
+vec3 landscapeWaterBelow(vec3 d, vec3 n)
+{
+  vec3 luminance = vec3(0.0);
+  float weights = 0.0;
+  for (int k = 0; k < 5; ++k)
+  {
+    vec3 tilt = landscapeTilt(k);
+    vec3 facet = landscapeFacet(n, tilt.xy);
+    float cosine = dot(d, facet);
+    float weight = tilt.z * max(cosine, 1e-3);
+    float back = landscapeFresnel(cosine, 1.0 / landscapeIndex);
+    vec3 mirrored = reflect(d, facet);
+    mirrored.z = -max(abs(mirrored.z), 1e-3);
+    vec3 light = back * landscapeScattered(normalize(mirrored), 0.0, 1e3);
+    if (back < 1.0)
+    {
+      vec3 out_ = refract(d, -facet, landscapeIndex);
+      out_.z = max(out_.z, 1e-3);
+      vec4 clouds = landscapeCloudsIn(out_);
+      // n2 L: a beam of the sky is narrower in water. The sun is as wide as the slopes spread it.
+      float spread = max(0.25 * landscapeSlopeVariance, 2.2e-5);
+      float off = 2.0 - 2.0 * min(dot(out_, landscapeSun), 1.0);
+      vec3 sun = exp(-off / spread) / (landscapePi * spread) * (1.0 - clouds.w) * landscapeSunLight;
+      light += (1.0 - back) * landscapeIndex * landscapeIndex * (mix(landscapeSkyAt(out_), clouds.rgb, clouds.w) + sun);
+    }
+    luminance += weight * light;
+    weights += weight;
+  }
+  return luminance / weights;
+}
