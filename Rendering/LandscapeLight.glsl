@@ -147,20 +147,21 @@ vec3 landscapeBeyond(vec3 d)
   return mix(landscapeSkyAt(normalize(vec3(d.xy, 1e-3))), landscapeSkyAt(d), through);
 }
 
-// Part of the light that clouds hold back at a place of their layer, relative to the eye.
-float landscapeCloudAt(vec2 place)
+// Part of the light that clouds hold back at a place of their layer, relative to the eye; soft: as rough water mirrors
+// them, without their edges.
+float landscapeCloudAt(vec2 place, float soft)
 {
   const float scale = 8.0; // so that the noise repeats itself after 32 km
   vec2 at = (landscapeCloudEye.xy + place) / scale;
   float n = 0.0;
   float weight = 0.5;
-  for (int octave = 0; octave < 6; ++octave)
+  for (int octave = 0; octave < (soft > 0.0 ? 3 : 6); ++octave)
   {
     n += weight * landscapeNoise(at, exp2(float(7 - octave)), uint(20 + octave)).x;
     weight *= 0.5;
   }
   float least = mix(0.80, 0.22, landscapeClouds.x);
-  return smoothstep(least, least + 0.14, n);
+  return smoothstep(least - soft, least + 0.14 + soft, n);
 }
 
 // Part of the sun's light that clouds let through to a place relative to the eye.
@@ -168,21 +169,21 @@ float landscapeBelowClouds(vec3 place)
 {
   float up = landscapeClouds.y - place.z;
   return landscapeClouds.x <= 0.0 || up <= 0.0 || landscapeSun.z <= 0.02
-    ? 1.0 : 1.0 - 0.85 * landscapeCloudAt(place.xy + landscapeSun.xy / landscapeSun.z * up);
+    ? 1.0 : 1.0 - 0.85 * landscapeCloudAt(place.xy + landscapeSun.xy / landscapeSun.z * up, 0.0);
 }
 
 // Luminance of clouds in a direction, and in w the part of the sky that they hide there.
-vec4 landscapeCloudsIn(vec3 d)
+vec4 landscapeCloudsIn(vec3 d, float soft)
 {
   if (landscapeClouds.x <= 0.0 || d.z < 0.015)
   {
     return vec4(0.0);
   }
   vec2 place = landscapeClouds.y / d.z * d.xy;
-  float density = landscapeCloudAt(place);
+  float density = landscapeCloudAt(place, soft);
   // They are thicker, and darker, where there are clouds between them and the sun.
   vec2 sunwards = landscapeSun.xy / max(length(landscapeSun.xy), 0.1);
-  float before = landscapeCloudAt(place + 0.25 * landscapeClouds.y * sunwards);
+  float before = landscapeCloudAt(place + 0.25 * landscapeClouds.y * sunwards, soft);
   float forward = 0.6 + 0.8 * pow(max(dot(d, landscapeSun), 0.0), 8.0) * (1.0 - density);
   vec3 light = forward * (1.0 - 0.65 * before * density) * landscapeSunLight + landscapeSkyLightOn(vec3(0.0, 0.0, 1.0));
   vec3 luminance = 0.8 / landscapePi * light;

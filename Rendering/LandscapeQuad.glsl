@@ -36,7 +36,7 @@ vec3 landscapeBehindAll(vec3 d)
   // The disk of 0.53 degrees has the luminance E / solid angle.
   float fromSun = acos(clamp(dot(d, landscapeSun), -1.0, 1.0));
   luminance += d.z > 0.0 ? smoothstep(0.00475, 0.00455, fromSun) * landscapeSunLight / 6.8e-5 : vec3(0.0);
-  vec4 clouds = landscapeCloudsIn(d);
+  vec4 clouds = landscapeCloudsIn(d, 0.0);
   return mix(luminance, clouds.rgb, clouds.w);
 }
 

@@ -105,6 +105,12 @@ vec3 landscapeTilt(int facet)
     : vec3(tilt * vec2(facet < 2 ? 1.0 - 2.0 * float(facet) : 0.0, facet < 2 ? 0.0 : 5.0 - 2.0 * float(facet)), 1.0 / 6.0);
 }
 
+// Softness of clouds on the surface.
+float landscapeSoftClouds()
+{
+  return clamp(1.5 * sqrt(landscapeSlopeVariance), 0.0, 0.3);
+}
+
 // Probability of a slope of the surface, Gaussian around that of its normal (Cox and Munk 1954)
 float landscapeSlopeDensity(vec3 facet, vec3 n)
 {
@@ -128,7 +134,7 @@ vec3 landscapeWaterAbove(vec3 d, vec3 n, vec3 placeV, vec3 below)
     vec3 mirrored = reflect(d, facet);
     mirrored.z = max(abs(mirrored.z), 1e-3);
     mirrored = normalize(mirrored);
-    vec4 clouds = landscapeCloudsIn(mirrored);
+    vec4 clouds = landscapeCloudsIn(mirrored, landscapeSoftClouds());
     luminance += weight * (back * mix(landscapeSkyAt(mirrored), clouds.rgb, clouds.w) + (1.0 - back) * below);
     weights += weight;
   }
@@ -164,7 +170,7 @@ vec3 landscapeWaterBelow(vec3 d, vec3 n)
     {
       vec3 out_ = refract(d, -facet, landscapeIndex);
       out_.z = max(out_.z, 1e-3);
-      vec4 clouds = landscapeCloudsIn(out_);
+      vec4 clouds = landscapeCloudsIn(out_, landscapeSoftClouds());
       // n2 L: a beam of the sky is narrower in water. The sun is as wide as the slopes spread it.
       float spread = max(0.25 * landscapeSlopeVariance, 2.2e-5);
       float off = 2.0 - 2.0 * min(dot(out_, landscapeSun), 1.0);

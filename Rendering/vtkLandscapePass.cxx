@@ -366,7 +366,10 @@ void vtkLandscapePass::TakeLight()
   // White on level ground is white, or luminances of 1.2 cd/m2 2^EV are.
   const littoral::SkyTables& sky = lighting.Sky.GetTables();
   const littoral::Vector3 light = sky.LightOn({ 0.0, 0.0, 1.0 }) + std::max(sky.Sun.z, 0.0) * sky.SunLight;
-  const double level = std::max(littoral::LuminanceOf(light) / littoral::Pi, 1e-9);
+  // In water the eye is used to what light is left there, by its green.
+  const double depth = lighting.HasWater ? std::max(this->WaterLevel - lighting.Eye.z, 0.0) : 0.0;
+  const double left = depth > 0.0 ? 0.5 * std::exp(-this->WaterAbsorption[1] * depth) : 1.0;
+  const double level = std::max(left * littoral::LuminanceOf(light) / littoral::Pi, 1e-9);
   const double white = this->Exposure == Manual ? 1.2e-3 * std::exp2(this->ExposureValue)
     : this->Sky == Even                         ? level
                                                 : level / KeyOf(level);

@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Pixels of water by vtkLandscapePass against closed forms and against chance: what its surface reflects and lets
+// through, from above and from below, and what is seen in it.
+#include "LandscapePicture.h"
+
+#include <random>
+
+namespace
+{
+
+constexpr double Index = 1.333;
+
+double Radians(double degrees)
+{
+  return vtkMath::RadiansFromDegrees(degrees);
+}
+
+/// Part of light that is reflected by its angles in air and in water  (Fresnel, by sines and tangents)
+double ReflectedPart(double inAir)
+{
+  if (inAir < 1e-6)
+  {
+    return std::pow((Index - 1.0) / (Index + 1.0), 2.0);
+  }
+  const double inWater = std::asin(std::sin(inAir) / Index);
+  const double across = std::sin(inAir - inWater) / std::sin(inAir + inWater);
+  const double along = std::tan(inAir - inWater) / std::tan(inAir + inWater);
+  return 0.5 * (across * across + along * along);
+}
+
+/// Flat water at the height 0.
+struct Water : Picture
+{
+  explicit Water(const Color& absorption, const Color& scattering)
+  {
+    this->Pass->SetWaterAbsorption(absorption.data());
+    this->Pass->SetWaterScattering(scattering.data());
+    this->Pass->SetWaterSlopeVariance(0.0);
+    this->Pass->SetOcclusionRadius(0.0);
+    this->Pass->SetVisibility(1e9);
+    vtkLandscapePass::SetMaterial(this->Add(Level(1000.0), 0.2), vtkLandscapePass::Water);
+  }
+
+  Color Sun()
+  {
+    Color sun;
+    this->Pass->GetSunDirection(sun.data());
+    return sun;
+  }
+  Color SunLight()
+  {
+    Color light;
+    this->Pass->GetSunLight(light.data());
+    return light;
+  }
+  Color SkyLight()
+  {
+    Color light;
+    this->Pass->GetSkyLight(0.0, 0.0, 1.0, light.data());
+    return light;
+  }
+};
+
+/// Black water under an even sky is as bright as the part of light that it reflects.
+bool TestMirror()
+{
+  bool good = true;
+  for (const double angle : { 0.0, 45.0, 60.0, 75.0, 85.0 })
+  {
+    Water picture({ 100.0, 100.0, 100.0 }, { 0.0, 0.0, 0.0 });
+    picture.Pass->SetSkyToEven();
+    const double a = Radians(angle);
+    picture.Look(
+      { 0.0, -10.0 * std::sin(a), 10.0 * std::cos(a) }, { 0.0, 0.0, 0.0 }, { 0.0, std::cos(a), std::sin(a) });
+    picture.Draw();
+    const double part = ReflectedPart(a);
+    good &= Near(picture.LinearAt(Width / 2, Height / 2), { part, part, part }, 0.0, 0.01,
+      "Water seen at " + std::to_string(angle) + " degrees");
+  }
+  return good;
+}
+
+/// From below clear water, the sky is in a window of 48.6 degrees, n2 times as bright; around it is the dark water.
+bool TestWindow()
+{
+  bool good = true;
+  for (const double angle : { 0.0, 30.0, 45.0, 55.0 })
+  {
+    Water picture({ 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 });
+    picture.Pass->SetSkyToEven();
+    picture.Pass->SetExposureCompensation(-1.0);
+    const double a = Radians(angle);
+    picture.Look(
+      { 0.0, -3.0 * std::sin(a), -3.0 * std::cos(a) }, { 0.0, 0.0, 0.0 }, { 0.0, -std::cos(a), std::sin(a) });
+    picture.Draw();
+    const double sine = Index * std::sin(a);
+    const double seen = sine < 1.0 ? 0.5 * Index * Index * (1.0 - ReflectedPart(std::asin(sine))) : 0.0;
+    good &= Near(picture.LinearAt(Width / 2, Height / 2), { seen, seen, seen }, 0.0, 0.01,
+      "The sky seen at " + std::to_string(angle) + " degrees from below");
+  }
+  return good;
+}
+
+/// A grey bed below flat water, seen from its zenith: F L + (1 - F) / n2 albedo / pi E exp(-(K + c) h)
+bool TestBed()
+{
+  bool good = true;
+  for (const double depth : { 0.5, 4.0 })
+  {
+    const Color absorption{ 0.3, 0.1, 0.02 };
+    Water picture(absorption, { 0.0, 0.0, 0.0 });
+    picture.Pass->SetSkyToEven();
+    picture.Add(Level(100.0, -depth), 0.5);
+    picture.Look({ 0.0, 0.0, 5.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
+    picture.Draw();
+    const double back = ReflectedPart(0.0);
+    Color expected;
+    for (int c = 0; c < 3; ++c)
+    {
+      expected[c] = back + (1.0 - back) / (Index * Index) * 0.5 * 0.934 * std::exp(-2.0 * absorption[c] * depth);
+    }
+    good &= Near(picture.LinearAt(Width / 2, Height / 2), expected, 0.0, 0.005,
+      "A bed below " + std::to_string(depth) + " m of water");
+  }
+  return good;
+}
+
+/**
+ * A grey card in water: its light, that of the sun after refraction and of the sky, weakened downward and along the
+ * line of sight, and the light that the water scatters into the line, summed in small steps.
+ */
+bool TestCard()
+{
+  bool good = true;
+  const Color a{ 0.32, 0.08, 0.06 };
+  const Color b{ 0.06, 0.07, 0.08 };
+  for (const double depth : { 0.01, 5.0 })
+  {
+    for (const double distance : { 1.0, 5.0, 20.0 })
+    {
+      Water picture(a, b);
+      picture.Pass->ShadowsOff();
+      picture.Pass->SetSunElevation(40.0);
+      picture.Pass->SetSunAzimuth(210.0);
+      picture.Pass->SetExposureCompensation(0.5);
+      const double side = 2.0 * distance;
+      // Its near side looks south, at eye's height.
+      picture.Add(
+        Plane({ -side, distance, -depth - side }, { side, distance, -depth - side }, { -side, distance, side - depth }),
+        0.5);
+      picture.Look({ 0.0, 0.0, -depth }, { 0.0, 1.0, -depth }, { 0.0, 0.0, 1.0 });
+      picture.Renderer->GetActiveCamera()->SetClippingRange(0.1, 3000.0);
+      picture.Draw();
+      const Color sun = picture.Sun();
+      const double inAir = std::acos(sun[2]);
+      const double inWater = std::asin(std::sin(inAir) / Index);
+      const double south = std::sin(inWater) * -sun[1] / std::hypot(sun[0], sun[1]);
+      const double g = 0.9;
+      const double phase = (1.0 - g * g) / (4.0 * vtkMath::Pi() * std::pow(1.0 + g * g + 2.0 * g * south, 1.5));
+      Color expected;
+      for (int c = 0; c < 3; ++c)
+      {
+        const double below = picture.SunLight()[c] * (1.0 - ReflectedPart(inAir)) * sun[2] / std::cos(inWater);
+        const double sky = 0.934 * picture.SkyLight()[c];
+        const double left = std::exp(-(a[c] + 0.02 * b[c]) * depth);
+        const double card = 0.5 / vtkMath::Pi() * (below * south + 0.5 * sky) * left;
+        const double source = b[c] * (phase * below + 0.25 / vtkMath::Pi() * sky) * left;
+        const int steps = 2000;
+        double scattered = 0.0;
+        for (int step = 0; step < steps; ++step)
+        {
+          scattered += source * std::exp(-(a[c] + b[c]) * distance * (step + 0.5) / steps) * distance / steps;
+        }
+        expected[c] =
+          CodeOf(picture.Pass->GetExposureFactor() * (card * std::exp(-(a[c] + b[c]) * distance) + scattered));
+      }
+      good &= Near(picture.At(Width / 2, Height / 2 - 1), expected, 0.0, 1.01 / 255.0,
+        "A card behind " + std::to_string(distance) + " m of water at " + std::to_string(depth) + " m");
+    }
+  }
+  return good;
+}
+
+/// The sun's glitter against facets of random slopes, which send its light into a cone around the line of sight.
+bool TestGlitter()
+{
+  constexpr double variance = 0.04;
+  constexpr double elevation = 40.0;
+  std::mt19937 random(5);
+  std::normal_distribution<double> slope(0.0, std::sqrt(0.5 * variance));
+  const double s = Radians(elevation);
+  const std::array<double, 2> views = { 40.0, 55.0 }; // elevations of the eye, opposite to the sun
+  std::array<double, 2> light{};
+  constexpr double cone = 0.04;
+  constexpr int count = 1000000;
+  for (int k = 0; k < count; ++k)
+  {
+    Color facet{ slope(random), slope(random), 1.0 };
+    vtkMath::Normalize(facet.data());
+    const Color sun{ 0.0, std::cos(s), std::sin(s) };
+    const double cosine = vtkMath::Dot(facet.data(), sun.data());
+    if (cosine <= 0.0)
+    {
+      continue;
+    }
+    for (std::size_t view = 0; view < views.size(); ++view)
+    {
+      const double v = Radians(views[view]);
+      const Color eye{ 0.0, -std::cos(v), std::sin(v) };
+      Color out;
+      for (int c = 0; c < 3; ++c)
+      {
+        out[c] = 2.0 * cosine * facet[c] - sun[c];
+      }
+      if (vtkMath::Dot(out.data(), eye.data()) > std::cos(cone))
+      {
+        light[view] += ReflectedPart(std::acos(cosine)) * cosine / facet[2] / count;
+      }
+    }
+  }
+  bool good = true;
+  for (std::size_t view = 0; view < views.size(); ++view)
+  {
+    const double v = Radians(views[view]);
+    const double solid = 2.0 * vtkMath::Pi() * (1.0 - std::cos(cone));
+    std::array<Color, 2> pixels;
+    Color sunLight;
+    double exposure = 0.0;
+    for (int hasSun = 0; hasSun < 2; ++hasSun)
+    {
+      Water picture({ 100.0, 100.0, 100.0 }, { 0.0, 0.0, 0.0 });
+      picture.Pass->SetSunElevation(elevation);
+      picture.Pass->SetSunAzimuth(0.0);
+      picture.Pass->SetWaterSlopeVariance(variance);
+      picture.Pass->SetExposureCompensation(-1.0);
+      if (!hasSun) // a roof, which is not seen, shades the water
+      {
+        picture.Add(Plane({ -5.0, 30.0, 20.0 }, { 5.0, 30.0, 20.0 }, { -5.0, 20.0, 30.0 }), 0.0);
+      }
+      picture.Look({ 0.0, -10.0 * std::cos(v), 10.0 * std::sin(v) }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
+      picture.Draw();
+      pixels[hasSun] = picture.LinearAt(Width / 2, Height / 2);
+      sunLight = picture.SunLight();
+      exposure = picture.Pass->GetExposureFactor();
+    }
+    Color found;
+    Color expected;
+    for (int c = 0; c < 3; ++c)
+    {
+      found[c] = pixels[1][c] - pixels[0][c];
+      expected[c] = exposure * light[view] * sunLight[c] / (std::sin(v) * solid);
+    }
+    good &= Near(found, expected, 0.05, 0.01, "Glitter seen at " + std::to_string(views[view]) + " degrees");
+  }
+  return good;
+}
+
+}
+
+//----------------------------------------------------------------------------
+int TestLandscapeWater(int, char*[])
+{
+  bool good = TestMirror();
+  good &= TestWindow();
+  good &= TestBed();
+  good &= TestCard();
+  good &= TestGlitter();
+  return good ? 0 : 1;
+}
