@@ -53,7 +53,7 @@ namespace
 {
 
 using Tile = GroundCover::Tile;
-constexpr Tile DenseTile{ 16.0, 90000, 0.035, 0.26 };
+constexpr Tile DenseTile{ 12.0, 90000, 0.032, 0.26 };
 constexpr Tile SparseTile{ 64.0, 150000, 0.085, 1.0 };
 constexpr double MeanUp = 0.75; // part of the blades' normal that is upward, as of the grass that they stand for
 
@@ -79,7 +79,7 @@ void AddBlade(const Tile& tile, const RandomStream& random, std::uint64_t blade,
     feet->InsertNextTuple2(tile.Side * foot[0], tile.Side * foot[1]);
     normals->InsertNextTuple3(normal.x, normal.y, normal.z);
     // Dark among the others at the foot; no two blades are of one age.
-    const double shade = 255.0 * (0.62 + 0.36 * t) * (0.82 + 0.18 * form[1]);
+    const double shade = 255.0 * (0.76 + 0.24 * t) * (0.88 + 0.12 * form[1]);
     shades->InsertNextTuple3(shade, shade, shade * (1.0 - 0.12 * form[1]));
   };
   for (const double t : { 0.0, 0.55 })

@@ -4,7 +4,7 @@ in vec2 texCoord;
 uniform sampler2D landscapeAlbedo;  // outputs of SurfacePass
 uniform sampler2D landscapeSurface;
 uniform sampler2D landscapeDepth;
-uniform sampler2D landscapeWetColor; // the same of surfaces of water; there alpha is the part that is foam
+uniform sampler2D landscapeWetColor; // the same of surfaces of water; there alpha is their stretch
 uniform sampler2D landscapeWetSurface;
 uniform sampler2D landscapeWetDepth;
 uniform mat4 landscapeToView;       // from clip coordinates
@@ -46,6 +46,7 @@ vec4 landscapeMaterialOf(float material, vec3 albedo, vec3 place, inout vec3 nor
   vec2 at = (landscapeEye + landscapeToWorld * place).xy;
   if (material > 2.5)
   {
+    normal *= sign((landscapeToWorld * normal).z); // VTK turns it to the eye, which may be below
     return vec4(albedo * landscapeCoverColor * landscapeGrowth(at).rgb, 0.4);
   }
   if (material > 1.5)
@@ -92,7 +93,9 @@ void main()
   if (isLit)
   {
     vec3 normal = landscapeUnfolded(surface.xy);
-    vec4 material = landscapeMaterialOf(surface.z, landscapeLinear(code), place, normal);
+    // The bed of water keeps the color of its data.
+    float kind = isInWater && surface.z > 1.5 && surface.z < 2.5 ? 0.0 : surface.z;
+    vec4 material = landscapeMaterialOf(kind, landscapeLinear(code), place, normal);
     luminance = isInWater ? landscapeWet(material.rgb, place, normal, material.w)
                           : landscapeLuminance(material.rgb, place, normal, material.w);
   }
@@ -109,7 +112,7 @@ void main()
     float way = isThere ? length(place - wetPlace) : 1e3;
     vec3 below = landscapeInWater(luminance, down, landscapeEyeDepth - (landscapeToWorld * wetPlace).z, way);
     luminance = landscapeWaterAbove(d, wetNormal, wetPlace, below / (landscapeIndex * landscapeIndex));
-    float foam = texture(landscapeWetColor, texCoord).a;
+    float foam = landscapeFoam(texture(landscapeWetColor, texCoord).a, (landscapeEye + landscapeToWorld * wetPlace).xy);
     luminance = mix(luminance, landscapeLuminance(vec3(0.6), wetPlace, wetNormal * landscapeToWorld, 0.0), foam);
     luminance = landscapeBehindAir(luminance, wetPlace - eye);
   }

@@ -6,6 +6,8 @@ uniform vec3 landscapeAbsorption;        // a [1/m]
 uniform vec3 landscapeScattering;        // b [1/m]
 uniform float landscapeSlopeVariance;    // of what the surface's mesh does not have, in both directions together
 
+uniform float landscapeFoamBegins;        // stretch of the surface below which it has foam
+
 const float landscapeIndex = 1.333;      // of refraction
 const float landscapeBackward = 0.02;    // part of scattered light that goes backwards
 const float landscapeForward = 0.9;      // mean cosine of scattering (Henyey and Greenstein)
@@ -117,6 +119,14 @@ float landscapeSlopeDensity(vec3 facet, vec3 n)
   float variance = max(landscapeSlopeVariance, 1e-5);
   vec2 off = facet.xy / facet.z - n.xy / n.z;
   return exp(-dot(off, off) / variance) / (landscapePi * variance);
+}
+
+// Part of the surface that is foam, by its stretch, in flecks.
+float landscapeFoam(float stretch, vec2 place)
+{
+  float flecks = 0.6 * landscapeNoise(place, 0.5, 31u).x + 0.4 * landscapeNoise(place, 0.125, 32u).x;
+  float end = landscapeFoamBegins - 0.25;
+  return stretch <= 0.0 ? 0.0 : 1.0 - smoothstep(end, landscapeFoamBegins, stretch + 0.3 * (flecks - 0.3));
 }
 
 // Luminance of water seen from above along d, with the luminance of its own light, which comes from below.

@@ -83,6 +83,7 @@ void Lighting::SetUniforms(vtkShaderProgram* program) const
   SetUniform(program, "landscapeClouds", glm::dvec2(this->CloudCover, std::max(this->CloudHeight - this->Eye.z, 1.0)));
   SetUniform(program, "landscapeWater", !this->HasWater ? 0 : this->Eye.z < this->WaterLevel ? 2 : 1);
   SetUniform(program, "landscapeEyeDepth", this->WaterLevel - this->Eye.z);
+  SetUniform(program, "landscapeFoamBegins", this->FoamBegins);
   SetUniform(program, "landscapeSlopeVariance", this->WaterSlopeVariance);
   SetUniform(program, "landscapeAbsorption", this->WaterAbsorption);
   SetUniform(program, "landscapeScattering", this->WaterScattering);

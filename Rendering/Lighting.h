@@ -41,6 +41,7 @@ public:
   double OcclusionRadius = 0.0;                 ///< distance of what hides the sky [m]
   bool HasWater = false;                        ///< whether surfaces of water are shown
   double WaterLevel = 0.0;                      ///< mean height of them [m]
+  double FoamBegins = 0.0;                      ///< stretch of them below which there is foam
   double WaterSlopeVariance = 0.0;              ///< of what their meshes do not have
   glm::dvec3 WaterAbsorption = glm::dvec3(0.0); ///< [1/m]
   glm::dvec3 WaterScattering = glm::dvec3(0.0); ///< [1/m]

@@ -25,20 +25,19 @@ namespace
 constexpr const char* CutOut = "  if (gl_FragData[0].a < 0.5) discard;";
 
 constexpr const char* LitOutput = R"(
-  gl_FragData[0].a = landscapeMaterial > 3.5 ? landscapeFoam() : 1.0;
+  gl_FragData[0].a = landscapeMaterial > 3.5 ? landscapeStretched() : 1.0;
   vec3 landscapeN = normalVCVSOutput / max(dot(abs(normalVCVSOutput), vec3(1.0)), 1e-9);
   vec2 landscapeS = vec2(landscapeN.x >= 0.0 ? 1.0 : -1.0, landscapeN.y >= 0.0 ? 1.0 : -1.0);
   vec2 landscapeO = landscapeN.z >= 0.0 ? landscapeN.xy : (1.0 - abs(landscapeN.yx)) * landscapeS;
   gl_FragData[1] = vec4(landscapeO, landscapeMaterial, 1.0 / gl_FragCoord.w);
 )";
 
-/// Part of a surface of water that is foam: where it nearly folds, by its Jacobian (vtkLandscapePass::SetMaterial); 0
-/// is that of a surface without one.
-constexpr const char* Foam = R"(
+/// Stretch of a surface of water by its Jacobian (vtkLandscapePass::SetMaterial), up to 1; 0 for one without.
+constexpr const char* Stretch = R"(
 in float landscapeStretchVS;
-float landscapeFoam() { return landscapeStretchVS == 0.0 ? 0.0 : 1.0 - smoothstep(0.17, 0.42, landscapeStretchVS); }
+float landscapeStretched() { return landscapeStretchVS == 0.0 ? 0.0 : clamp(landscapeStretchVS, 0.004, 1.0); }
 )";
-constexpr const char* NoFoam = "float landscapeFoam() { return 0.0; }\n";
+constexpr const char* NoStretch = "float landscapeStretched() { return 0.0; }\n";
 
 constexpr const char* UnlitOutput = R"(
   gl_FragData[1] = vec4(0.0, 0.0, -1.0, 1.0 / gl_FragCoord.w);
@@ -92,9 +91,9 @@ bool SurfacePass::PreReplaceShaderValues(
     fragment, "//VTK::DepthPeeling::Impl", "//VTK::Landscape::Impl\n  //VTK::DepthPeeling::Impl", false);
   vtkShaderProgram::Substitute(fragment, "//VTK::Light::Dec",
     "//VTK::Light::Dec\n#define LandscapeLight\nuniform float landscapeMaterial;\n//VTK::Landscape::Dec", false);
-  const bool hasFoam = vtkLandscapePass::GetMaterial(prop) == vtkLandscapePass::Water;
-  vtkShaderProgram::Substitute(fragment, "//VTK::Landscape::Dec", hasFoam ? Foam : NoFoam, false);
-  if (hasFoam)
+  const bool isWater = vtkLandscapePass::GetMaterial(prop) == vtkLandscapePass::Water;
+  vtkShaderProgram::Substitute(fragment, "//VTK::Landscape::Dec", isWater ? Stretch : NoStretch, false);
+  if (isWater)
   {
     vtkShaderProgram::Substitute(vertex, "//VTK::Normal::Dec",
       "//VTK::Normal::Dec\nin float landscapeStretch;\nout float landscapeStretchVS;\n", false);

@@ -198,6 +198,7 @@ vtkLandscapePass::vtkLandscapePass()
   , WaterAbsorption{ 0.32, 0.08, 0.06 }
   , WaterScattering{ 0.06, 0.07, 0.07 }
   , WaterSlopeVariance(0.02)
+  , FoamThreshold(0.42)
   , Background(true)
 {
   Internals& own = *this->Own;
@@ -280,6 +281,7 @@ std::string vtkLandscapePass::WhyInvalid() const
   check.Range("ExposureCompensation", this->ExposureCompensation, -20.0, 20.0);
   check.Positive("ShadowDistance", this->ShadowDistance, "m");
   check.Finite("WaterLevel", this->WaterLevel, "m");
+  check.Finite("FoamThreshold", this->FoamThreshold);
   for (int c = 0; c < 3; ++c)
   {
     check.Range("WaterAbsorption", this->WaterAbsorption[c], 0.0, 100.0, "1/m");
@@ -335,6 +337,25 @@ double vtkLandscapePass::GetExposureFactor()
 }
 
 //----------------------------------------------------------------------------
+void vtkLandscapePass::TakeShown(vtkRenderer* renderer)
+{
+  Internals& own = *this->Own;
+  own.Shown.clear();
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator next;
+  props->InitTraversal(next);
+  while (vtkProp* prop = props->GetNextProp(next))
+  {
+    if (prop->GetVisibility())
+    {
+      own.Shown.push_back(prop);
+    }
+  }
+  own.Light.HasWater = std::any_of(own.Shown.begin(), own.Shown.end(), IsWater);
+  renderer->GetActiveCamera()->GetPosition(&own.Light.Eye.x);
+}
+
+//----------------------------------------------------------------------------
 void vtkLandscapePass::TakeLight()
 {
   littoral::Lighting& lighting = this->Own->Light;
@@ -363,6 +384,7 @@ void vtkLandscapePass::TakeLight()
   std::copy_n(this->WaterAbsorption, 3, &lighting.WaterAbsorption.x);
   std::copy_n(this->WaterScattering, 3, &lighting.WaterScattering.x);
   lighting.WaterSlopeVariance = this->WaterSlopeVariance;
+  lighting.FoamBegins = this->FoamThreshold;
   // White on level ground is white, or luminances of 1.2 cd/m2 2^EV are.
   const littoral::SkyTables& sky = lighting.Sky.GetTables();
   const littoral::Vector3 light = sky.LightOn({ 0.0, 0.0, 1.0 }) + std::max(sky.Sun.z, 0.0) * sky.SunLight;
@@ -385,18 +407,6 @@ void vtkLandscapePass::RenderMaps(vtkRenderer* renderer, vtkMultiProcessControll
   {
     renderer->CreateLight();
   }
-  own.Shown.clear();
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator next;
-  props->InitTraversal(next);
-  while (vtkProp* prop = props->GetNextProp(next))
-  {
-    if (prop->GetVisibility())
-    {
-      own.Shown.push_back(prop);
-    }
-  }
-  own.Light.HasWater = std::any_of(own.Shown.begin(), own.Shown.end(), IsWater);
   const littoral::SkyTables& sky = own.Light.Sky.GetTables();
   littoral::DepthMaps::Wish wish;
   wish.Sun = sky.Sun;
@@ -406,7 +416,8 @@ void vtkLandscapePass::RenderMaps(vtkRenderer* renderer, vtkMultiProcessControll
   wish.Size = this->MapSize;
   const auto isGround = [](vtkProp* prop) { return GetMaterial(prop) == Ground; };
   const bool hasGround = std::any_of(own.Shown.begin(), own.Shown.end(), isGround);
-  wish.GroundRadius = hasGround && this->CoverHeight > 0.0 ? this->CoverRadius : 0.0;
+  const bool isInWater = own.Light.HasWater && own.Light.Eye.z < this->WaterLevel;
+  wish.GroundRadius = hasGround && !isInWater && this->CoverHeight > 0.0 ? this->CoverRadius : 0.0;
   own.Cover.SetSize(this->CoverHeight, this->CoverRadius);
   // The same shaders as for the picture: none is built anew.
   vtkRenderState all(renderer);
@@ -448,6 +459,7 @@ void vtkLandscapePass::DrawMaps(vtkRenderer* renderer)
   Internals& own = *this->Own;
   if (!renderer->GetSelector() && this->WhyInvalid().empty())
   {
+    this->TakeShown(renderer);
     this->TakeLight();
     this->RenderMaps(renderer, own.Controller);
     own.HasMaps = true;
@@ -471,6 +483,7 @@ void vtkLandscapePass::Render(const vtkRenderState* state)
     this->NumberOfRenderedProps = own.Plain->GetNumberOfRenderedProps();
     return;
   }
+  this->TakeShown(renderer);
   this->TakeLight();
   if (!own.HasMaps)
   {
@@ -481,7 +494,6 @@ void vtkLandscapePass::Render(const vtkRenderState* state)
   vtkCamera* camera = renderer->GetActiveCamera();
   own.Light.ToWorld = glm::inverse(littoral::MatrixOf(camera->GetModelViewTransformMatrix()));
   own.Light.IsParallel = camera->GetParallelProjection();
-  camera->GetPosition(&own.Light.Eye.x);
   own.Light.Activate(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
   own.Lit->Render(state);
   own.Light.Deactivate();
@@ -536,6 +548,7 @@ void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WaterScattering: " << this->WaterScattering[0] << " " << this->WaterScattering[1] << " "
      << this->WaterScattering[2] << "\n";
   os << indent << "WaterSlopeVariance: " << this->WaterSlopeVariance << "\n";
+  os << indent << "FoamThreshold: " << this->FoamThreshold << "\n";
   os << indent << "Background: " << (this->Background ? "on" : "off") << "\n";
   os << indent << "Controller: " << this->Own->Controller.Get() << "\n";
 }

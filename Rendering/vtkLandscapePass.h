@@ -219,6 +219,12 @@ public:
   ///@}
 
   ///@{
+  /** Stretch of the surface of water below which it has foam, by the point array "Jacobian"; default 0.42. */
+  vtkSetMacro(FoamThreshold, double);
+  vtkGetMacro(FoamThreshold, double);
+  ///@}
+
+  ///@{
   /** Part of the light on the far side of a prop that leaves it on the near side, as of leaves, 0 to 1. */
   static vtkInformationDoubleKey* TRANSMITTANCE();
   static void SetTransmittance(vtkProp* prop, double transmittance);
@@ -286,6 +292,7 @@ private:
   void operator=(const vtkLandscapePass&) = delete;
 
   std::string WhyInvalid() const;
+  void TakeShown(vtkRenderer* renderer);
   void TakeLight();
   void RenderMaps(vtkRenderer* renderer, vtkMultiProcessController* processes);
 
@@ -321,6 +328,7 @@ private:
   double WaterAbsorption[3];
   double WaterScattering[3];
   double WaterSlopeVariance;
+  double FoamThreshold;
   bool Background;
 };
 

@@ -4,6 +4,9 @@
 // through, from above and from below, and what is seen in it.
 #include "LandscapePicture.h"
 
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+
 #include <random>
 
 namespace
@@ -89,7 +92,7 @@ bool TestWindow()
   {
     Water picture({ 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 });
     picture.Pass->SetSkyToEven();
-    picture.Pass->SetExposureCompensation(-1.0);
+    picture.Pass->SetExposureCompensation(-2.0); // an eye in water sees half the light as white
     const double a = Radians(angle);
     picture.Look(
       { 0.0, -3.0 * std::sin(a), -3.0 * std::cos(a) }, { 0.0, 0.0, 0.0 }, { 0.0, -std::cos(a), std::sin(a) });
@@ -182,6 +185,31 @@ bool TestCard()
   return good;
 }
 
+/// Water has foam, of the albedo 0.6, where its surface nearly folds.
+bool TestFoam()
+{
+  Picture picture;
+  picture.Pass->SetSkyToEven();
+  picture.Pass->SetOcclusionRadius(0.0);
+  const double black[3] = { 100.0, 100.0, 100.0 };
+  picture.Pass->SetWaterAbsorption(black);
+  vtkSmartPointer<vtkPolyData> surface = Level(10.0);
+  vtkNew<vtkFloatArray> stretch;
+  stretch->SetName("Jacobian");
+  for (const float value : { 0.01F, 1.0F, 0.01F, 1.0F }) // by x
+  {
+    stretch->InsertNextValue(value);
+  }
+  surface->GetPointData()->AddArray(stretch);
+  vtkLandscapePass::SetMaterial(picture.Add(surface, 0.2), vtkLandscapePass::Water);
+  picture.Look({ 0.0, 0.0, 35.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
+  picture.Draw();
+  const double foam = picture.LinearAt(Width / 2 - 70, Height / 2)[1];
+  const double water = picture.LinearAt(Width / 2 + 70, Height / 2)[1];
+  return Check(foam > 0.5 && foam < 0.62 && water < 0.05,
+    "Foam is " + std::to_string(foam) + " and water " + std::to_string(water));
+}
+
 /// The sun's glitter against facets of random slopes, which send its light into a cone around the line of sight.
 bool TestGlitter()
 {
@@ -265,6 +293,7 @@ int TestLandscapeWater(int, char*[])
   good &= TestWindow();
   good &= TestBed();
   good &= TestCard();
+  good &= TestFoam();
   good &= TestGlitter();
   return good ? 0 : 1;
 }

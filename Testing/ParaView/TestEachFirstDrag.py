@@ -10,7 +10,7 @@ import mistakes
 from mistakes import classes
 
 # Heights of the eye [m]
-SIDES = {"Forest": (45.0, 1e9), "SwayingForest": (3.0, 1e9), "Sea": (3.0, 1e9), "Underwater": (-5.4, -0.7),
+SIDES = {"Forest": (-5.4, 1e9), "SwayingForest": (4.4, 1e9), "Sea": (3.0, 1e9), "Underwater": (-5.4, -0.7),
          "TwinOfAPlace": (900.0, 1e9), "SeaState": (2.0, 1e9), "SeaSurface": (2.0, 1e9), "MeasuredSeaState": (2.0, 1e9)}
 # What is solid, and a scene, keeps half of what it covers; what is flat, as a sea alone, can be seen from its edge.
 SCENES = {"Forest", "SwayingForest", "Sea", "Underwater", "TwinOfAPlace"}

@@ -4,7 +4,8 @@
 """Scenes, here a forest: each entry becomes an ordinary pipeline with its parts in the browser, shows a picture and plays where
 it should.
 
-TestSwayingScene and TestScenesAtSea have others, where a part is changed, TestEachScene the twin and the states of all.
+TestSwayingScene and TestScenesAtSea have others, where a part is changed, TestEachScene the twin and the states of all,
+TestLightOfScene views that have a light of their own.
 """
 
 import numpy as np
@@ -16,14 +17,15 @@ from window import apart, picture, small_view
 SIZE = (150, 100)
 #: Parts by name, those that are shown, the end of the times [s], and a change of a part.
 SCENES = {
-    "Forest": (["Hills", "Valleys", "Pine", "Oak", "Birch", "Shrub", "Sites", "Trees", "Ground"],
-               ["Valleys", "Trees", "Ground"], 1.0, ("Hills", "StandardDeviation", 30.0)),
-    "SwayingForest": (["Hill", "Sites", "Birch", "Pine", "Wood", "Trees", "Ground"], ["Trees", "Ground"], 59.9,
+    "Forest": (["Hills", "Valleys", "Pine", "Oak", "Birch", "Shrub", "Sites", "Trees", "Ground", "Light"],
+               ["Valleys", "Trees", "Ground", "Light"], 1.0, ("Hills", "StandardDeviation", 30.0)),
+    "SwayingForest": (["Hill", "Sites", "Birch", "Pine", "Wood", "Trees", "Ground", "Light"],
+                      ["Trees", "Ground", "Light"], 59.9,
                       ("Sites", "MeanPerQuadrat", 1.5)),
     "Sea": (["Surface"], ["Surface"], 60.0, ("Sea1", "PeakPeriod", 10.0)),
     "Underwater": (["Relief", "Sites", "Sugar Kelp", "Eelgrass", "Plants", "Kelp", "Bed", "Water", "Particles", "Surface"],
                    ["Kelp", "Bed", "Particles", "Surface"], 60.0, ("Water", "Density", 20.0)),
-    "TwinOfAPlace": (["Valleys", "Ground"], ["Valleys", "Ground"], 1.0, ("TwinOfAPlace1", "Seed", 7)),
+    "TwinOfAPlace": (["Valleys", "Ground", "Light"], ["Valleys", "Ground", "Light"], 1.0, ("TwinOfAPlace1", "Seed", 7)),
 }
 
 
@@ -123,5 +125,29 @@ def check_memory(_):
     assert 5.0 < size < 200.0, f"{size:.0f} MB"
 
 
+def lights(view):
+    """Displays of the lights that a view shows."""
+    return [one for one in view.Representations if one.SMProxy.GetXMLName() == "LandscapeLightRepresentation" and one.Visibility]
+
+
+def check_light(view):
+    """A scene lights a view by one part, whose eye takes the light away; its terrain is ground, on which grass grows."""
+    lit = picture(view)
+    assert [one.SunElevation for one in lights(view)] == [28.0], f"lights of a scene: {lights(view)}"
+    lights(view)[0].CoverRadius = 0.0
+    bare = apart(picture(view), lit)
+    assert bare > 0.02, f"grass covers {bare:.1%}"
+    simple.Hide(simple.FindSource("Light"), view)
+    hidden = apart(picture(view), lit)
+    assert hidden > 0.5 and not lights(view), f"a hidden light makes a difference of {hidden:.1%}"
+    simple.Show(simple.TwinOfAPlace(WholeExtent=[0, 40, 0, 40, 0, 0]), view)
+    assert not lights(view), "a second scene in the view has brought a light"
+
+
+def check_wood(name):
+    check_memory(name)
+    check_light(simple.GetActiveView())
+
+
 if __name__ == "__main__":
-    check("Forest", change=False, then=check_memory)
+    check("Forest", change=False, then=check_wood)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Daylight.h"
 
+#include "FirstCamera.h"
+
 #include "vtkNew.h"
 #include "vtkSMParaViewPipelineController.h"
 #include "vtkSMProperty.h"
@@ -111,6 +113,27 @@ void AddSun(vtkSMProxy* view, const Mood& mood)
 }
 
 //----------------------------------------------------------------------------
+bool IsLandscapeLight(vtkSMProxy* representation)
+{
+  return std::strcmp(representation->GetXMLName(), "LandscapeLightRepresentation") == 0;
+}
+
+//----------------------------------------------------------------------------
+bool TakesLandscapeLight(vtkSMProxy* view)
+{
+  const vtkSMPropertyHelper shown(view, "Representations");
+  for (unsigned int k = 0; k < shown.GetNumberOfElements(); ++k)
+  {
+    vtkSMProxy* one = shown.GetAsProxy(k);
+    if (one && IsLandscapeLight(one) && vtkSMPropertyHelper(one, "Visibility").GetAsInt() != 0)
+    {
+      return false;
+    }
+  }
+  return IsEmpty(view) && (view->HasAnnotation(Mark) || IsAsByDefault(view));
+}
+
+//----------------------------------------------------------------------------
 bool IsMap(vtkSMProxy* view)
 {
   const char* mood = view->GetAnnotation(Mark);
@@ -152,14 +175,11 @@ void FadeAway(vtkSMProxy* representation, const char* name, double extinction)
   {
     return;
   }
-  // c = mix(b, c, exp(-k d)), with the depth d = 1 / w of the fragment; after light and texture. vtkLandscapePass has
-  // air of its own, and no water.
-  const bool isAir = std::strcmp(name, "land") == 0;
+  // c = mix(b, c, exp(-k d)), with the depth d = 1 / w of the fragment; after light and texture
   std::ostringstream code;
   code << R"([{"type": "fragment", "original": "//VTK::DepthPeeling::Impl", "replacement": ")"
-       << (isAir ? R"(\n#ifndef LandscapeLight\n  )" : "") << "gl_FragData[0].rgb = mix(" << Middle(*mood)
-       << ", gl_FragData[0].rgb, exp(-" << extinction << " / gl_FragCoord.w));" << (isAir ? R"(\n#endif)" : "")
-       << R"(\n  //VTK::DepthPeeling::Impl"}])";
+       << "gl_FragData[0].rgb = mix(" << Middle(*mood) << ", gl_FragData[0].rgb, exp(-" << extinction
+       << R"( / gl_FragCoord.w));\n  //VTK::DepthPeeling::Impl"}])";
   vtkSMPropertyHelper(representation, "ShaderReplacements").Set(code.str().c_str());
   vtkSMPropertyHelper(representation, "UseShaderReplacements").Set(1);
 }

@@ -18,6 +18,13 @@ namespace littoral
  */
 void LightView(vtkSMProxy* view, const char* mood);
 
+/// Whether a representation is a Landscape Light.
+bool IsLandscapeLight(vtkSMProxy* representation);
+
+/// Whether a scene brings its light into a view: one that shows nothing, has no Landscape Light, and has ParaView's
+/// background and lights or those of a mood.
+bool TakesLandscapeLight(vtkSMProxy* view);
+
 /// Whether a view has the mood "paper" from LightView, unchanged; another mood may follow.
 bool IsMap(vtkSMProxy* view);
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FirstCamera.h"
 
+#include "Daylight.h"
+
 #include "Numerics/Constants.h"
 
 #include "vtkCamera.h"
@@ -13,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace littoral
 {
@@ -60,8 +61,7 @@ bool LooksAlongAxis(vtkCamera* camera)
 bool ShowsData(vtkSMProxy* representation)
 {
   return representation && representation->GetProperty("Input") &&
-    std::strcmp(representation->GetXMLName(), "LandscapeLightRepresentation") != 0 &&
-    vtkSMPropertyHelper(representation, "Visibility", true).GetAsInt() != 0;
+    !IsLandscapeLight(representation) && vtkSMPropertyHelper(representation, "Visibility", true).GetAsInt() != 0;
 }
 
 //----------------------------------------------------------------------------

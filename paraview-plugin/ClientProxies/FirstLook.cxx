@@ -147,8 +147,14 @@ void ShowAsSprites(vtkSMProxy* representation, vtkPVDataInformation* data, doubl
 }
 
 //----------------------------------------------------------------------------
-void DrawLines(vtkSMProxy* representation, double width)
+void DrawLines(vtkSMProxy* representation, double width, const double* color)
 {
+  if (color)
+  {
+    ColorHelper::SetScalarColoring(representation, nullptr, vtkDataObject::POINT);
+    vtkSMPropertyHelper(representation, "AmbientColor").Set(color, 3);
+    vtkSMPropertyHelper(representation, "DiffuseColor").Set(color, 3);
+  }
   vtkSMPropertyHelper(representation, "LineWidth").Set(width);
   vtkSMPropertyHelper(representation, "Ambient").Set(1.0); // as drawn on a map, not lit
   vtkSMPropertyHelper(representation, "Diffuse").Set(0.0);

@@ -36,8 +36,8 @@ constexpr double MinimumSprite = 0.006;
 bool AreParticles(vtkPVDataInformation* data);
 void ShowAsSprites(vtkSMProxy* representation, vtkPVDataInformation* data, double smallest);
 
-/// Lines of a width [pixels].
-void DrawLines(vtkSMProxy* representation, double width);
+/// Lines of a width [pixels], in a color unless it is null.
+void DrawLines(vtkSMProxy* representation, double width, const double* color);
 
 /// Points as round dots of a color and a size [pixels], which is the same in a survey of any extent and near the eye.
 void ShowAsDots(vtkSMProxy* representation, double size, const double color[3]);

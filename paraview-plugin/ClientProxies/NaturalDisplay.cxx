@@ -444,7 +444,9 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   const char* width = this->Hint("lines", port);
   if (width && data->GetDataSetType() == VTK_POLY_DATA)
   {
-    DrawLines(representation, std::strtod(width, nullptr));
+    double ink[3];
+    const char* color = this->Hint("ink", port);
+    DrawLines(representation, std::strtod(width, nullptr), color && ReadPlace(color, ink) ? ink : nullptr);
   }
   const char* fog = this->Hint("fog", port);
   if (fog && data->GetArrayInformation(fog, vtkDataObject::POINT))

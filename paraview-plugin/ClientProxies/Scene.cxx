@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene.h"
 
+#include "Daylight.h"
 #include "vtkSMNaturalDisplayProxy.h"
 
 #include "vtkNew.h"
@@ -116,6 +117,17 @@ void Show(vtkSMSourceProxy* part, vtkPVXMLElement* look, vtkSMViewProxy* view)
   }
   vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
   controller->Show(part, port, view);
+}
+
+/// Shows a part whose display has values of its own.
+void ShowWithValues(vtkSMSourceProxy* part, vtkPVXMLElement* values, vtkSMViewProxy* view)
+{
+  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+  if (vtkSMProxy* display = controller->Show(part, 0, view))
+  {
+    SetValues(display, values);
+    display->UpdateVTKObjects();
+  }
 }
 
 /// Frames a second of a new film, 1 by default of ParaView, unless the user has others.
@@ -234,12 +246,14 @@ bool IsLastOfPipeline(vtkSMSourceProxy* source)
 void MakeScene(vtkSMSourceProxy* source, vtkPVXMLElement* scene, vtkSMViewProxy* view)
 {
   Parts parts = { { source->GetXMLName(), source } };
+  const bool takesLight = TakesLandscapeLight(view);
   for (unsigned int k = 0; k < scene->GetNumberOfNestedElements(); ++k)
   {
     vtkPVXMLElement* description = scene->GetNestedElement(k);
-    if (IsCalled(description, "Set"))
+    const bool isLight = Attribute(description, "type") == "LandscapeLight";
+    if (IsCalled(description, "Set") || (isLight && !takesLight)) // Set: of the source
     {
-      continue; // of the source
+      continue;
     }
     vtkSMSourceProxy* part = Make(source->GetSessionProxyManager(), description, parts);
     if (!part)
@@ -247,7 +261,11 @@ void MakeScene(vtkSMSourceProxy* source, vtkPVXMLElement* scene, vtkSMViewProxy*
       return;
     }
     parts[Attribute(description, "name")] = part;
-    if (vtkPVXMLElement* look = description->FindNestedElementByName("NaturalDisplay"))
+    if (vtkPVXMLElement* values = description->FindNestedElementByName("Display"))
+    {
+      ShowWithValues(part, values, view);
+    }
+    else if (vtkPVXMLElement* look = description->FindNestedElementByName("NaturalDisplay"))
     {
       Show(part, look, view);
       SetFrames(part);

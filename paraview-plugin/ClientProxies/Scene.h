@@ -29,6 +29,11 @@ namespace littoral
  * are ordinary sources and filters, made when the source is first shown; `to` names one before it, or the source by the
  * name of its type. Those with a NaturalDisplay are shown, in that way, which goes before the hint of their type; its
  * attribute `port` numbers the output, 0 by default.
+ * A part with an element Display is shown, with the values that its display has there:
+ *
+ *     <Source name="Light" type="LandscapeLight"><Display><Set property="SunElevation" values="20" /></Display></Source>
+ *
+ * A Landscape Light is made only in a view that takes one, see TakesLandscapeLight.
  *
  * With `depth` the heights of the camera, and the value of each part's Set that its attribute `of-depth` numbers, are
  * those for that WaterDepth of the source [m], and in proportion to it.

@@ -24,7 +24,6 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 
-#include <cstring>
 #include <functional>
 
 vtkStandardNewMacro(vtkFullSurfaceRepresentation);
@@ -58,19 +57,20 @@ bool EachVisible(vtkDataObject* data, const vtkCompositeDataDisplayAttributes* a
   return true;
 }
 
-/// Whether data are a terrain: polygonal data whose scalars are its elevations.
-/// Material of a data set, by its first part: a terrain by its scalars, the surface of a sea by its stretch.
+/// Material of a data set, by its first part: polygons with elevations are a terrain, with a stretch the surface of a
+/// sea.
 int MaterialOf(vtkDataObject* data)
 {
   int material = vtkLandscapePass::Surface;
   EachVisible(data, nullptr, [&](vtkDataObject* leaf) {
     auto* surface = vtkPolyData::SafeDownCast(leaf);
-    vtkPointData* arrays = surface ? surface->GetPointData() : nullptr;
-    vtkDataArray* scalars = arrays ? arrays->GetScalars() : nullptr;
-    const bool isTerrain = scalars && scalars->GetName() && std::strcmp(scalars->GetName(), "Elevation") == 0;
-    material = isTerrain                       ? vtkLandscapePass::Ground
-      : arrays && arrays->GetArray("Jacobian") ? vtkLandscapePass::Water
-                                               : vtkLandscapePass::Surface;
+    if (surface && surface->GetNumberOfPolys() > 0)
+    {
+      vtkPointData* arrays = surface->GetPointData();
+      material = arrays->HasArray("Jacobian") ? vtkLandscapePass::Water
+        : arrays->HasArray("Elevation")       ? vtkLandscapePass::Ground
+                                              : vtkLandscapePass::Surface;
+    }
     return false;
   });
   return material;
@@ -168,17 +168,17 @@ void vtkFullSurfaceRepresentation::DrawTextures(bool attributesChanged)
 {
   vtkMapper* mapper = this->Actor->GetEnableLOD() ? this->LODMapper : this->Mapper;
   vtkDataObject* data = mapper->GetInputDataObject(0, 0);
-  const auto take = [this](vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* blocks) {
-    this->PopulateBlockAttributes(attributes, blocks);
-  };
-  const bool isDrawn = data && this->Textured->Draw(data, this->Actor, mapper, attributesChanged, take);
-  this->Actor->SetVisibility(!isDrawn);
   const int material = data ? MaterialOf(data) : vtkLandscapePass::Surface;
   if (this->Material != material)
   {
     this->Material = material;
     vtkLandscapePass::SetMaterial(this->Actor, material);
   }
+  const auto take = [this](vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* blocks) {
+    this->PopulateBlockAttributes(attributes, blocks);
+  };
+  const bool isDrawn = data && this->Textured->Draw(data, this->Actor, mapper, attributesChanged, take);
+  this->Actor->SetVisibility(!isDrawn);
 }
 
 //----------------------------------------------------------------------------
