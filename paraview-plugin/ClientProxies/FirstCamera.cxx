@@ -60,8 +60,8 @@ bool LooksAlongAxis(vtkCamera* camera)
 //----------------------------------------------------------------------------
 bool ShowsData(vtkSMProxy* representation)
 {
-  return representation && representation->GetProperty("Input") &&
-    !IsLandscapeLight(representation) && vtkSMPropertyHelper(representation, "Visibility", true).GetAsInt() != 0;
+  return representation && representation->GetProperty("Input") && !IsLandscapeLight(representation) &&
+    vtkSMPropertyHelper(representation, "Visibility", true).GetAsInt() != 0;
 }
 
 //----------------------------------------------------------------------------

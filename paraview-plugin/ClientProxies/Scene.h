@@ -31,7 +31,9 @@ namespace littoral
  * attribute `port` numbers the output, 0 by default.
  * A part with an element Display is shown, with the values that its display has there:
  *
- *     <Source name="Light" type="LandscapeLight"><Display><Set property="SunElevation" values="20" /></Display></Source>
+ *     <Source name="Light" type="LandscapeLight">
+ *       <Display><Set property="SunElevation" values="20" /></Display>
+ *     </Source>
  *
  * A Landscape Light is made only in a view that takes one, see TakesLandscapeLight.
  *
