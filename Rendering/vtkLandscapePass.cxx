@@ -190,6 +190,7 @@ vtkLandscapePass::vtkLandscapePass()
   , ShadowDistance(150.0)
   , MapSize(2048)
   , Supersampling(false)
+  , Draft(false)
   , OcclusionRadius(5.0)
   , CoverRadius(30.0)
   , CoverHeight(0.3)
@@ -251,9 +252,15 @@ void vtkLandscapePass::SetMaterial(vtkProp* prop, int material)
   auto* mapper = actor ? vtkPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
   if (material == Water && mapper)
   {
-    mapper->MapDataArrayToVertexAttribute("landscapeStretch", "Jacobian", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    MapStretch(mapper);
   }
   prop->Modified();
+}
+
+//----------------------------------------------------------------------------
+void vtkLandscapePass::MapStretch(vtkPolyDataMapper* mapper)
+{
+  mapper->MapDataArrayToVertexAttribute("landscapeStretch", "Jacobian", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
 }
 
 //----------------------------------------------------------------------------
@@ -417,7 +424,7 @@ void vtkLandscapePass::RenderMaps(vtkRenderer* renderer, vtkMultiProcessControll
   const auto isGround = [](vtkProp* prop) { return GetMaterial(prop) == Ground; };
   const bool hasGround = std::any_of(own.Shown.begin(), own.Shown.end(), isGround);
   const bool isInWater = own.Light.HasWater && own.Light.Eye.z < this->WaterLevel;
-  wish.GroundRadius = hasGround && !isInWater && this->CoverHeight > 0.0 ? this->CoverRadius : 0.0;
+  wish.GroundRadius = hasGround && !isInWater && !this->Draft && this->CoverHeight > 0.0 ? this->CoverRadius : 0.0;
   own.Cover.SetSize(this->CoverHeight, this->CoverRadius);
   // The same shaders as for the picture: none is built anew.
   vtkRenderState all(renderer);
@@ -490,7 +497,7 @@ void vtkLandscapePass::Render(const vtkRenderState* state)
     this->RenderMaps(renderer, nullptr);
   }
   own.HasMaps = false;
-  own.Quad.SetSamples(this->Supersampling ? 2 : 1);
+  own.Quad.SetSamples(this->Supersampling && !this->Draft ? 2 : 1);
   vtkCamera* camera = renderer->GetActiveCamera();
   own.Light.ToWorld = glm::inverse(littoral::MatrixOf(camera->GetModelViewTransformMatrix()));
   own.Light.IsParallel = camera->GetParallelProjection();
@@ -538,6 +545,7 @@ void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MapSize: " << this->MapSize << "\n";
   os << indent << "Supersampling: " << (this->Supersampling ? "on" : "off") << "\n";
   os << indent << "OcclusionRadius: " << this->OcclusionRadius << "\n";
+  os << indent << "Draft: " << (this->Draft ? "on" : "off") << "\n";
   os << indent << "CoverRadius: " << this->CoverRadius << "\n";
   os << indent << "CoverHeight: " << this->CoverHeight << "\n";
   os << indent << "CoverColor: " << this->CoverColor[0] << " " << this->CoverColor[1] << " " << this->CoverColor[2]

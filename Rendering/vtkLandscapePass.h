@@ -25,6 +25,7 @@
 class vtkInformationDoubleKey;
 class vtkInformationIntegerKey;
 class vtkMultiProcessController;
+class vtkPolyDataMapper;
 class vtkProp;
 class vtkRenderer;
 
@@ -173,6 +174,12 @@ public:
   vtkBooleanMacro(Supersampling, bool);
   ///@}
   ///@{
+  /** Pictures in haste, as while a camera is dragged: without grass and Supersampling; default off. */
+  vtkSetMacro(Draft, bool);
+  vtkGetMacro(Draft, bool);
+  vtkBooleanMacro(Draft, bool);
+  ///@}
+  ///@{
   /** Distance of surfaces that hide the sky from a place [m], 0 for none; default 5. */
   vtkSetClampMacro(OcclusionRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(OcclusionRadius, double);
@@ -248,6 +255,8 @@ public:
   static vtkInformationIntegerKey* MATERIAL();
   static void SetMaterial(vtkProp* prop, int material);
   static int GetMaterial(vtkProp* prop);
+  /** Lets a mapper of water tell its shaders of the point array "Jacobian", as SetMaterial() does. */
+  static void MapStretch(vtkPolyDataMapper* mapper);
   ///@}
   ///@{
   /** Sky behind the surfaces, off where nothing is drawn there; default on. */
@@ -320,6 +329,7 @@ private:
   double ShadowDistance;
   int MapSize;
   bool Supersampling;
+  bool Draft;
   double OcclusionRadius;
   double CoverRadius;
   double CoverHeight;

@@ -1,12 +1,11 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython tier=all
-"""What TestScenes.py and TestScenesAtSea.py leave out: the states and defaults of all scenes, murk on kelp."""
+"""What TestScenes.py and TestScenesAtSea.py leave out: the states and defaults of all scenes."""
 
 import quick
 import states
 from TestScenes import SCENES, check, check_again, check_defaults
-from TestScenesAtSea import check_murk
 
 
 def check_states(name):
@@ -17,6 +16,5 @@ def check_states(name):
 
 for scene in SCENES:
     check(scene, then=check_states)
-check("Underwater", change=False, then=lambda _: check_murk("Kelp"))
 check_defaults("Sea", "PeakPeriod", 10.0)
 check_defaults("TwinOfAPlace", "Spacing", [50.0, 50.0, 1.0])

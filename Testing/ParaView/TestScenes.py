@@ -22,9 +22,10 @@ SCENES = {
     "SwayingForest": (["Hill", "Sites", "Birch", "Pine", "Wood", "Trees", "Ground", "Light"],
                       ["Trees", "Ground", "Light"], 59.9,
                       ("Sites", "MeanPerQuadrat", 1.5)),
-    "Sea": (["Surface"], ["Surface"], 60.0, ("Sea1", "PeakPeriod", 10.0)),
-    "Underwater": (["Relief", "Sites", "Sugar Kelp", "Eelgrass", "Plants", "Kelp", "Bed", "Water", "Particles", "Surface"],
-                   ["Kelp", "Bed", "Particles", "Surface"], 60.0, ("Water", "Density", 20.0)),
+    "Sea": (["Surface", "Light"], ["Surface", "Light"], 60.0, ("Sea1", "PeakPeriod", 10.0)),
+    "Underwater": (["Relief", "Sites", "Sugar Kelp", "Eelgrass", "Plants", "Kelp", "Bed", "Water", "Particles", "Surface",
+                    "Light"],
+                   ["Kelp", "Bed", "Particles", "Surface", "Light"], 60.0, ("Water", "Density", 20.0)),
     "TwinOfAPlace": (["Valleys", "Ground", "Light"], ["Valleys", "Ground", "Light"], 1.0, ("TwinOfAPlace1", "Seed", 7)),
 }
 

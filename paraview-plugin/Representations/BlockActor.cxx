@@ -276,6 +276,7 @@ void BlockActor::TakeBlock(const PartOfTree& part, vtkMapper* like)
   if (!mapper || mapper->GetVBOShiftScaleMethod() != other->GetVBOShiftScaleMethod())
   {
     const auto made = vtkSmartPointer<BlockMapper>::New();
+    vtkLandscapePass::MapStretch(made); // composite mappers have no such arrays
     this->MapperTime = 0;
     this->Mapper = mapper = made;
     this->Actor->SetMapper(mapper);

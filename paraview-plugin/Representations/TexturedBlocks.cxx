@@ -12,6 +12,7 @@
 #include "vtkLightCollection.h"
 #include "vtkPVDataRepresentation.h"
 #include "vtkPVRenderView.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
@@ -138,8 +139,9 @@ void TexturedBlocks::Hide()
 }
 
 //----------------------------------------------------------------------------
-/// Each textured block and each prototype that has instances becomes a part of its own, and without any there are no
-/// parts. A few other surfaces are parts of their own too; the rest is the first. Points of instances are not drawn.
+/// Each textured block, each prototype that has instances and each sea that has foam becomes a part of its own, and
+/// without any there are no parts. A few other surfaces are parts of their own too; the rest is the first. Points of
+/// instances are not drawn.
 void TexturedBlocks::Split(vtkDataObject* data)
 {
   this->Data = data;
@@ -193,7 +195,9 @@ void TexturedBlocks::Split(vtkDataObject* data)
     part.Transmittance = transmittances[pair.Prototype];
     this->Parts.push_back(part);
   }
-  const auto isSpecial = [](const PartOfTree& part) { return part.Textured || part.Prototype; };
+  const auto isSpecial = [](const PartOfTree& part) {
+    return part.Textured || part.Prototype || (part.Block && part.Block->GetPointData()->HasArray("Jacobian"));
+  };
   if (std::none_of(this->Parts.begin(), this->Parts.end(), isSpecial))
   {
     this->Parts.clear();

@@ -98,9 +98,13 @@ int vtkLandscapeLightRepresentation::ProcessViewRequest(
   auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
   if (isVisible && view && request == vtkPVView::REQUEST_RENDER())
   {
-    this->Prepare(view,
-      in->Has(vtkPVRenderView::USE_LOD()) ? view->GetUseDistributedRenderingForLODRender()
-                                          : view->GetUseDistributedRenderingForRender());
+    const bool isDragged = in->Has(vtkPVRenderView::USE_LOD()) != 0;
+    if (this->Light->Landscape)
+    {
+      this->Light->Landscape->SetDraft(isDragged);
+    }
+    this->Prepare(
+      view, isDragged ? view->GetUseDistributedRenderingForLODRender() : view->GetUseDistributedRenderingForRender());
   }
   return isVisible;
 }
