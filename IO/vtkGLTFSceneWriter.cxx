@@ -219,7 +219,8 @@ std::string vtkGLTFSceneWriter::WhyInvalid() const
     check.Range("FramesPerSecond", this->FramesPerSecond, 0.01, 1000.0);
     check.Range("JointTolerance", this->JointTolerance, 0.0, 10.0, "m");
     const double frames = (this->EndTime - this->StartTime) * this->FramesPerSecond;
-    check.Require(frames <= mostFrames, "The motion has more than 100000 samples.");
+    check.Require(frames <= mostFrames,
+      "Take a lower FrameRate, or a StartTime and EndTime closer together: the motion has more than 100000 samples.");
   }
   if (check.IsGood() && !this->Extras.empty())
   {

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython tier=all
-"""What TestScenes.py and TestScenesAtSea.py leave out: the states and defaults of all scenes."""
+"""What TestScenes.py and its like leave out: the states and defaults of all scenes."""
 
 import quick
 import states

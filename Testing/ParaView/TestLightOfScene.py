@@ -6,7 +6,7 @@
 import quick
 from paraview import simple
 from TestScenes import SIZE, lights
-from window import picture, small_view
+from window import small_view
 
 #: What is in the view before, and the elevations of the suns in it after.
 VIEWS = (("nothing", lambda view: None, [9.0]),
@@ -18,7 +18,6 @@ for what, prepare, suns in VIEWS:
     view = small_view(SIZE)
     prepare(view)
     simple.Show(simple.TwinOfAPlace(WholeExtent=[0, 40, 0, 40, 0, 0]), view)
-    picture(view)
     shown = [one.SunElevation for one in lights(view)]
     assert shown == suns, f"lights of a view with {what}: {shown}"
     for source in simple.GetSources().values():
