@@ -220,7 +220,7 @@ std::string vtkGLTFSceneWriter::WhyInvalid() const
     check.Range("JointTolerance", this->JointTolerance, 0.0, 10.0, "m");
     const double frames = (this->EndTime - this->StartTime) * this->FramesPerSecond;
     check.Require(frames <= mostFrames,
-      "Take a lower FrameRate, or a StartTime and EndTime closer together: the motion has more than 100000 samples.");
+      "Take a lower FramesPerSecond, or an EndTime closer to StartTime: the motion has more than 100000 samples.");
   }
   if (check.IsGood() && !this->Extras.empty())
   {

@@ -14,7 +14,7 @@ from window import apart, picture, small_view
 PORT = 11517
 #: Parts, and what changes a picture.
 SCENES = {
-    "Sea": (["Sea1", "Surface"], ("Sea1", "PeakPeriod", 10.0)),
+    "Sea": (["Light", "Sea1", "Surface"], ("Sea1", "PeakPeriod", 10.0)),
     "Forest": (["Birch", "Forest1", "Ground", "Hills", "Light", "Oak", "Pine", "Shrub", "Sites", "Trees", "Valleys"],
                ("Hills", "StandardDeviation", 30.0)),
 }

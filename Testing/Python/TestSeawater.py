@@ -30,4 +30,4 @@ for values in (c, K):
     assert text in shader, text
 
 murks = [float(murk) for murk in re.findall(r'light="murk" murk="([^"]+)"', (PLUGIN / "LittoralLandscapes.xml").read_text())]
-assert len(murks) == 4 and np.allclose(murks, seawater.GREY_EXTINCTION, rtol=1e-9), murks
+assert len(murks) == 1 and np.allclose(murks, seawater.GREY_EXTINCTION, rtol=1e-9), murks
