@@ -2,17 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython
 # run-with: pvpython tier=all args=export
-"""Before a server that renders, a scene, textured blocks and a view that is dragged are what they are without one; with
-`export`, an exported scene has the bytes of TestExportScene.
+"""Before a server that renders, textured blocks and a view that is dragged are what they are without one; with `export`, an
+exported scene has the bytes of TestExportScene.
 
-TestServers has more ranks, and pictures that the client renders, TestScenesWithServer more scenes.
+TestServers has more ranks, and pictures that the client renders, TestScenesWithServer scenes.
 """
 
 import sys
 
 import quick
 import TestDragging
-import TestScenesWithServer
 import TestTextures
 from paraview import servermanager, simple
 from server import connected
@@ -39,7 +38,6 @@ def check(where, threshold):
 
 def main():
     exports = "export" in sys.argv[1:] and hasattr(servermanager.writers, "GLTFSceneWriter")
-    sea = TestScenesWithServer.pictures("Sea")
     if exports:
         import TestExportScene
 
@@ -48,7 +46,6 @@ def main():
         if exports:
             assert TestExportScene.wood("remote.glb") == scene, "the server writes another scene"
             simple.ResetSession()
-        TestScenesWithServer.compare("Sea", "before a server", sea)
         check("rendered by the server", 0.0)
 
 
