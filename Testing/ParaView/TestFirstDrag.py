@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython together=views
-"""The first drags of a sea and a tree; TestUnderwaterScene.py has one under water, TestEachFirstDrag.py all entries."""
+"""The first drags of a sea and a tree; TestDragUnderWater.py has one under water, TestEachFirstDrag.py all entries."""
 
 import os
 
