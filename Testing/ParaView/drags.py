@@ -120,5 +120,4 @@ def around(name, view, lowest=-math.inf, highest=math.inf, steps=8, directions=8
             assert not within or lowest - 1e-9 <= eye[2] <= highest + 1e-9, f"{where}: the eye is at {eye}"
             for one, value in zip(CAMERA, place):
                 setattr(view, one, value)
-            simple.Render(view)
     print(f"{name}: covers {before:.2f}", flush=True)
