@@ -68,6 +68,7 @@ struct Volume
   int Components = 1; ///< 1 or 3
   VolumeVectors Vectors = VolumeVectors::Relative;
   VolumeRemarks Remarks;
+  int Rank = 0; ///< that holds the values, before they are gathered
   std::vector<VolumeBlock> Blocks;
 };
 

@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumeGather.h"
 
+#include "Numerics/InvalidInput.h"
+#include "Pipeline/Memory.h"
+
 #include "vtkMultiProcessController.h"
 #include "vtkMultiProcessStream.h"
+
+#include <algorithm>
 
 namespace littoral
 {
@@ -126,6 +131,26 @@ void Take(vtkMultiProcessStream& stream, Volume& volume)
   }
 }
 
+bool IsDense(const VolumeBlock& block, int components)
+{
+  return block.Stride == static_cast<std::size_t>(components);
+}
+
+/// Why there is no memory to send one block after the other; empty if there is.
+std::string WhyNotPacked(const std::vector<Volume>& volumes)
+{
+  double bytes = 0.0;
+  for (const Volume& volume : volumes)
+  {
+    for (const VolumeBlock& block : volume.Blocks)
+    {
+      const bool dense = IsDense(block, volume.Components);
+      bytes = std::max(bytes, dense ? 0.0 : sizeof(float) * volume.Components * static_cast<double>(block.Count()));
+    }
+  }
+  return WhyRefused([&] { RequireMemory(bytes, "A part of the volumes", "take a smaller or coarser grid"); });
+}
+
 /// A block's values without gaps between the samples.
 std::vector<float> Packed(const VolumeBlock& block, int components)
 {
@@ -141,7 +166,7 @@ std::vector<float> Packed(const VolumeBlock& block, int components)
 
 void SendBlock(vtkMultiProcessController* controller, const VolumeBlock& block, int components)
 {
-  const bool dense = block.Stride == static_cast<std::size_t>(components);
+  const bool dense = IsDense(block, components);
   const std::vector<float> packed = dense ? std::vector<float>() : Packed(block, components);
   controller->Send(
     dense ? block.Values : packed.data(), static_cast<vtkIdType>(block.Count()) * components, 0, ValuesTag);
@@ -171,27 +196,19 @@ void ReceiveBlock(vtkMultiProcessController* controller, VolumeBlock& block, int
   }
 }
 
-void SendVolumes(vtkMultiProcessController* controller, const VolumeInput& input)
+void SendShapes(vtkMultiProcessController* controller, const VolumeInput& input)
 {
   vtkMultiProcessStream head;
-  head << input.Reason << static_cast<vtkTypeInt64>(input.Samples);
-  const int volumes = input.Reason.empty() ? static_cast<int>(input.Volumes.size()) : 0;
-  head << volumes;
-  for (int n = 0; n < volumes; ++n)
+  const std::string reason = input.Reason.empty() ? WhyNotPacked(input.Volumes) : input.Reason;
+  head << reason << static_cast<vtkTypeInt64>(input.Samples) << static_cast<int>(input.Volumes.size());
+  for (const Volume& volume : input.Volumes)
   {
-    Put(head, input.Volumes[n]);
+    Put(head, volume);
   }
   controller->Send(head, 0, HeadTag);
-  for (int n = 0; n < volumes; ++n)
-  {
-    for (const VolumeBlock& block : input.Volumes[n].Blocks)
-    {
-      SendBlock(controller, block, input.Volumes[n].Components);
-    }
-  }
 }
 
-void ReceiveVolumes(vtkMultiProcessController* controller, VolumeInput& input, int rank)
+void ReceiveShapes(vtkMultiProcessController* controller, VolumeInput& input, int rank)
 {
   vtkMultiProcessStream head;
   controller->Receive(head, rank, HeadTag);
@@ -207,15 +224,9 @@ void ReceiveVolumes(vtkMultiProcessController* controller, VolumeInput& input, i
   for (int n = 0; n < volumes; ++n)
   {
     Volume volume;
+    volume.Rank = rank;
     Take(head, volume);
     input.Volumes.push_back(volume);
-  }
-  for (auto volume = input.Volumes.end() - volumes; volume != input.Volumes.end(); ++volume)
-  {
-    for (VolumeBlock& block : volume->Blocks)
-    {
-      ReceiveBlock(controller, block, volume->Components, rank);
-    }
   }
 }
 
@@ -226,7 +237,7 @@ bool IsFirstRank(vtkMultiProcessController* controller)
   return IsAlone(controller) || controller->GetLocalProcessId() == 0;
 }
 
-void GatherVolumes(vtkMultiProcessController* controller, VolumeInput& input)
+void GatherShapes(vtkMultiProcessController* controller, VolumeInput& input)
 {
   if (IsAlone(controller))
   {
@@ -234,12 +245,30 @@ void GatherVolumes(vtkMultiProcessController* controller, VolumeInput& input)
   }
   if (!IsFirstRank(controller))
   {
-    SendVolumes(controller, input);
+    SendShapes(controller, input);
     return;
   }
   for (int rank = 1; rank < controller->GetNumberOfProcesses(); ++rank)
   {
-    ReceiveVolumes(controller, input, rank);
+    ReceiveShapes(controller, input, rank);
+  }
+}
+
+void GatherValues(vtkMultiProcessController* controller, VolumeInput& input)
+{
+  for (Volume& volume : input.Volumes)
+  {
+    for (VolumeBlock& block : volume.Blocks)
+    {
+      if (!IsFirstRank(controller))
+      {
+        SendBlock(controller, block, volume.Components);
+      }
+      else if (volume.Rank != 0)
+      {
+        ReceiveBlock(controller, block, volume.Components, volume.Rank);
+      }
+    }
   }
 }
 

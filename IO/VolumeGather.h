@@ -11,10 +11,13 @@ namespace littoral
 {
 
 /**
- * Brings the parts of all ranks to rank 0, which then has Volumes, Samples and the first Reason of all. Each rank must
- * call this. Null, or one rank: nothing to do.
+ * Brings what the ranks hold to rank 0, which then has Samples, the first Reason of all, and Volumes whose blocks have
+ * extents but, those of other ranks, no values. Each rank must call this. Null, or one rank: nothing to do.
  */
-void GatherVolumes(vtkMultiProcessController* controller, VolumeInput& input);
+void GatherShapes(vtkMultiProcessController* controller, VolumeInput& input);
+
+/// Brings the values to rank 0, which has asked for their memory; each rank must call this, or none.
+void GatherValues(vtkMultiProcessController* controller, VolumeInput& input);
 
 /// Rank 0's answer, on each rank.
 bool ShareAnswer(vtkMultiProcessController* controller, bool answer);

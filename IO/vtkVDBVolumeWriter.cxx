@@ -33,21 +33,23 @@ namespace
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-/// Memory of the grids, and of what becomes of them while they are written [bytes].
-double GridBytes(const std::vector<littoral::Volume>& volumes)
+/// Memory of the values that come from other ranks, of the grids, and of what becomes of them while they are written
+/// [bytes].
+double BytesOf(const std::vector<littoral::Volume>& volumes)
 {
   double bytes = 0.0;
   for (const littoral::Volume& volume : volumes)
   {
     for (const littoral::VolumeBlock& block : volume.Blocks)
     {
-      bytes += 1.1 * sizeof(float) * volume.Components * static_cast<double>(block.Count());
+      const double values = sizeof(float) * volume.Components * static_cast<double>(block.Count());
+      bytes += 1.1 * values + (volume.Rank != 0 ? values + static_cast<double>(block.Count()) : 0.0);
     }
   }
   return bytes;
 }
 
-/// Why the gathered input cannot be written; empty if it can.
+/// Why the input of all ranks cannot be written; empty if it can.
 std::string WhyUnfit(const littoral::VolumeInput& input)
 {
   if (!input.Reason.empty())
@@ -63,7 +65,7 @@ std::string WhyUnfit(const littoral::VolumeInput& input)
     return "the input has no array of numbers, or none is chosen.";
   }
   return littoral::WhyRefused([&] {
-    littoral::RequireMemory(GridBytes(input.Volumes), "a file of its volumes", "take a smaller or coarser grid");
+    littoral::RequireMemory(BytesOf(input.Volumes), "a file of its volumes", "take a smaller or coarser grid");
   });
 }
 
@@ -126,6 +128,12 @@ vtkTypeBool vtkVDBVolumeWriter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  if (input && this->Controller && request->Has(Pipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    input->Set(Pipeline::UPDATE_PIECE_NUMBER(), this->Controller->GetLocalProcessId());
+    input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), this->Controller->GetNumberOfProcesses());
+    input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  }
   if (this->WriteAllTimeSteps && input && request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
   {
     this->NumberOfSteps = input->Has(Pipeline::TIME_STEPS()) ? input->Length(Pipeline::TIME_STEPS()) : 0;
@@ -238,12 +246,17 @@ void vtkVDBVolumeWriter::WriteData()
   }
   littoral::VolumeInput input =
     littoral::ReadVolumes(data, this->PointDataArraySelection, this->CellDataArraySelection);
-  littoral::GatherVolumes(this->Controller, input);
+  littoral::GatherShapes(this->Controller, input);
 
   littoral::FileOutcome outcome;
-  if (littoral::IsFirstRank(this->Controller))
+  const bool isFirst = littoral::IsFirstRank(this->Controller);
+  outcome.Reason = isFirst ? WhyUnfit(input) : "";
+  if (littoral::ShareAnswer(this->Controller, outcome.Reason.empty()))
   {
-    outcome.Reason = WhyUnfit(input);
+    littoral::GatherValues(this->Controller, input);
+  }
+  if (isFirst)
+  {
     if (outcome.Reason.empty())
     {
       littoral::JoinVolumes(input.Volumes);

@@ -9,8 +9,8 @@ import random
 import subprocess
 
 import quick
+from messages import complaints
 from paraview import simple
-from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
 
 DRAW = """
 import sys
@@ -25,19 +25,13 @@ def load(content):
     """What ParaView says to a state."""
     with open("damaged.pvsm", "wb") as file:
         file.write(content)
-    window, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
-    vtkOutputWindow.SetInstance(window)
-    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
-    try:
+
+    def update():
         simple.LoadState("damaged.pvsm")
         for source in simple.GetSources().values():
             source.UpdatePipeline()
-    except RuntimeError as error:  # of newer ParaViews
-        return f"ERROR: {error}"
-    finally:
-        vtkOutputWindow.SetInstance(before)
-        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_WARNING)
-    return window.GetOutput()
+
+    return complaints(update)
 
 
 def points():

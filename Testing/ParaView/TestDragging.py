@@ -46,6 +46,8 @@ def check_drag(view, where):
     """The same pictures while dragging and at rest."""
     empty = colors(view)[-1]
     view.LODThreshold = 0.0
+    stand(view, 0)
+    simple.Render(view)  # who stands lower than a first drag goes stays there
     moving = []
     for step in range(3):
         stand(view, step)

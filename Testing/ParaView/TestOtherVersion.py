@@ -8,30 +8,15 @@ import shutil
 import subprocess
 
 import quick
+from messages import complaints
 from paraview import servermanager, simple
-from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
 
 version = servermanager.vtkSMProxyManager
 running = f"{version.GetVersionMajor()}.{version.GetVersionMinor()}.{version.GetVersionPatch()}"
 other = os.environ["LITTORAL_OTHER_VERSION"]  # the loader, built as if for ParaView 4.0
 
 
-def load(path):
-    """What ParaView says to a plugin."""
-    window, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
-    vtkOutputWindow.SetInstance(window)
-    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
-    try:
-        simple.LoadPlugin(path, remote=False)
-    except RuntimeError:
-        pass
-    finally:
-        vtkOutputWindow.SetInstance(before)
-        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_WARNING)
-    return window.GetOutput()
-
-
-text = load(other)
+text = complaints(lambda: simple.LoadPlugin(other, remote=False))
 assert text.count("Littoral") == 1, text
 assert "built for ParaView 4.0, and this is ParaView " + running in text, text
 
@@ -41,7 +26,7 @@ here = os.path.join(os.environ["PV_PLUGIN_PATH"].split(":")[0], "Littoral.so")
 os.makedirs("copy", exist_ok=True)
 for name in (here, here + ".pv" + ".".join(running.split(".")[:2])):
     shutil.copy(name, "copy")
-text = load(os.path.abspath("copy/Littoral.so"))
+text = complaints(lambda: simple.LoadPlugin(os.path.abspath("copy/Littoral.so"), remote=False))
 assert text.count("was not loaded: there is another one, " + here) == 1, text
 terrain = simple.TurningBandsTerrain()
 terrain.UpdatePipeline()

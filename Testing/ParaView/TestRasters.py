@@ -7,8 +7,8 @@ import tempfile
 
 import numpy as np
 from geotiff import gdal, set_place
+from messages import complaints
 from paraview import servermanager, simple
-from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
 
 PLACES = {32616: (725000.0, 30.0, 0.0, 4040000.0, 0.0, -25.0), 4326: (-84.5, 0.001, 0.0, 36.5, 0.0, -0.001)}
 
@@ -33,19 +33,6 @@ def picture(folder):
     made = gdal.GetDriverByName("MEM").Create("", 8, 8, 3, gdal.GDT_Byte)
     gdal.GetDriverByName("PNG").CreateCopy(name, made)
     return name
-
-
-def complaints(call):
-    """What VTK reports during a call."""
-    window, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
-    vtkOutputWindow.SetInstance(window)
-    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
-    try:
-        call()
-    finally:
-        vtkOutputWindow.SetInstance(before)
-        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_WARNING)
-    return window.GetOutput()
 
 
 with tempfile.TemporaryDirectory() as folder:

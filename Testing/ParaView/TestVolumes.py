@@ -1,12 +1,14 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvbatch mpi=1,2
-"""SaveData writes volumes: an image, a series, blocks, and the same bytes on any number of ranks."""
+"""SaveData writes volumes: an image, a series, blocks, and the same bytes on any number of ranks; or says what it lacks."""
 import os
+import resource
 import sys
 from glob import glob
 
 import quick
+from messages import complaints
 from paraview import servermanager, simple
 
 from littoral.versions import series_suffix
@@ -33,6 +35,22 @@ def compare_with_one_rank(name, proxy, **options):
     return content(path)
 
 
+def check_shortage(megabytes=64):
+    """Rank 0 asks for memory before the parts of the others come: it refuses, leaves no file, and no rank waits for it."""
+    large = simple.Wavelet(WholeExtent=[0, 399, 0, 199, 0, 199])  # 64 MB, half of them of each of two ranks
+    large.UpdatePipeline()
+    before = resource.getrlimit(resource.RLIMIT_AS)
+    with open("/proc/self/statm", encoding="ascii") as statm:
+        used = int(statm.read().split()[0]) * resource.getpagesize()
+    resource.setrlimit(resource.RLIMIT_AS, (used + (megabytes << 20), before[1]))
+    said = complaints(lambda: simple.SaveData("large.vdb", proxy=large))
+    resource.setrlimit(resource.RLIMIT_AS, before)
+    # The grids, 1.1 times 64 MB, and the 32 MB with their marks that another rank has
+    needs = 67 if ranks == 1 else 106
+    assert f"a file of its volumes needs {needs}" in said and "MiB are free: take a smaller" in said, said
+    assert not glob("*large.vdb*"), "a file is left"
+
+
 wind = simple.WindField(Dimensions=[40, 12, 10], TimeStep=0.25, WindDirection=30.0)
 wind.UpdatePipeline(0.0)
 factory = servermanager.vtkSMProxyManager.GetProxyManager().GetWriterFactory()
@@ -49,6 +67,8 @@ cells = simple.PointDatatoCellData(Input=simple.Wavelet(WholeExtent=[-10, 10, -6
 compare_with_one_rank("cells", cells)
 blocks = simple.GroupDatasets(Input=[wind, cells])
 assert b"RTData" in compare_with_one_rank("blocks", blocks)
+
+check_shortage()
 
 for old in glob("series_*.vdb"):
     os.remove(old)

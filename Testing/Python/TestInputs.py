@@ -146,6 +146,8 @@ ARRAY_FAULTS = {
 
 # What is needed, and is not there. Field arrays may have any number of tuples.
 UNREADABLE = ("twice", "short", "empty", "texts")
+#: A NaN among the heights of a terrain is a hole, which stays one in what is derived from it.
+HOLES = ("vtkDrainageFilter",)
 MUST_REFUSE = {"field": ("empty", "texts"), "point": UNREADABLE, "cell": UNREADABLE, "row": UNREADABLE}
 
 
@@ -376,6 +378,11 @@ def has_new_nan(algorithm, names):
     return found
 
 
+def lines_without(name, lines):
+    """Lines of outputs but for those of an array, and of the list of columns that nothing is made of."""
+    return [line for line in lines if f" {name} " not in line and " UnusedColumns " not in line]
+
+
 def set_inputs(algorithm, inputs):
     for port, data in enumerate(inputs):
         if data is not None:
@@ -420,13 +427,13 @@ def run(name, log, first, every):
             if change is spoil_array:
                 array, fault = tuple(arguments[:3]), arguments[3]
                 if fault == "absent":
-                    other = [line for line in (outputs_of(filter_) if succeeded else ()) if f" {array[2]} " not in line]
-                    matters[port, array] = bool(said) or other != [line for line in good if f" {array[2]} " not in line]
+                    other = lines_without(array[2], outputs_of(filter_) if succeeded else ())
+                    matters[port, array] = bool(said) or other != lines_without(array[2], good)
                 elif fault in MUST_REFUSE[array[1]] and matters.get((port, array)) and not said:
                     findings.append("works with an array that it needs and cannot read")
             spoilt_names = arguments[2:3] if change is spoil_array else ()
             nans = [one for one in has_new_nan(filter_, spoilt_names) if one not in usual]
-            if nans and not said and "nan" in label:
+            if nans and not said and "nan" in label and name not in HOLES:
                 findings.append(f"puts out {nans} without a message")
             filter_.SetInputDataObject(port, inputs[port])
             again = outputs_of(filter_) if said or number % 10 == 0 else good

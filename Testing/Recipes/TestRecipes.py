@@ -20,7 +20,7 @@ import mutate  # noqa: E402
 
 TREE = Path.cwd() / "tree"
 BUILD = TREE / "build"
-PYTHON = ("LittoralSourcesPython", "LittoralFiltersPython", "littoral_python_files")
+PYTHON = ("LittoralSourcesPython", "LittoralFiltersPython", "LittoralRenderingPython", "littoral_python_files")
 NEW = ("vtkSlopeAspectFilter", "vtkDaVinciTreeSource")
 
 
