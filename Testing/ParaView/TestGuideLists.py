@@ -1,13 +1,17 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython
-"""Each numbered list of the guide is walked by a module guide_*.py, which a test plays, and no module walks one that is gone."""
+"""Each numbered list of the guide is walked by a module guide_*.py, which a test plays, and no module walks one that is gone.
+
+The walks are made here, not played: what a step does is what its words say.
+"""
 
 import glob
+import importlib
 import os
 import re
 
-from guide import lists, pages, read
+from guide import lists, pages, read, walk
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 
@@ -25,4 +29,5 @@ for page, number in sorted(there - walked):
     raise AssertionError(f"{page}.md: no module walks the list that begins {lists(page)[number][0]!r}")
 for page, number in sorted(walked - there):
     raise AssertionError(f"{page}.md has no list {number}, which a module walks")
+walk(*map(importlib.import_module, sorted(modules)))
 print(f"{len(there)} lists of the guide are walked")

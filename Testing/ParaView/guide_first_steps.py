@@ -44,7 +44,7 @@ def prepare():
 
 
 def walk(walk):
-    walk.next("./littoral gui")
+    walk.next("./littoral gui", "Reset Session")  # with a server: none here
     walk.call(open_example)
     walk.say("Edit > Reset Session")
     walk.empty()

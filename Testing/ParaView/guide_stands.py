@@ -37,7 +37,7 @@ def prepare():
 
 
 def walk(walk):
-    walk.next("CSV Reader")
+    walk.next("CSV Reader", "Text Table")  # TestTextTableReader opens one
     walk.open("plot.csv", "GDALVectorReader")
     walk.apply()
     walk.next()
