@@ -1,9 +1,8 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython
-"""Each numbered list of the guide is walked by a module guide_*.py, which a test plays, and no module walks one that is gone.
-
-The walks are made here, not played: what a step does is what its words say.
+"""Each numbered list of the guide is walked by a module guide_*.py, which a test plays, no module walks one that is gone,
+and what a walk does is what the words of its steps say; here none is played.
 """
 
 import glob

@@ -133,37 +133,49 @@ void ShowWithValues(vtkSMSourceProxy* part, vtkPVXMLElement* values, vtkSMViewPr
 /// Frames a second of a new film, 1 by default of ParaView, unless the user has others.
 void SetFrameRate(double rate)
 {
-  constexpr double BelowUsers = -1.0; // priority
+  static int films = 0;
+  const double priority = -1.0 / ++films; // below the user's, above the last one's: the first of equals prevails
   vtkSMSettings::GetInstance()->AddCollectionFromString(
-    R"({"misc": {"SaveAnimation": {"FrameRate": )" + std::to_string(std::max(1l, std::lround(rate))) + "}}}",
-    BelowUsers);
+    R"({"misc": {"SaveAnimation": {"FrameRate": )" + std::to_string(std::max(1l, std::lround(rate))) + "}}}", priority);
+}
+
+/// The numbers of a property; none if there is no such property.
+std::vector<double> NumbersOf(vtkSMProxy* proxy, const char* property)
+{
+  return proxy->GetProperty(property) ? vtkSMPropertyHelper(proxy, property).GetDoubleArray() : std::vector<double>();
+}
+
+double LengthOf(const std::vector<double>& times)
+{
+  return times.empty() ? 0.0 : times.back() - times.front();
 }
 
 /// Gives a range of times without time steps the frames of a film, unless someone has chosen their number, and a film
-/// the length of its times.
+/// of all that is open the length of its times.
 void SetFrames(vtkSMSourceProxy* part)
 {
   vtkNew<vtkSMParaViewPipelineController> controller;
   vtkSMProxy* animation = controller->FindAnimationScene(part->GetSession());
-  if (!animation || !animation->GetProperty("NumberOfFrames"))
+  vtkSMProxy* timeKeeper = controller->FindTimeKeeper(part->GetSession());
+  const double range = LengthOf(NumbersOf(part, "TimeRange"));
+  if (!animation || !timeKeeper || !animation->GetProperty("NumberOfFrames") ||
+    !(range > 0.0 || LengthOf(NumbersOf(part, "TimestepValues")) > 0.0))
   {
     return;
   }
-  if (part->GetProperty("TimestepValues"))
-  {
-    const std::vector<double> steps = vtkSMPropertyHelper(part, "TimestepValues").GetDoubleArray();
-    if (steps.size() > 1)
-    {
-      SetFrameRate(static_cast<double>(steps.size() - 1) / (steps.back() - steps.front()));
-    }
-  }
   vtkSMPropertyHelper frames(animation, "NumberOfFrames");
-  if (part->GetProperty("TimeRange") && animation->GetProperty("NumberOfFrames")->IsValueDefault())
+  if (range > 0.0 && animation->GetProperty("NumberOfFrames")->IsValueDefault())
   {
-    const std::vector<double> range = vtkSMPropertyHelper(part, "TimeRange").GetDoubleArray();
-    frames.Set(static_cast<int>(std::lround(FramesPerSecond * (range[1] - range[0]))) + 1);
+    frames.Set(static_cast<int>(std::lround(FramesPerSecond * range)) + 1);
     animation->UpdateVTKObjects();
-    SetFrameRate(FramesPerSecond);
+  }
+  // An animation of time steps has a frame at each.
+  const std::vector<double> steps = NumbersOf(timeKeeper, "TimestepValues");
+  const bool hasSteps = steps.size() > 1;
+  const double length = LengthOf(hasSteps ? steps : NumbersOf(timeKeeper, "TimeRange"));
+  if (length > 0.0)
+  {
+    SetFrameRate(((hasSteps ? static_cast<double>(steps.size()) : frames.GetAsDouble()) - 1.0) / length);
   }
 }
 

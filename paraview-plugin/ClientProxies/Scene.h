@@ -54,7 +54,7 @@ void ScaleDepths(vtkSMSourceProxy* source, vtkPVXMLElement* scene, double ratio)
 bool IsLastOfPipeline(vtkSMSourceProxy* source);
 
 /// Registers the parts behind a source, shows them in a view, and gives the animation the frames of a film if it still
-/// has ParaView's.
+/// has ParaView's, and new films the rate of their times.
 void MakeScene(vtkSMSourceProxy* source, vtkPVXMLElement* scene, vtkSMViewProxy* view);
 
 }
