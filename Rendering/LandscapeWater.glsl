@@ -5,6 +5,13 @@ uniform float landscapeEyeDepth;         // of the eye below the water's level [
 uniform vec3 landscapeAbsorption;        // a [1/m]
 uniform vec3 landscapeScattering;        // b [1/m]
 uniform float landscapeSlopeVariance;    // of what the surface's mesh does not have, in both directions together
+uniform int landscapeHasRipples;         // 1: waves with these slopes are there
+uniform int landscapeHasShafts;          // 1: the light between them is drawn in the water
+uniform float landscapeRippleSide;       // of the square in which they repeat themselves [m]
+uniform vec4 landscapeRippleEye;         // place of the eye in its two layers, in squares
+uniform vec2 landscapeRippleTurn;        // cosine and sine of the turn of the second layer
+uniform sampler2D landscapeRippleSlopes; // for the variance 1; in the third channel s2
+uniform sampler2D landscapeRippleLight;  // below them, over its mean, at four depths
 
 uniform float landscapeFoamBegins;        // stretch of the surface below which it has foam
 
@@ -55,16 +62,59 @@ vec3 landscapeSkyBelow()
   return 0.934 * landscapeSkyLightOn(vec3(0.0, 0.0, 1.0));
 }
 
+// Slopes of the waves at a place relative to the eye, as far as a footprint [m] shows them; in z the variance of the rest.
+vec3 landscapeRipples(vec2 place, float footprint)
+{
+  if (landscapeHasRipples == 0)
+  {
+    return vec3(0.0, 0.0, landscapeSlopeVariance);
+  }
+  float texels = float(textureSize(landscapeRippleSlopes, 0).x);
+  float level = log2(max(footprint * texels / landscapeRippleSide, 1.0));
+  vec2 t = landscapeRippleTurn;
+  vec2 turned = vec2(t.x * place.x + t.y * place.y, t.x * place.y - t.y * place.x);
+  vec3 a = textureLod(landscapeRippleSlopes, landscapeRippleEye.xy + place / landscapeRippleSide, level).xyz;
+  vec3 b = textureLod(landscapeRippleSlopes, landscapeRippleEye.zw + turned / landscapeRippleSide, level).xyz;
+  vec2 slope = a.xy + vec2(t.x * b.x - t.y * b.y, t.y * b.x + t.x * b.y);
+  // Of each layer, half of the variance: what is not in the mean of a footprint is E s2 - (E s)2
+  float rest = a.z - dot(a.xy, a.xy) + b.z - dot(b.xy, b.xy);
+  return vec3(sqrt(0.5 * landscapeSlopeVariance) * slope, 0.5 * landscapeSlopeVariance * max(rest, 0.0));
+}
+
+// Light of the sun at a place relative to the eye and a depth, on the mean of a footprint [m], over that below level water.
+// Scattered light is even.
+float landscapeGathered(vec2 place, float depth, float footprint)
+{
+  if (landscapeHasRipples == 0)
+  {
+    return 1.0;
+  }
+  vec3 s = landscapeSunInWater();
+  vec2 at = landscapeRippleEye.xy + (place + s.xy / s.z * depth) / landscapeRippleSide;
+  // In water the sun is 0.4 degrees wide.
+  float texels = float(textureSize(landscapeRippleLight, 0).x);
+  vec4 light = textureLod(landscapeRippleLight, at, log2(max(max(0.007 * depth, footprint) * texels / landscapeRippleSide, 1.0)));
+  // The channels are at 0.75 m 3^k.
+  float k = min(log(max(depth, 0.01) / 0.75) / log(3.0), 3.0);
+  float gathered = k < 0.0 ? mix(1.0, light.x, depth / 0.75)
+                           : dot(light, max(vec4(0.0), 1.0 - abs(vec4(k, k - 1.0, k - 2.0, k - 3.0))));
+  return mix(1.0, gathered, exp(-landscapeScattering.y * depth / s.z));
+}
+
+// Part of light from the sun's direction that water scatters into a line of sight along d, a steradian.
+float landscapePhase(vec3 d)
+{
+  float g = landscapeForward;
+  return (1.0 - g * g) / (4.0 * landscapePi * pow(1.0 + g * g - 2.0 * g * dot(d, landscapeSunInWater()), 1.5));
+}
+
 // Light that water of a depth at its begin scatters into a line of sight of a length along a direction:
 // b p(d) E exp(-K z) (1 - exp(-k l)) / k, with k = c - K d_z, as the light changes along the line
 vec3 landscapeScattered(vec3 d, float depth, float way)
 {
   vec3 k = max(landscapeAbsorption + landscapeScattering - landscapeDownward() * d.z, vec3(1e-4));
-  float g = landscapeForward;
-  float c = dot(d, landscapeSunInWater());
-  float phase = (1.0 - g * g) / (4.0 * landscapePi * pow(1.0 + g * g - 2.0 * g * c, 1.5));
   float sky = (0.5 + (0.5 - landscapeBackward) * d.z) / (2.0 * landscapePi);
-  vec3 light = phase * landscapeSunBelow() + sky * landscapeSkyBelow();
+  vec3 light = landscapePhase(d) * landscapeSunBelow() + sky * landscapeSkyBelow();
   return landscapeScattering * light * exp(-landscapeDownward() * max(depth, 0.0)) * (1.0 - exp(-k * way)) / k;
 }
 
@@ -72,6 +122,23 @@ vec3 landscapeScattered(vec3 d, float depth, float way)
 vec3 landscapeInWater(vec3 luminance, vec3 d, float depth, float way)
 {
   return luminance * exp(-(landscapeAbsorption + landscapeScattering) * way) + landscapeScattered(d, depth, way);
+}
+
+// What gathered light changes in the light that water scatters into a line of sight from the eye: shafts, the sum of
+// b p (I - 1) E exp(-K z - c l) over parts of the line that send the same light.
+vec3 landscapeShafts(vec3 d, float way)
+{
+  const int steps = 12;
+  vec3 c = landscapeAbsorption + landscapeScattering;
+  float all_ = 1.0 - exp(-c.y * way);
+  vec3 sum = vec3(0.0);
+  for (int step_ = 0; step_ < steps; ++step_)
+  {
+    float l = -log(1.0 - all_ * (float(step_) + 0.5) / float(steps)) / c.y;
+    float depth = max(landscapeEyeDepth - d.z * l, 0.0);
+    sum += (landscapeGathered(d.xy * l, depth, 0.3) - 1.0) * exp(-landscapeDownward() * depth - (c - c.y) * l);
+  }
+  return landscapeScattering * landscapePhase(d) * landscapeSunBelow() * sum * all_ / (c.y * float(steps));
 }
 
 // Luminance of a surface in the water, of an albedo and of a transmittance.
@@ -87,7 +154,8 @@ vec3 landscapeWet(vec3 albedo, vec3 placeV, vec3 normalV, float transmittance)
   if (facing > 0.0)
   {
     float seen = landscapeSunSeen(placeV, towards > 0.0 ? normalV : -normalV, towards);
-    light += facing * seen * landscapeBelowClouds(landscapeToWorld * placeV) * landscapeSunBelow();
+    light += facing * seen * landscapeBelowClouds(landscapeToWorld * placeV) * landscapeSunBelow() *
+      landscapeGathered((landscapeToWorld * placeV).xy, depth, landscapePixel * length(placeV));
   }
   return albedo / landscapePi * light * exp(-landscapeDownward() * depth);
 }
@@ -98,25 +166,25 @@ vec3 landscapeFacet(vec3 n, vec2 slope)
   return normalize(vec3(n.xy / n.z - slope, 1.0));
 }
 
-// Slopes and weights of five facets with the variance of the surface: its own normal, and two along each axis by
+// Slopes and weights of five facets with a variance of their slopes: its own normal, and two along each axis by
 // sqrt(3/2) of the whole deviation.
-vec3 landscapeTilt(int facet)
+vec3 landscapeTilt(int facet, float variance)
 {
-  float tilt = sqrt(1.5 * landscapeSlopeVariance);
+  float tilt = sqrt(1.5 * variance);
   return facet == 4 ? vec3(0.0, 0.0, 1.0 / 3.0)
     : vec3(tilt * vec2(facet < 2 ? 1.0 - 2.0 * float(facet) : 0.0, facet < 2 ? 0.0 : 5.0 - 2.0 * float(facet)), 1.0 / 6.0);
 }
 
 // Softness of clouds on the surface.
-float landscapeSoftClouds()
+float landscapeSoftClouds(float variance)
 {
-  return clamp(1.5 * sqrt(landscapeSlopeVariance), 0.0, 0.3);
+  return clamp(1.5 * sqrt(variance), 0.0, 0.3);
 }
 
 // Probability of a slope of the surface, Gaussian around that of its normal (Cox and Munk 1954)
-float landscapeSlopeDensity(vec3 facet, vec3 n)
+float landscapeSlopeDensity(vec3 facet, vec3 n, float slopes)
 {
-  float variance = max(landscapeSlopeVariance, 1e-5);
+  float variance = max(slopes, 1e-5);
   vec2 off = facet.xy / facet.z - n.xy / n.z;
   return exp(-dot(off, off) / variance) / (landscapePi * variance);
 }
@@ -129,14 +197,15 @@ float landscapeFoam(float stretch, vec2 place)
   return stretch <= 0.0 ? 0.0 : 1.0 - smoothstep(end, landscapeFoamBegins, stretch + 0.3 * (flecks - 0.3));
 }
 
-// Luminance of water seen from above along d, with the luminance of its own light, which comes from below.
-vec3 landscapeWaterAbove(vec3 d, vec3 n, vec3 placeV, vec3 below)
+// Luminance of water seen from above along d, of a variance of the slopes around its normal, with the luminance of its
+// own light, which comes from below.
+vec3 landscapeWaterAbove(vec3 d, vec3 n, float variance, vec3 placeV, vec3 below)
 {
   vec3 luminance = vec3(0.0);
   float weights = 0.0;
   for (int k = 0; k < 5; ++k)
   {
-    vec3 tilt = landscapeTilt(k);
+    vec3 tilt = landscapeTilt(k, variance);
     vec3 facet = landscapeFacet(n, tilt.xy);
     float cosine = -dot(d, facet);
     float weight = tilt.z * max(cosine, 1e-3); // as large as it looks
@@ -144,7 +213,7 @@ vec3 landscapeWaterAbove(vec3 d, vec3 n, vec3 placeV, vec3 below)
     vec3 mirrored = reflect(d, facet);
     mirrored.z = max(abs(mirrored.z), 1e-3);
     mirrored = normalize(mirrored);
-    vec4 clouds = landscapeCloudsIn(mirrored, landscapeSoftClouds());
+    vec4 clouds = landscapeCloudsIn(mirrored, landscapeSoftClouds(variance));
     luminance += weight * (back * mix(landscapeSkyAt(mirrored), clouds.rgb, clouds.w) + (1.0 - back) * below);
     weights += weight;
   }
@@ -153,7 +222,7 @@ vec3 landscapeWaterAbove(vec3 d, vec3 n, vec3 placeV, vec3 below)
   vec3 half_ = normalize(landscapeSun - d);
   if (landscapeSun.z > 0.0 && half_.z > 0.05)
   {
-    float glint = landscapeFresnel(dot(half_, landscapeSun), landscapeIndex) * landscapeSlopeDensity(half_, n) /
+    float glint = landscapeFresnel(dot(half_, landscapeSun), landscapeIndex) * landscapeSlopeDensity(half_, n, variance) /
       (4.0 * max(-dot(d, n), 0.02) * pow(half_.z, 4.0));
     luminance += glint * landscapeBelowClouds(landscapeToWorld * placeV) * landscapeSunSeen(placeV, n * landscapeToWorld, 1.0) *
       landscapeSunLight;
@@ -162,13 +231,13 @@ vec3 landscapeWaterAbove(vec3 d, vec3 n, vec3 placeV, vec3 below)
 }
 
 // Luminance of the surface seen from below along d: the sky in Snell's window, water that it mirrors around it.
-vec3 landscapeWaterBelow(vec3 d, vec3 n)
+vec3 landscapeWaterBelow(vec3 d, vec3 n, float variance)
 {
   vec3 luminance = vec3(0.0);
   float weights = 0.0;
   for (int k = 0; k < 5; ++k)
   {
-    vec3 tilt = landscapeTilt(k);
+    vec3 tilt = landscapeTilt(k, variance);
     vec3 facet = landscapeFacet(n, tilt.xy);
     float cosine = dot(d, facet);
     float weight = tilt.z * max(cosine, 1e-3);
@@ -180,9 +249,9 @@ vec3 landscapeWaterBelow(vec3 d, vec3 n)
     {
       vec3 out_ = refract(d, -facet, landscapeIndex);
       out_.z = max(out_.z, 1e-3);
-      vec4 clouds = landscapeCloudsIn(out_, landscapeSoftClouds());
+      vec4 clouds = landscapeCloudsIn(out_, landscapeSoftClouds(variance));
       // n2 L: a beam of the sky is narrower in water. The sun is as wide as the slopes spread it.
-      float spread = max(0.25 * landscapeSlopeVariance, 2.2e-5);
+      float spread = max(0.25 * variance, 2.2e-5);
       float off = 2.0 - 2.0 * min(dot(out_, landscapeSun), 1.0);
       vec3 sun = exp(-off / spread) / (landscapePi * spread) * (1.0 - clouds.w) * landscapeSunLight;
       light += (1.0 - back) * landscapeIndex * landscapeIndex * (mix(landscapeSkyAt(out_), clouds.rgb, clouds.w) + sun);

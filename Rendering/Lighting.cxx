@@ -19,6 +19,7 @@ namespace littoral
 void Lighting::Activate(vtkOpenGLRenderWindow* window)
 {
   this->Sky.Activate(window);
+  this->Ripples.Activate(window);
   if (!this->NoMap)
   {
     this->NoMap = DepthMaps::NewTexture(window, 1);
@@ -43,6 +44,7 @@ void Lighting::Deactivate()
     texture->Deactivate();
   }
   this->Bound.clear();
+  this->Ripples.Deactivate();
   this->Sky.Deactivate();
 }
 
@@ -60,6 +62,12 @@ void Lighting::SetUniforms(vtkShaderProgram* program) const
   SetUniform(program, "landscapeFilmCurve", this->FilmCurve ? 1 : 0);
   SetUniform(program, "landscapeDome", this->Sky.GetDome()->GetTextureUnit());
   SetUniform(program, "landscapeSkyLight", this->Sky.GetLight()->GetTextureUnit());
+  for (const char* texture : { "landscapeRippleSlopes", "landscapeRippleLight" })
+  {
+    SetUniform(program, texture, this->Sky.GetDome()->GetTextureUnit()); // if there are none
+  }
+  this->Ripples.SetUniforms(program, this->Eye);
+  SetUniform(program, "landscapeHasShafts", this->HasShafts && this->Ripples.HasWaves() ? 1 : 0);
   SetUniform(program, "landscapeMaps", this->Bound.front()->GetTextureUnit());
   float matrices[16 * DepthMaps::LightMaps] = {};
   glm::dvec4 texels(0.0);
@@ -98,6 +106,7 @@ void Lighting::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Maps.ReleaseGraphicsResources(window);
   this->Sky.ReleaseGraphicsResources(window);
+  this->Ripples.ReleaseGraphicsResources(window);
   if (this->NoMap)
   {
     this->NoMap->ReleaseGraphicsResources(window);

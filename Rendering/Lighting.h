@@ -4,6 +4,7 @@
 #define LittoralLighting_h
 
 #include "DepthMaps.h"
+#include "RippleTextures.h"
 #include "SkyTextures.h"
 
 #include "vtkSmartPointer.h"
@@ -27,6 +28,7 @@ class Lighting
 public:
   SkyTextures Sky;
   DepthMaps Maps;
+  RippleTextures Ripples;
   glm::dmat4 ToWorld = glm::dmat4(1.0); ///< from view coordinates
   glm::dvec3 Eye = glm::dvec3(0.0);     ///< place of the camera
   bool IsParallel = false;              ///< whether the camera is
@@ -43,6 +45,7 @@ public:
   double WaterLevel = 0.0;                      ///< mean height of them [m]
   double FoamBegins = 0.0;                      ///< stretch of them below which there is foam
   double WaterSlopeVariance = 0.0;              ///< of what their meshes do not have
+  bool HasShafts = false;                       ///< whether the water between its waves' light is drawn
   glm::dvec3 WaterAbsorption = glm::dvec3(0.0); ///< [1/m]
   glm::dvec3 WaterScattering = glm::dvec3(0.0); ///< [1/m]
 

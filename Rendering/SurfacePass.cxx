@@ -39,6 +39,13 @@ float landscapeStretched() { return landscapeStretchVS == 0.0 ? 0.0 : clamp(land
 )";
 constexpr const char* NoStretch = "float landscapeStretched() { return 0.0; }\n";
 
+/// Normal of the sphere that a sprite of vtkPointGaussianMapper is a picture of, and the shade that ParaView paints on
+/// it.
+constexpr const char* SphereNormal = R"(
+  vec3 normalVCVSOutput = vec3(offsetVCVSOutput, sqrt(max(0.0, 1.0 - dot(offsetVCVSOutput, offsetVCVSOutput))));
+)";
+constexpr const char* PaintedShade = "float scale = (1.0 - dist);";
+
 constexpr const char* UnlitOutput = R"(
   gl_FragData[1] = vec4(0.0, 0.0, -1.0, 1.0 / gl_FragCoord.w);
 )";
@@ -108,8 +115,14 @@ bool SurfacePass::PostReplaceShaderValues(
   std::string&, std::string&, std::string& fragment, vtkAbstractMapper*, vtkProp* prop)
 {
   const bool hasNormal = fragment.find("normalVCVSOutput") != std::string::npos;
-  vtkShaderProgram::Substitute(fragment, "//VTK::Landscape::Impl",
-    std::string(CutOut) + (hasNormal && IsLit(prop) ? LitOutput : UnlitOutput), false);
+  const bool isSprite = !hasNormal && fragment.find("offsetVCVSOutput") != std::string::npos;
+  std::string output = std::string(CutOut) + (isSprite ? SphereNormal : "");
+  output += (hasNormal || isSprite) && IsLit(prop) ? LitOutput : UnlitOutput;
+  vtkShaderProgram::Substitute(fragment, "//VTK::Landscape::Impl", output, false);
+  if (isSprite)
+  {
+    vtkShaderProgram::Substitute(fragment, PaintedShade, "float scale = 1.0;", false);
+  }
   return true;
 }
 

@@ -199,6 +199,8 @@ vtkLandscapePass::vtkLandscapePass()
   , WaterAbsorption{ 0.32, 0.08, 0.06 }
   , WaterScattering{ 0.06, 0.07, 0.07 }
   , WaterSlopeVariance(0.02)
+  , WaterRipples(true)
+  , WaterTime(0.0)
   , FoamThreshold(0.42)
   , Background(true)
 {
@@ -288,6 +290,7 @@ std::string vtkLandscapePass::WhyInvalid() const
   check.Range("ExposureCompensation", this->ExposureCompensation, -20.0, 20.0);
   check.Positive("ShadowDistance", this->ShadowDistance, "m");
   check.Finite("WaterLevel", this->WaterLevel, "m");
+  check.Finite("WaterTime", this->WaterTime, "s");
   check.Finite("FoamThreshold", this->FoamThreshold);
   for (int c = 0; c < 3; ++c)
   {
@@ -391,6 +394,8 @@ void vtkLandscapePass::TakeLight()
   std::copy_n(this->WaterAbsorption, 3, &lighting.WaterAbsorption.x);
   std::copy_n(this->WaterScattering, 3, &lighting.WaterScattering.x);
   lighting.WaterSlopeVariance = this->WaterSlopeVariance;
+  lighting.Ripples.Take(this->WaterTime, lighting.HasWater && this->WaterRipples ? this->WaterSlopeVariance : 0.0);
+  lighting.HasShafts = !this->Draft;
   lighting.FoamBegins = this->FoamThreshold;
   // White on level ground is white, or luminances of 1.2 cd/m2 2^EV are.
   const littoral::SkyTables& sky = lighting.Sky.GetTables();
@@ -556,6 +561,8 @@ void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WaterScattering: " << this->WaterScattering[0] << " " << this->WaterScattering[1] << " "
      << this->WaterScattering[2] << "\n";
   os << indent << "WaterSlopeVariance: " << this->WaterSlopeVariance << "\n";
+  os << indent << "WaterRipples: " << (this->WaterRipples ? "on" : "off") << "\n";
+  os << indent << "WaterTime: " << this->WaterTime << "\n";
   os << indent << "FoamThreshold: " << this->FoamThreshold << "\n";
   os << indent << "Background: " << (this->Background ? "on" : "off") << "\n";
   os << indent << "Controller: " << this->Own->Controller.Get() << "\n";

@@ -224,6 +224,20 @@ public:
   vtkSetClampMacro(WaterSlopeVariance, double, 0.0, 0.2);
   vtkGetMacro(WaterSlopeVariance, double);
   ///@}
+  ///@{
+  /**
+   * Waves with these slopes, as far as pixels show them, and their light below the surface, in patterns and in shafts;
+   * off: slopes by their statistics alone. Default on.
+   */
+  vtkSetMacro(WaterRipples, bool);
+  vtkGetMacro(WaterRipples, bool);
+  vtkBooleanMacro(WaterRipples, bool);
+  ///@}
+  ///@{
+  /** Time of these waves [s]; default 0. */
+  vtkSetMacro(WaterTime, double);
+  vtkGetMacro(WaterTime, double);
+  ///@}
 
   ///@{
   /** Stretch of the surface of water below which it has foam, by the point array "Jacobian"; default 0.42. */
@@ -338,6 +352,8 @@ private:
   double WaterAbsorption[3];
   double WaterScattering[3];
   double WaterSlopeVariance;
+  bool WaterRipples;
+  double WaterTime;
   double FoamThreshold;
   bool Background;
 };

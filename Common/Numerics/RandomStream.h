@@ -41,6 +41,7 @@ enum class RandomPurpose : std::uint32_t
   LeafFlutter = 40,
   WaveDirections = 48,
   WavePhases = 49,
+  RippleWaves = 50,
   SeaweedFronds = 52,
   SeaweedBlades = 53,
   ParticlePositions = 64,

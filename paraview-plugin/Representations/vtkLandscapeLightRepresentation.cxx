@@ -102,6 +102,7 @@ int vtkLandscapeLightRepresentation::ProcessViewRequest(
     if (this->Light->Landscape)
     {
       this->Light->Landscape->SetDraft(isDragged);
+      this->Light->Landscape->SetWaterTime(view->GetViewTime());
     }
     this->Prepare(
       view, isDragged ? view->GetUseDistributedRenderingForLODRender() : view->GetUseDistributedRenderingForRender());

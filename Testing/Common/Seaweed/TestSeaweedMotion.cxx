@@ -298,6 +298,34 @@ TEST(SeaweedMotion, JointsAreAsStiffAsTheBeamsThatMeet)
   EXPECT_NEAR(links[1].Stiffness * 0.5 * (bends[0] + bends[1]), 1.0, 1e-9);
 }
 
+// Inertia of a blade about its own axis: that of its elliptic section, summed over squares, and C rho pi / 128 (w2 -
+// t2)2 of the water.
+TEST(SeaweedMotion, AxialInertiaIsThatOfTheSection)
+{
+  Skeleton blade;
+  blade.StartBranch(-1, { 0.0, 0.0, 0.0 }, 0.01);
+  blade.Grow({ 0.0, 0.0, 0.4 }, 0.01);
+  SeaweedSegment segment = Tissue(0.06, 1e6, 0.0, 1050.0);
+  segment.Thickness = 0.01;
+  SeaweedOptions options;
+  const SeaweedLink link = LinksOf(blade, std::vector<SeaweedSegment>(2, segment), options).front();
+  double squares = 0.0;
+  double area = 0.0;
+  const double side = 1e-4;
+  for (double x = -0.03 + 0.5 * side; x < 0.03; x += side)
+  {
+    for (double y = -0.005 + 0.5 * side; y < 0.005; y += side)
+    {
+      const bool isInside = x * x / 9e-4 + y * y / 2.5e-5 < 1.0;
+      squares += isInside ? (x * x + y * y) * side * side : 0.0;
+      area += isInside ? side * side : 0.0;
+    }
+  }
+  const double water =
+    options.AddedMassCoefficient * options.WaterDensity * Pi / 128.0 * std::pow(0.06 * 0.06 - 0.01 * 0.01, 2.0) * 0.4;
+  EXPECT_NEAR(link.AxialInertia, link.Mass * squares / area + water, 2e-3 * link.Mass * squares / area);
+}
+
 // In motion without a past, links of any length that are parts of one blade bend alike: by as much a metre.
 TEST(SeaweedMotion, LinksOfAnyLengthBendAlikeAtOnce)
 {
