@@ -86,9 +86,14 @@ void main()
   vec3 wetNormal = landscapeToWorld * landscapeUnfolded(wet.xy);
   wetNormal = normalize(wetNormal.z < 0.0 ? -wetNormal : wetNormal + vec3(0.0, 0.0, 1e-4));
   float wetAway = landscapePixel * (landscapeIsParallel == 1 ? 1.0 : -wetPlace.z);
-  vec3 ripples = hasSurface ? landscapeRipples((landscapeToWorld * wetPlace).xy, wetAway / sqrt(max(abs(dot(d, wetNormal)), 0.02)))
+  vec3 ripples = hasSurface ? landscapeRipples((landscapeToWorld * wetPlace).xy, wetAway / sqrt(sqrt(max(abs(dot(d, wetNormal)), 0.02))))
                             : vec3(0.0);
-  wetNormal = landscapeFacet(wetNormal, ripples.xy);
+  vec3 rippled = landscapeFacet(wetNormal, ripples.xy);
+  // Facets are as large as they look: d n / n_z over that of the mesh, which at its crests turns away
+  float side = landscapeWater == 2 ? 1.0 : -1.0;
+  float looks = max(side * dot(d, rippled) * wetNormal.z / rippled.z, 0.05) / max(side * dot(d, wetNormal), 0.05);
+  looks = min(looks, 2.0);
+  wetNormal = rippled;
   bool isInWater = landscapeWater == 2 ? !hasSurface : hasSurface;
   if (!isThere && landscapeBackground == 0 && !hasSurface) discard;
 
@@ -107,7 +112,7 @@ void main()
   if (landscapeWater == 2)
   {
     float way = hasSurface ? length(wetPlace - eye) : isThere ? length(place - eye) : 1e3;
-    luminance = landscapeInWater(hasSurface ? landscapeWaterBelow(d, wetNormal, ripples.z) : luminance, d, landscapeEyeDepth, way);
+    luminance = landscapeInWater(hasSurface ? looks * landscapeWaterBelow(d, wetNormal, ripples.z) : luminance, d, landscapeEyeDepth, way);
     luminance += landscapeHasShafts == 1 ? landscapeShafts(d, way) : vec3(0.0);
   }
   else if (hasSurface)
@@ -116,7 +121,7 @@ void main()
     vec3 down = refract(d, wetNormal, 1.0 / landscapeIndex);
     float way = isThere ? length(place - wetPlace) : 1e3;
     vec3 below = landscapeInWater(luminance, down, landscapeEyeDepth - (landscapeToWorld * wetPlace).z, way);
-    luminance = landscapeWaterAbove(d, wetNormal, ripples.z, wetPlace, below / (landscapeIndex * landscapeIndex));
+    luminance = looks * landscapeWaterAbove(d, wetNormal, ripples.z, wetPlace, below / (landscapeIndex * landscapeIndex));
     float foam = landscapeFoam(texture(landscapeWetColor, texCoord).a, (landscapeEye + landscapeToWorld * wetPlace).xy);
     luminance = mix(luminance, landscapeLuminance(vec3(0.6), wetPlace, wetNormal * landscapeToWorld, 0.0), foam);
     luminance = landscapeBehindAir(luminance, wetPlace - eye);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RippleTextures.h"
 
+#include "OpenGL.h"
 #include "Uniforms.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -36,19 +37,27 @@ void OnThreads(std::size_t count, const RangeTask& work)
     [&](vtkIdType begin, vtkIdType end) { work(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
 }
 
+/// Places within the square that repeats itself, in double precision also far from the origin.
+glm::dvec4 InSquares(const glm::dvec4& squares)
+{
+  return squares - glm::floor(squares);
+}
+
 /// A texture that repeats itself, with mean values for what is far.
 vtkSmartPointer<vtkTextureObject> TextureOf(
   std::vector<float>& numbers, int size, int components, vtkOpenGLRenderWindow* window)
 {
   auto texture = vtkSmartPointer<vtkTextureObject>::New();
   texture->SetContext(window);
-  texture->SetGenerateMipmap(true);
+  texture->SetMaxLevel(static_cast<int>(std::log2(size)));
   texture->SetWrapS(vtkTextureObject::Repeat);
   texture->SetWrapT(vtkTextureObject::Repeat);
   texture->SetMinificationFilter(vtkTextureObject::LinearMipmapLinear);
   texture->SetLinearMagnification(true);
   texture->Create2DFromRaw(
     static_cast<unsigned int>(size), static_cast<unsigned int>(size), components, VTK_FLOAT, numbers.data());
+  texture->Bind();
+  glGenerateMipmap(GL_TEXTURE_2D);
   return texture;
 }
 
@@ -131,11 +140,10 @@ void RippleTextures::SetUniforms(vtkShaderProgram* program, const glm::dvec3& ey
   {
     return;
   }
-  // Places of the eye in both layers, in squares: in double precision, also far from the origin
   const double c = std::cos(Turn);
   const double s = std::sin(Turn);
-  const glm::dvec4 squares = glm::dvec4(eye.x, eye.y, c * eye.x + s * eye.y, c * eye.y - s * eye.x) / Side;
-  SetUniform(program, "landscapeRippleEye", squares - glm::floor(squares));
+  SetUniform(program, "landscapeRippleEye",
+    InSquares(glm::dvec4(eye.x, eye.y, c * eye.x + s * eye.y, c * eye.y - s * eye.x) / Side));
   SetUniform(program, "landscapeRippleTurn", glm::dvec2(c, s));
   SetUniform(program, "landscapeRippleSlopes", this->SlopeTexture->GetTextureUnit());
   SetUniform(program, "landscapeRippleLight", this->LightTexture->GetTextureUnit());

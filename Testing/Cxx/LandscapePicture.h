@@ -132,6 +132,39 @@ inline vtkSmartPointer<vtkPolyData> Box(const Color& center, const Color& size)
   return source->GetOutput();
 }
 
+/// Flat water at the height 0.
+struct Water : Picture
+{
+  explicit Water(const Color& absorption, const Color& scattering)
+  {
+    this->Pass->SetWaterAbsorption(absorption.data());
+    this->Pass->SetWaterScattering(scattering.data());
+    this->Pass->SetWaterSlopeVariance(0.0);
+    this->Pass->SetOcclusionRadius(0.0);
+    this->Pass->SetVisibility(1e9);
+    vtkLandscapePass::SetMaterial(this->Add(Level(1000.0), 0.2), vtkLandscapePass::Water);
+  }
+
+  Color Sun()
+  {
+    Color sun;
+    this->Pass->GetSunDirection(sun.data());
+    return sun;
+  }
+  Color SunLight()
+  {
+    Color light;
+    this->Pass->GetSunLight(light.data());
+    return light;
+  }
+  Color SkyLight()
+  {
+    Color light;
+    this->Pass->GetSkyLight(0.0, 0.0, 1.0, light.data());
+    return light;
+  }
+};
+
 inline bool Near(const Color& found, const Color& expected, double relative, double absolute, const std::string& what)
 {
   bool good = true;

@@ -4,7 +4,6 @@
 // through, from above and from below, and what is seen in it.
 #include "LandscapePicture.h"
 
-#include "vtkActorCollection.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
 
@@ -32,39 +31,6 @@ double ReflectedPart(double inAir)
   const double along = std::tan(inAir - inWater) / std::tan(inAir + inWater);
   return 0.5 * (across * across + along * along);
 }
-
-/// Flat water at the height 0.
-struct Water : Picture
-{
-  explicit Water(const Color& absorption, const Color& scattering)
-  {
-    this->Pass->SetWaterAbsorption(absorption.data());
-    this->Pass->SetWaterScattering(scattering.data());
-    this->Pass->SetWaterSlopeVariance(0.0);
-    this->Pass->SetOcclusionRadius(0.0);
-    this->Pass->SetVisibility(1e9);
-    vtkLandscapePass::SetMaterial(this->Add(Level(1000.0), 0.2), vtkLandscapePass::Water);
-  }
-
-  Color Sun()
-  {
-    Color sun;
-    this->Pass->GetSunDirection(sun.data());
-    return sun;
-  }
-  Color SunLight()
-  {
-    Color light;
-    this->Pass->GetSunLight(light.data());
-    return light;
-  }
-  Color SkyLight()
-  {
-    Color light;
-    this->Pass->GetSkyLight(0.0, 0.0, 1.0, light.data());
-    return light;
-  }
-};
 
 /// Black water under an even sky is as bright as the part of light that it reflects.
 bool TestMirror()
@@ -286,97 +252,6 @@ bool TestGlitter()
   return good;
 }
 
-/// Mean and deviation of the green of the middle of a picture.
-std::array<double, 2> MeanOf(const Picture& picture)
-{
-  double sum = 0.0;
-  double squares = 0.0;
-  int count = 0;
-  for (int y = Height / 4; y < 3 * Height / 4; ++y)
-  {
-    for (int x = Width / 4; x < 3 * Width / 4; ++x)
-    {
-      const double green = picture.LinearAt(x, y)[1];
-      sum += green;
-      squares += green * green;
-      ++count;
-    }
-  }
-  const double mean = sum / count;
-  return { mean, std::sqrt(std::max(0.0, squares / count - mean * mean)) };
-}
-
-/**
- * Waves that pixels show: water is as bright on the mean as by the statistics of its slopes, near, where they differ
- * from pixel to pixel, and far, where they do not; also far from the origin, and other ones at another time.
- */
-bool TestRipples()
-{
-  bool good = true;
-  for (const double distance : { 6.0, 600.0 })
-  {
-    std::array<std::array<double, 2>, 2> means;
-    std::array<double, 3> pixels;
-    for (const double far : { 0.0, 4096000.0 })
-    {
-      for (int hasRipples = 0; hasRipples < 2; ++hasRipples)
-      {
-        Water picture({ 100.0, 100.0, 100.0 }, { 0.0, 0.0, 0.0 });
-        picture.Pass->SetSkyToEven();
-        picture.Pass->SetWaterSlopeVariance(0.03);
-        picture.Pass->SetWaterRipples(hasRipples != 0);
-        picture.Renderer->GetActors()->GetLastActor()->SetPosition(far, 0.0, 0.0);
-        const double a = Radians(65.0);
-        picture.Look({ far, -distance * std::sin(a), distance * std::cos(a) }, { far, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
-        picture.Draw();
-        means[hasRipples] = MeanOf(picture);
-        pixels[hasRipples] = picture.LinearAt(Width / 2, Height / 2)[1];
-        picture.Pass->SetWaterTime(0.1);
-        picture.Draw();
-        pixels[2] = picture.LinearAt(Width / 2, Height / 2)[1];
-      }
-      const std::string where = " of ripples at " + std::to_string(distance) + " m, " + std::to_string(far);
-      good &= Check(std::abs(means[1][0] / means[0][0] - 1.0) < 0.06,
-        "Mean" + where + ": " + std::to_string(means[1][0]) + " for " + std::to_string(means[0][0]));
-      good &= Check(distance > 100.0 ? means[1][1] < 0.1 * means[1][0] : means[1][1] > 0.3 * means[1][0],
-        "Deviation" + where + ": " + std::to_string(means[1][1]) + " of " + std::to_string(means[1][0]));
-      good &= Check(distance > 100.0 || std::abs(pixels[2] - pixels[1]) > 0.001, "Ripples do not move");
-    }
-  }
-  return good;
-}
-
-/// Light on a bed below waves, in patterns with the mean of level water; what is scattered into a line of sight
-/// likewise.
-bool TestGatheredLight()
-{
-  bool good = true;
-  for (const double bed : { 3.0, 300.0 })
-  {
-    std::array<std::array<double, 2>, 2> means;
-    for (int hasRipples = 0; hasRipples < 2; ++hasRipples)
-    {
-      Water picture({ 0.1, 0.05, 0.02 }, { 0.06, 0.06, 0.06 });
-      picture.Pass->SetSunElevation(60.0);
-      picture.Pass->SetSunAzimuth(0.0);
-      picture.Pass->SetWaterSlopeVariance(0.02);
-      picture.Pass->SetWaterRipples(hasRipples != 0);
-      picture.Pass->ShadowsOff();
-      picture.Add(Level(1000.0, -bed), 0.5);
-      picture.Look({ 0.0, 0.0, -0.5 }, { 0.0, 1.0, -1.5 }, { 0.0, 0.0, 1.0 });
-      picture.Renderer->GetActiveCamera()->SetClippingRange(0.1, 3000.0);
-      picture.Draw();
-      means[hasRipples] = MeanOf(picture);
-    }
-    const std::string where = " of light at " + std::to_string(bed) + " m";
-    good &= Check(std::abs(means[1][0] / means[0][0] - 1.0) < 0.05,
-      "Mean" + where + ": " + std::to_string(means[1][0]) + " for " + std::to_string(means[0][0]));
-    good &= Check(means[1][1] > means[0][1] + 0.01 * means[0][0],
-      "Deviation" + where + ": " + std::to_string(means[1][1]) + " for " + std::to_string(means[0][1]));
-  }
-  return good;
-}
-
 }
 
 //----------------------------------------------------------------------------
@@ -388,7 +263,5 @@ int TestLandscapeWater(int, char*[])
   good &= TestCard();
   good &= TestFoam();
   good &= TestGlitter();
-  good &= TestRipples();
-  good &= TestGatheredLight();
   return good ? 0 : 1;
 }

@@ -126,7 +126,7 @@ TEST(Ripples, RaysBelowOneWaveMeetUnderItsCrest)
   }
   const double arm = 0.5 / (k * steepness); // half of the way to the focus
   const std::vector<double> light = GatheredLight(slopes, samples, Side, arm);
-  EXPECT_NEAR(std::accumulate(light.begin(), light.end(), 0.0) / light.size(), 1.0, 1e-12);
+  EXPECT_NEAR(std::accumulate(light.begin(), light.end(), 0.0) / static_cast<double>(light.size()), 1.0, 1e-12);
   double sum = 0.0;
   for (int column = 0; column < samples / 2; ++column)
   {

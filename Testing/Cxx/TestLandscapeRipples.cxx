@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Pixels of water by vtkLandscapePass whose waves are shorter than its mesh: its mean is that of their statistics.
+#include "LandscapePicture.h"
+
+#include "vtkActorCollection.h"
+
+#include <vector>
+
+namespace
+{
+
+/// Green of the middle of a picture.
+std::vector<double> MiddleOf(const Picture& picture)
+{
+  std::vector<double> greens;
+  for (int y = Height / 4; y < 3 * Height / 4; ++y)
+  {
+    for (int x = Width / 4; x < 3 * Width / 4; ++x)
+    {
+      greens.push_back(picture.LinearAt(x, y)[1]);
+    }
+  }
+  return greens;
+}
+
+/// Mean and deviation of the middle of a picture.
+std::array<double, 2> MeanOf(const Picture& picture)
+{
+  double sum = 0.0;
+  double squares = 0.0;
+  const std::vector<double> greens = MiddleOf(picture);
+  for (const double green : greens)
+  {
+    sum += green;
+    squares += green * green;
+  }
+  const double mean = sum / static_cast<double>(greens.size());
+  return { mean, std::sqrt(std::max(0.0, squares / static_cast<double>(greens.size()) - mean * mean)) };
+}
+
+/**
+ * Waves that pixels show: water is as bright on the mean as by the statistics of its slopes, near, where they differ
+ * from pixel to pixel and with time, and far, where they do not; far from the origin.
+ */
+bool TestRipples()
+{
+  bool good = true;
+  constexpr double east = 4096000.0;
+  for (const double distance : { 6.0, 1500.0 })
+  {
+    std::array<std::array<double, 2>, 2> means;
+    bool changed = false;
+    for (int hasRipples = 0; hasRipples < 2; ++hasRipples)
+    {
+      Water picture({ 100.0, 100.0, 100.0 }, { 0.0, 0.0, 0.0 });
+      picture.Pass->SetSkyToEven();
+      picture.Pass->ShadowsOff();
+      picture.Pass->SetWaterSlopeVariance(0.03);
+      picture.Pass->SetWaterRipples(hasRipples != 0);
+      picture.Renderer->GetActors()->GetLastActor()->SetPosition(east, 0.0, 0.0);
+      const double a = vtkMath::RadiansFromDegrees(65.0);
+      picture.Look({ east, -distance * std::sin(a), distance * std::cos(a) }, { east, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
+      picture.Draw();
+      means[hasRipples] = MeanOf(picture);
+      if (hasRipples && distance < 100.0)
+      {
+        const vtkIdType bytes = picture.Pixels->GetNumberOfValues();
+        const std::vector<unsigned char> before(picture.Pixels->GetPointer(0), picture.Pixels->GetPointer(bytes));
+        picture.Pass->SetWaterTime(0.1);
+        picture.Draw();
+        changed = !std::equal(before.begin(), before.end(), picture.Pixels->GetPointer(0));
+        // In single precision, places here are 0.4 m apart, 13 pixels.
+        const std::vector<double> greens = MiddleOf(picture);
+        int same = 0;
+        for (std::size_t n = 1; n < greens.size(); ++n)
+        {
+          same += greens[n] == greens[n - 1] ? 1 : 0;
+        }
+        good &= Check(2 * same < static_cast<int>(greens.size()), "Ripples in blocks: " + std::to_string(same));
+      }
+    }
+    const std::string where = " of ripples at " + std::to_string(distance) + " m: ";
+    good &= Check(std::abs(means[1][0] / means[0][0] - 1.0) < 0.06,
+      "Mean" + where + std::to_string(means[1][0]) + " for " + std::to_string(means[0][0]));
+    // Without ripples the angle changes it.
+    const double more = (means[1][1] - means[0][1]) / means[1][0];
+    good &= Check(distance > 100.0 ? std::abs(more) < 0.01 : more > 0.03 && changed,
+      "Deviation" + where + "more by " + std::to_string(more));
+  }
+  return good;
+}
+
+/**
+ * Light on a bed below waves, and light that deep water scatters into a line of sight: as much as in level water, but
+ * in patterns.
+ */
+bool TestGatheredLight()
+{
+  bool good = true;
+  for (const double bed : { 3.0, 300.0 })
+  {
+    std::array<std::vector<double>, 2> greens;
+    for (int hasRipples = 0; hasRipples < 2; ++hasRipples)
+    {
+      Water picture({ 0.1, 0.05, 0.02 }, { 0.06, 0.06, 0.06 });
+      picture.Pass->SetSunElevation(60.0);
+      picture.Pass->SetSunAzimuth(0.0);
+      picture.Pass->SetWaterSlopeVariance(0.02);
+      picture.Pass->SetWaterRipples(hasRipples != 0);
+      picture.Pass->ShadowsOff();
+      picture.Add(Level(1000.0, -bed), 0.5);
+      // Deep water is looked up through, shallow water down on its bed.
+      picture.Look({ 0.0, 0.0, -2.5 }, { 0.0, 1.0, bed > 100.0 ? -2.4 : -3.5 }, { 0.0, 0.0, 1.0 });
+      picture.Renderer->GetActiveCamera()->SetClippingRange(0.1, 3000.0);
+      picture.Draw();
+      greens[hasRipples] = MiddleOf(picture);
+    }
+    double mean = 0.0;
+    double change = 0.0;
+    double changes = 0.0;
+    const auto count = static_cast<double>(greens[0].size());
+    for (std::size_t n = 0; n < greens[0].size(); ++n)
+    {
+      const double difference = greens[1][n] - greens[0][n];
+      mean += greens[0][n] / count;
+      change += difference / count;
+      changes += difference * difference / count;
+    }
+    good &= Check(std::abs(change) < 0.05 * mean && std::sqrt(changes) > 0.015 * mean,
+      "Light at " + std::to_string(bed) + " m: " + std::to_string(mean) + " and " + std::to_string(change) + ", by " +
+        std::to_string(std::sqrt(changes)));
+  }
+  return good;
+}
+
+}
+
+//----------------------------------------------------------------------------
+int TestLandscapeRipples(int, char*[])
+{
+  bool good = TestRipples();
+  good &= TestGatheredLight();
+  return good ? 0 : 1;
+}
