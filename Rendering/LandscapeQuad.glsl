@@ -60,11 +60,11 @@ vec4 landscapeMaterialOf(float material, vec3 albedo, vec3 place, inout vec3 nor
   return vec4(albedo, material);
 }
 
-// Place of a surface along a line of sight: in perspective w of the clip coordinates is the distance along the view's
-// axis, more exact than the depth.
+// Place of a surface along a line of sight: in perspective w of the clip coordinates, of what has one, is the distance
+// along the view's axis, more exact than the depth.
 vec3 landscapePlaceOf(float depth, float w, vec3 sight)
 {
-  return landscapeIsParallel == 1 ? landscapePlace(depth) : sight * (w / -sight.z);
+  return landscapeIsParallel == 1 || w <= 0.0 ? landscapePlace(depth) : sight * (w / -sight.z);
 }
 
 void main()

@@ -29,7 +29,7 @@ constexpr const char* LitOutput = R"(
   vec3 landscapeN = normalVCVSOutput / max(dot(abs(normalVCVSOutput), vec3(1.0)), 1e-9);
   vec2 landscapeS = vec2(landscapeN.x >= 0.0 ? 1.0 : -1.0, landscapeN.y >= 0.0 ? 1.0 : -1.0);
   vec2 landscapeO = landscapeN.z >= 0.0 ? landscapeN.xy : (1.0 - abs(landscapeN.yx)) * landscapeS;
-  gl_FragData[1] = vec4(landscapeO, landscapeMaterial, 1.0 / gl_FragCoord.w);
+  gl_FragData[1] = vec4(landscapeO, landscapeMaterial, landscapeW);
 )";
 
 /// Stretch of a surface of water by its Jacobian (vtkLandscapePass::SetMaterial), up to 1; 0 for one without.
@@ -39,9 +39,13 @@ float landscapeStretched() { return landscapeStretchVS == 0.0 ? 0.0 : clamp(land
 )";
 constexpr const char* NoStretch = "float landscapeStretched() { return 0.0; }\n";
 
-/// Normal of the sphere that a sprite of vtkPointGaussianMapper is a picture of, and the shade that ParaView paints on
-/// it.
-constexpr const char* SphereNormal = R"(
+/// w of the clip coordinates, by which the place of a fragment is found.
+constexpr const char* Solid = "  float landscapeW = 1.0 / gl_FragCoord.w;\n";
+
+/// Normal of the sphere that a sprite of vtkPointGaussianMapper is a picture of, without a w, which since VTK 9.4 is
+/// not that of its place; and the shade that ParaView paints on it.
+constexpr const char* Sprite = R"(
+  float landscapeW = 0.0;
   vec3 normalVCVSOutput = vec3(offsetVCVSOutput, sqrt(max(0.0, 1.0 - dot(offsetVCVSOutput, offsetVCVSOutput))));
 )";
 constexpr const char* PaintedShade = "float scale = (1.0 - dist);";
@@ -116,7 +120,7 @@ bool SurfacePass::PostReplaceShaderValues(
 {
   const bool hasNormal = fragment.find("normalVCVSOutput") != std::string::npos;
   const bool isSprite = !hasNormal && fragment.find("offsetVCVSOutput") != std::string::npos;
-  std::string output = std::string(CutOut) + (isSprite ? SphereNormal : "");
+  std::string output = std::string(CutOut) + (isSprite ? Sprite : Solid);
   output += (hasNormal || isSprite) && IsLit(prop) ? LitOutput : UnlitOutput;
   vtkShaderProgram::Substitute(fragment, "//VTK::Landscape::Impl", output, false);
   if (isSprite)

@@ -4,6 +4,8 @@
 #include "LandscapePicture.h"
 
 #include "vtkActorCollection.h"
+#include "vtkPointGaussianMapper.h"
+#include "vtkPoints.h"
 
 #include <vector>
 
@@ -134,6 +136,71 @@ bool TestGatheredLight()
   return good;
 }
 
+/// A sprite in air is as bright as a sphere, white for a white furnace; in water, as a wall of its albedo at its
+/// distance.
+bool TestSprite()
+{
+  bool good = true;
+  constexpr double albedo = 0.5;
+  constexpr double distance = 5.0;
+  const Color absorption{ 0.2, 0.1, 0.05 };
+  for (const bool isInWater : { false, true })
+  {
+    Picture picture;
+    picture.Pass->SetSkyToEven();
+    picture.Pass->ShadowsOff();
+    picture.Pass->SetOcclusionRadius(0.0);
+    picture.Pass->SetCloudCover(0.0);
+    picture.Pass->SetWaterAbsorption(absorption.data());
+    const Color none{ 0.0, 0.0, 0.0 };
+    picture.Pass->SetWaterScattering(none.data());
+    vtkNew<vtkPoints> points;
+    points->InsertNextPoint(0.0, distance, -0.01);
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points);
+    vtkNew<vtkPointGaussianMapper> mapper;
+    mapper->SetInputData(data);
+    mapper->SetScaleFactor(0.5);
+    mapper->EmissiveOff();
+    // As ParaView paints spheres
+    mapper->SetSplatShaderCode("//VTK::Color::Impl\n"
+                               "float dist = sqrt(dot(offsetVCVSOutput.xy, offsetVCVSOutput.xy));\n"
+                               "if (dist > 1.0) { discard; } else {\n"
+                               "  float scale = (1.0 - dist);\n"
+                               "  ambientColor *= scale;\n"
+                               "  diffuseColor *= scale;\n"
+                               "}\n");
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(CodeOf(albedo), CodeOf(albedo), CodeOf(albedo));
+    picture.Renderer->AddActor(actor);
+    if (isInWater)
+    {
+      vtkLandscapePass::SetMaterial(picture.Add(Level(100.0), 0.2), vtkLandscapePass::Water);
+    }
+    picture.Look({ 0.0, 0.0, -0.01 }, { 0.0, 1.0, -0.01 }, { 0.0, 0.0, 1.0 });
+    picture.Renderer->GetActiveCamera()->SetClippingRange(0.1, 200.0);
+    picture.Draw();
+    for (const int off : { 0, 10 })
+    {
+      Color expected;
+      for (int c = 0; c < 3; ++c)
+      {
+        // Half of the light below the surface, 0.934 of that above it, on what is upright; the eye sees half of it as
+        // white
+        const double inWater = 0.934 * std::exp(-absorption[c] * (distance + 0.01 + 0.01));
+        expected[c] = albedo * (isInWater ? inWater : 1.0);
+      }
+      Color found = picture.LinearAt(Width / 2 + off, Height / 2);
+      const Color below = picture.LinearAt(Width / 2 + off, Height / 2 - 1);
+      std::transform(found.begin(), found.end(), below.begin(), found.begin(),
+        [](double one, double other) { return 0.5 * (one + other); });
+      good &= Near(found, expected, 0.01, 0.005, std::string("A sprite in ") + (isInWater ? "water" : "air"));
+    }
+  }
+  return good;
+}
+
 }
 
 //----------------------------------------------------------------------------
@@ -141,5 +208,6 @@ int TestLandscapeRipples(int, char*[])
 {
   bool good = TestRipples();
   good &= TestGatheredLight();
+  good &= TestSprite();
   return good ? 0 : 1;
 }

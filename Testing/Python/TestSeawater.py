@@ -1,15 +1,11 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The table of sea water is possible and as published, and all that draws water has its numbers."""
-
-import re
-from pathlib import Path
+"""The table of sea water is possible and as published, and what draws water has its numbers."""
 
 import numpy as np
 from littoral import seawater
 from littoral.gallery import water
 
-PLUGIN = Path(__file__).resolve().parents[2] / "paraview-plugin"
 WAVELENGTHS = np.array((620.0, 550.0, 480.0))  # [nm]
 #: Absorption of pure water there [1/m]: R. M. Pope and E. S. Fry (Applied Optics 36, 1997).
 PURE = np.array((0.2755, 0.0565, 0.0127))
@@ -28,6 +24,3 @@ shader = water.water_shader(water.THROUGH)
 for values in (c, K):
     text = "vec3({:.5f}, {:.5f}, {:.5f})".format(*values)
     assert text in shader, text
-
-murks = [float(murk) for murk in re.findall(r'light="murk" murk="([^"]+)"', (PLUGIN / "LittoralLandscapes.xml").read_text())]
-assert len(murks) == 1 and np.allclose(murks, seawater.GREY_EXTINCTION, rtol=1e-9), murks

@@ -13,7 +13,6 @@
 #include "vtkSmartPointer.h"
 
 #include <cstring>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -59,18 +58,6 @@ const Mood* Find(const char* name)
     }
   }
   return nullptr;
-}
-
-/// The color halfway up a background, as a vector of the shading language.
-std::string Middle(const Mood& mood)
-{
-  std::ostringstream text;
-  text << "vec3(";
-  for (int i = 0; i < 3; ++i)
-  {
-    text << (i > 0 ? ", " : "") << 0.5 * (mood.Bottom[i] + mood.Top[i]);
-  }
-  return text.str() + ")";
 }
 
 bool IsAsByDefault(vtkSMProxy* view)
@@ -165,47 +152,6 @@ void LightView(vtkSMProxy* view, const char* name)
     AddSun(view, *mood);
   }
   view->UpdateVTKObjects();
-}
-
-//----------------------------------------------------------------------------
-void FadeAway(vtkSMProxy* representation, const char* name, double extinction)
-{
-  const Mood* mood = Find(name);
-  if (!mood || !representation->GetProperty("ShaderReplacements"))
-  {
-    return;
-  }
-  // c = mix(b, c, exp(-k d)), with the depth d = 1 / w of the fragment; after light and texture
-  std::ostringstream code;
-  code << R"([{"type": "fragment", "original": "//VTK::DepthPeeling::Impl", "replacement": ")"
-       << "gl_FragData[0].rgb = mix(" << Middle(*mood) << ", gl_FragData[0].rgb, exp(-" << extinction
-       << R"( / gl_FragCoord.w));\n  //VTK::DepthPeeling::Impl"}])";
-  vtkSMPropertyHelper(representation, "ShaderReplacements").Set(code.str().c_str());
-  vtkSMPropertyHelper(representation, "UseShaderReplacements").Set(1);
-}
-
-//----------------------------------------------------------------------------
-void FadeSpritesAway(vtkSMProxy* representation, const char* name, double extinction)
-{
-  const Mood* mood = Find(name);
-  if (!mood || !representation->GetProperty("CustomShader"))
-  {
-    return;
-  }
-  // The sphere of ParaView, with the share f = exp(-k d) of its color, d = 1 / w, and 1 - f of the background's: what
-  // is ambient is added after light. From ParaView 5.13 on w is 1 for points: all sprites then fade as at a distance of
-  // 1 m.
-  std::ostringstream code;
-  code << "//VTK::Color::Impl\n"
-       << "float dist = dot(offsetVCVSOutput.xy, offsetVCVSOutput.xy);\n"
-       << "if (dist > 1.0) {\n"
-       << "  discard;\n"
-       << "}\n"
-       << "float share = exp(-" << extinction << " / gl_FragCoord.w);\n"
-       << "diffuseColor *= share * (1.0 - dist);\n"
-       << "ambientColor = share * (1.0 - dist) * ambientColor + (1.0 - share) * " << Middle(*mood) << ";\n";
-  vtkSMPropertyHelper(representation, "CustomShader").Set(code.str().c_str());
-  vtkSMPropertyHelper(representation, "ShaderPreset").Set("Custom");
 }
 
 }

@@ -28,16 +28,6 @@ bool TakesLandscapeLight(vtkSMProxy* view);
 /// Whether a view has the mood "paper" from LightView, unchanged; another mood may follow.
 bool IsMap(vtkSMProxy* view);
 
-/**
- * Lets what a representation draws fade into the background of a mood, into its color halfway up, as things do in murky
- * water: of their own color the share exp(-k d) is left at the depth d in the view, with the extinction k [1/m]. It is
- * a replacement in the fragment shader, a property of the representation. For sprites see FadeSpritesAway.
- */
-void FadeAway(vtkSMProxy* representation, const char* mood, double extinction);
-
-/// The same for particles that are drawn as spheres, by the representation's own shader for sprites.
-void FadeSpritesAway(vtkSMProxy* representation, const char* mood, double extinction);
-
 }
 
 #endif

@@ -454,16 +454,6 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
     ShowAsFog(representation, data, fog);
     this->WaitForLegend(representation);
   }
-  const char* extinction = this->Hint("murk", port);
-  const char* mood = this->Hint("light", port);
-  if (extinction && mood)
-  {
-    FadeAway(representation, mood, std::strtod(extinction, nullptr));
-    if (AreParticles(data))
-    {
-      FadeSpritesAway(representation, mood, std::strtod(extinction, nullptr));
-    }
-  }
   const char* array = this->Hint("color", port);
   if (array && data->GetArrayInformation(array, vtkDataObject::POINT))
   {

@@ -43,7 +43,6 @@ namespace littoral
  *  - What is connected to the property `replaces` is hidden in the view, for a proxy with the hint
  *    `<Visibility replace_input="0" />`, whose other inputs stay.
  *  - Only the properties `panel` of the display are in its panel without the gear.
- *  - Surfaces fade into the background of `light` with the extinction `murk` [1/m], see FadeAway.
  *  - `blocks` are the only ones that are shown at first, of the first output; of a scattered forest (field data SiteId)
  *    those of `forest-blocks`, if there are any. With `own-levels` the surface is not decimated while the camera moves:
  *    that would tear leaves and crowns to shreds.
