@@ -303,7 +303,7 @@ def check_eevee():
 
 
 def check_mistakes():
-    """Wrong files are refused in one sentence each."""
+    """Wrong files are refused in one sentence each; nothing is left behind."""
     for scene_file, text in (("none.glb", "no scene none.glb"), ("broken.glb", "Blender has failed")):
         with open("broken.glb", "wb") as broken:
             broken.write(b"glTF and no more")
@@ -313,6 +313,10 @@ def check_mistakes():
         except blender.RenderError as error:
             assert text in str(error), error
     assert not os.path.exists("not.png")
+    os.makedirs("left")
+    ran = subprocess.run(command("broken.glb", "not"), env={**os.environ, "TMPDIR": os.path.abspath("left")},
+                         capture_output=True, text=True, check=False)
+    assert "Blender has failed" in ran.stderr and not os.listdir("left"), (ran.stderr, os.listdir("left"))
     with open("no_scene.py", "w", encoding="utf-8") as script:
         script.write("pass\n")
     try:

@@ -55,7 +55,8 @@ def render(scene, picture=None, blend=None, report=None, **options):
         with open(job, "w", encoding="utf-8") as file:
             json.dump({"scene": os.path.abspath(scene), "rate": RATE, **made, **options,
                        "litter": [folder, *options.get("litter", ())]}, file)
-        returned, output = run([program, "-b", "--factory-startup", "--python-exit-code", "1", "-P", SCRIPT, "--", job])
+        returned, output = run([program, "-b", "--factory-startup", "--python-exit-code", "1", "-P", SCRIPT, "--", job],
+                               TMPDIR=folder)
         missing = [name for name, path in made.items() if not os.path.isfile(path)]
         if returned or missing or (picture and not is_whole(made["picture"])):
             lines = [line for line in output.splitlines() if line.strip()]
@@ -65,10 +66,10 @@ def render(scene, picture=None, blend=None, report=None, **options):
                 shutil.copyfile(made[name], path)
 
 
-def run(words):
-    """Run Blender; returns its exit code and what it says. Its standard input is a pipe that ends when this process does,
-    however it ends: then Blender ends too."""
-    environment = {name: value for name, value in os.environ.items() if name not in OTHERS}
+def run(words, **variables):
+    """Run Blender with environment variables; returns its exit code and what it says. Its standard input is a pipe that ends
+    when this process does, however it ends: then Blender ends too."""
+    environment = {name: value for name, value in os.environ.items() if name not in OTHERS} | variables
     with subprocess.Popen(words, env=environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True, errors="replace") as blender:
         try:

@@ -3,14 +3,13 @@
 """Makes a scene of Blender from a scene file and renders it: blender -b -P render.py -- JOB.json
 
 The job has: scene, the .glb file; and optionally picture, a PNG to write; blend, a .blend file to write; size; samples;
-noise, at which a pixel is done; engine; frame, of the point caches, from 0 on; rate, frames a second; blur, the share of
-a frame that the shutter is open; report, a JSON file to write with what the scene holds; litter, temporary folders: then
-standard input is a pipe that ends with the process that has started this.
+noise, at which a pixel is done; engine; frame, of the point caches, from 0 on; rate, frames a second; blur, the share
+of a frame that the shutter is open; report, a JSON file to write with what the scene holds; litter, temporary folders,
+with Blender's own: then standard input is a pipe that ends with the process that has started this.
 """
 
 import json
 import os
-import shutil
 import sys
 import threading
 
@@ -129,13 +128,15 @@ def about_mesh(mesh, matrices):
 
 
 def end_with_starter(litter):
-    """End when standard input does, and take along temporary folders, which nobody else would remove then."""
+    """Watch for the end of standard input, and then become a program that takes along temporary folders.
+
+    Nobody else would remove them. While they go, none of Blender's threads is left that could write to them, or end the
+    process in between.
+    """
     def watch():
         while os.read(0, 1):
             pass
-        for made in (*litter, bpy.app.tempdir):
-            shutil.rmtree(made, ignore_errors=True)
-        os._exit(1)
+        os.execvp("rm", ["rm", "-rf", "--", *litter])
 
     threading.Thread(target=watch, daemon=True).start()
 
