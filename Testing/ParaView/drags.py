@@ -91,7 +91,8 @@ def check_after_state(source, state):
     assert list(view.CameraViewUp) == [0.0, 0.0, 1.0], f"the horizon is rolled: up is {list(view.CameraViewUp)}"
 
 
-def around(name, view, lowest=-math.inf, highest=math.inf, steps=8, directions=8, least=0.5, closers=(1.0, 2.0)):
+def around(name, view, lowest=-math.inf, highest=math.inf, steps=8, directions=8, least=0.5, closers=(1.0, 2.0),
+           times=1):
     """Each drag, from the first look and from nearer, leaves a share of what is shown, and the eye between two heights [m]."""
     center, focus = np.array(view.CenterOfRotation), np.array(view.CameraFocalPoint)
     distance = np.linalg.norm(np.array(view.CameraPosition) - focus)
@@ -113,7 +114,8 @@ def around(name, view, lowest=-math.inf, highest=math.inf, steps=8, directions=8
         for k in range(directions):
             angle = math.pi * (1.5 + 2.0 * k / directions)
             length = SHARE * view.ViewSize[0]
-            drag(view, interactor, length * math.cos(angle), length * math.sin(angle), steps)
+            for _ in range(times):
+                drag(view, interactor, length * math.cos(angle), length * math.sin(angle), steps)
             share, eye = covered(view, nothing), view.CameraPosition
             where = f"{name}, {closer} times closer, dragged to {math.degrees(angle):.0f} degrees"
             assert share >= least * before, f"{where}: {share:.2f} of the picture is covered, {before:.2f} before"

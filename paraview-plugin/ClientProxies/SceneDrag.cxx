@@ -30,10 +30,13 @@ constexpr double UnderSurface = 0.3;
 /// Steepest sight of what is dragged, down or up [rad]: at the pole the horizon turns round.
 constexpr double Steepest = 85.0 * Pi / 180.0;
 
+/// Rounding of a turn, as a share of its radius.
+constexpr double Rounding = 1e-9;
+
 /// Whether two points are the same, but for the rounding of a turn of that radius.
 bool AreSame(const Vector3& a, const Vector3& b, double radius)
 {
-  return glm::distance(a, b) <= 1e-9 * radius;
+  return glm::distance(a, b) <= Rounding * radius;
 }
 
 /// Whether the horizon of a sight is level, and the sky above.
@@ -169,8 +172,9 @@ void SceneDrag::OnStart(vtkObject*, unsigned long, void* isInteractive)
   if (!isInteractive || *static_cast<int*>(isInteractive) == 0)
   {
     const EyeHeights limits = this->Limits();
-    this->IsKept = arm.z >= distance * std::sin(limits.Elevation * Pi / 180.0) && sight.Eye.z >= limits.Lowest &&
-      sight.Eye.z <= limits.Highest && IsUpright(arm, sight.Up);
+    const double rounding = Rounding * distance; // of what an earlier drag has left at a limit
+    this->IsKept = arm.z >= distance * std::sin(limits.Elevation * Pi / 180.0) - rounding &&
+      sight.Eye.z >= limits.Lowest - rounding && sight.Eye.z <= limits.Highest + rounding && IsUpright(arm, sight.Up);
   }
   else if (this->IsKept)
   {
