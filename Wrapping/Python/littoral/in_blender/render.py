@@ -128,9 +128,10 @@ def about_mesh(mesh, matrices):
 
 
 def end_with_starter(litter):
-    """When standard input ends, become a program that takes along temporary folders, which nobody else would remove then.
+    """Watch for the end of standard input, and then become a program that takes along temporary folders.
 
-    While they go, none of Blender's threads is left that could write to them, or end the process in between.
+    Nobody else would remove them. While they go, none of Blender's threads is left that could write to them, or end the
+    process in between.
     """
     def watch():
         while os.read(0, 1):
