@@ -86,8 +86,8 @@ void main()
   vec3 wetNormal = landscapeToWorld * landscapeUnfolded(wet.xy);
   wetNormal = normalize(wetNormal.z < 0.0 ? -wetNormal : wetNormal + vec3(0.0, 0.0, 1e-4));
   float wetAway = landscapePixel * (landscapeIsParallel == 1 ? 1.0 : -wetPlace.z);
-  vec3 ripples = hasSurface ? landscapeRipples((landscapeToWorld * wetPlace).xy, wetAway / sqrt(sqrt(max(abs(dot(d, wetNormal)), 0.02))))
-                            : vec3(0.0);
+  float footprint = wetAway / sqrt(sqrt(max(abs(dot(d, wetNormal)), 0.02))); // sharper than its length, which blurs
+  vec3 ripples = hasSurface ? landscapeRipples((landscapeToWorld * wetPlace).xy, footprint) : vec3(0.0);
   vec3 rippled = landscapeFacet(wetNormal, ripples.xy);
   // Facets are as large as they look: d n / n_z over that of the mesh, which at its crests turns away
   float side = landscapeWater == 2 ? 1.0 : -1.0;
@@ -112,7 +112,8 @@ void main()
   if (landscapeWater == 2)
   {
     float way = hasSurface ? length(wetPlace - eye) : isThere ? length(place - eye) : 1e3;
-    luminance = landscapeInWater(hasSurface ? looks * landscapeWaterBelow(d, wetNormal, ripples.z) : luminance, d, landscapeEyeDepth, way);
+    luminance = hasSurface ? looks * landscapeWaterBelow(d, wetNormal, ripples.z) : luminance;
+    luminance = landscapeInWater(luminance, d, landscapeEyeDepth, way);
     luminance += landscapeHasShafts == 1 ? landscapeShafts(d, way) : vec3(0.0);
   }
   else if (hasSurface)

@@ -93,7 +93,8 @@ float landscapeGathered(vec2 place, float depth, float footprint)
   vec2 at = landscapeRippleEye.xy + (place + s.xy / s.z * depth) / landscapeRippleSide;
   // In water the sun is 0.4 degrees wide.
   float texels = float(textureSize(landscapeRippleLight, 0).x);
-  vec4 light = textureLod(landscapeRippleLight, at, log2(max(max(0.007 * depth, footprint) * texels / landscapeRippleSide, 1.0)));
+  float level = log2(max(max(0.007 * depth, footprint) * texels / landscapeRippleSide, 1.0));
+  vec4 light = textureLod(landscapeRippleLight, at, level);
   // The channels are at 0.75 m 3^k.
   float k = min(log(max(depth, 0.01) / 0.75) / log(3.0), 3.0);
   float gathered = k < 0.0 ? mix(1.0, light.x, depth / 0.75)

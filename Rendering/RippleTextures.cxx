@@ -3,10 +3,10 @@
 #include "RippleTextures.h"
 
 #include "OpenGL.h"
+#include "Threads.h"
 #include "Uniforms.h"
 
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkSMPTools.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -30,12 +30,6 @@ constexpr double Turn = 2.4;
 
 /// Turn of rays from the zenith by a slope, 1 - 1 / n.
 constexpr double Refraction = 0.25;
-
-void OnThreads(std::size_t count, const RangeTask& work)
-{
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count),
-    [&](vtkIdType begin, vtkIdType end) { work(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
-}
 
 /// Places within the square that repeats itself, in double precision also far from the origin.
 glm::dvec4 InSquares(const glm::dvec4& squares)
@@ -66,8 +60,7 @@ vtkSmartPointer<vtkTextureObject> TextureOf(
 //----------------------------------------------------------------------------
 void RippleTextures::Take(double time, double variance)
 {
-  const bool isSame = variance == this->Variance && (variance <= 0.0 || this->Time == time);
-  if (isSame)
+  if (variance == this->Variance && (variance <= 0.0 || this->Time == time))
   {
     return;
   }
@@ -92,8 +85,8 @@ void RippleTextures::Take(double time, double variance)
     this->Slopes.insert(this->Slopes.end(), { x, y, x * x + y * y });
   }
   this->Light.resize(Samples * Samples);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(Depths.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType channel = begin; channel < end; ++channel)
+  OnThreads(Depths.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t channel = begin; channel < end; ++channel)
     {
       const std::vector<double> light =
         GatheredLight(slopes, Samples, Side, Refraction * Depths[channel] * std::sqrt(variance));

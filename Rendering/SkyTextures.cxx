@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SkyTextures.h"
 
+#include "Threads.h"
+
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkSMPTools.h"
 #include "vtkTextureObject.h"
 
 #include <glm/geometric.hpp>
 
-#include <functional>
 #include <vector>
 
 namespace littoral
@@ -18,12 +18,6 @@ namespace
 {
 
 constexpr double SameDirection = 1e-9;
-
-void OnThreads(std::size_t count, const std::function<void(std::size_t, std::size_t)>& work)
-{
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count),
-    [&](vtkIdType begin, vtkIdType end) { work(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
-}
 
 vtkSmartPointer<vtkTextureObject> TextureOf(const ColorTable& table, vtkOpenGLRenderWindow* window)
 {

@@ -119,9 +119,9 @@ bool SurfacePass::PostReplaceShaderValues(
   std::string&, std::string&, std::string& fragment, vtkAbstractMapper*, vtkProp* prop)
 {
   const bool hasNormal = fragment.find("normalVCVSOutput") != std::string::npos;
-  const bool isSprite = !hasNormal && fragment.find("offsetVCVSOutput") != std::string::npos;
+  const bool isSprite = !hasNormal && IsLit(prop) && fragment.find("offsetVCVSOutput") != std::string::npos;
   std::string output = std::string(CutOut) + (isSprite ? Sprite : Solid);
-  output += (hasNormal || isSprite) && IsLit(prop) ? LitOutput : UnlitOutput;
+  output += isSprite || (hasNormal && IsLit(prop)) ? LitOutput : UnlitOutput;
   vtkShaderProgram::Substitute(fragment, "//VTK::Landscape::Impl", output, false);
   if (isSprite)
   {

@@ -234,7 +234,7 @@ public:
   vtkBooleanMacro(WaterRipples, bool);
   ///@}
   ///@{
-  /** Time of these waves [s]; default 0. */
+  /** Time of these waves [s], any finite one; default 0. */
   vtkSetMacro(WaterTime, double);
   vtkGetMacro(WaterTime, double);
   ///@}

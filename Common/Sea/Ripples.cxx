@@ -27,8 +27,7 @@ int Folded(int index, int samples)
 
 //----------------------------------------------------------------------------
 Ripples::Ripples(double side, int samples, int seed)
-  : Side(side)
-  , Samples(samples)
+  : Samples(samples)
   , Waves(static_cast<std::size_t>(samples) * samples)
 {
   const RandomStream random(seed, RandomPurpose::RippleWaves);

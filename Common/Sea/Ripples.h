@@ -29,9 +29,6 @@ public:
   /// Side [m]; samples along it, a power of two of at least 4.
   Ripples(double side, int samples, int seed);
 
-  double GetSide() const { return this->Side; }
-  int GetSamples() const { return this->Samples; }
-
   /// Slopes by rows along x at a time [s].
   std::vector<SurfaceSlope> SlopesAt(double time, const ParallelFor& parallel = SerialFor) const;
 
@@ -43,7 +40,6 @@ private:
     double Frequency = 0.0;         ///< angular [rad/s]
   };
 
-  double Side;
   int Samples;
   std::vector<Wave> Waves; ///< one for each wave vector, by rows
 };
