@@ -83,6 +83,9 @@ float landscapeWithin(vec3 at)
 // Part of the sun that is seen from a place; the first map that covers it tells, and fades into the next at its rim.
 float landscapeSunSeen(vec3 placeV, vec3 normalV, float towards)
 {
+#ifdef LandscapeNoShadows
+  return 1.0;
+#endif
   // The taps reach 2 texels, which on a surface at an angle are as much higher or lower.
   float lift = 0.5 + 2.0 * sqrt(max(0.0, 1.0 - towards * towards));
   float seen = 0.0;
@@ -112,6 +115,9 @@ float landscapeSunSeen(vec3 placeV, vec3 normalV, float towards)
 // has a way out only where nothing is above its own height.
 float landscapeSkySeen(vec3 placeV, vec3 normalV)
 {
+#ifdef LandscapeNoOcclusion
+  return 1.0;
+#endif
   if (landscapeOcclusion <= 0.0 || landscapeTexel[3] <= 0.0)
   {
     return 1.0;
@@ -167,6 +173,9 @@ float landscapeCloudAt(vec2 place, float soft)
 // Part of the sun's light that clouds let through to a place relative to the eye.
 float landscapeBelowClouds(vec3 place)
 {
+#ifdef LandscapeNoClouds
+  return 1.0;
+#endif
   float up = landscapeClouds.y - place.z;
   return landscapeClouds.x <= 0.0 || up <= 0.0 || landscapeSun.z <= 0.02
     ? 1.0 : 1.0 - 0.85 * landscapeCloudAt(place.xy + landscapeSun.xy / landscapeSun.z * up, 0.0);
@@ -175,6 +184,9 @@ float landscapeBelowClouds(vec3 place)
 // Luminance of clouds in a direction, and in w the part of the sky that they hide there.
 vec4 landscapeCloudsIn(vec3 d, float soft)
 {
+#ifdef LandscapeNoClouds
+  return vec4(0.0);
+#endif
   if (landscapeClouds.x <= 0.0 || d.z < 0.015)
   {
     return vec4(0.0);

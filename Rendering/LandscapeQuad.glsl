@@ -1,5 +1,12 @@
 //VTK::System::Dec
-// The light of the surfaces that were drawn before, once a pixel, and the sky where there are none.
+// The light of one kind of what was drawn before, LandscapePart, once a pixel: processors without a graphics card take
+// the time of all branches of a shader.
+#define LandscapeSky 0     // where nothing is
+#define LandscapeSurface 1 // surfaces of their own colors, and what no light changes
+#define LandscapeGround 2  // ground and what grows on it
+#define LandscapeAbove 3   // water seen from above, and what is in it
+#define LandscapeBelow 4   // all that an eye in water sees
+
 in vec2 texCoord;
 uniform sampler2D landscapeAlbedo;  // outputs of SurfacePass
 uniform sampler2D landscapeSurface;
@@ -9,11 +16,16 @@ uniform sampler2D landscapeWetSurface;
 uniform sampler2D landscapeWetDepth;
 uniform mat4 landscapeToView;       // from clip coordinates
 uniform vec3 landscapeEye;          // place of the eye in the world, modulo the period of noise [m]
+uniform vec2 landscapeWideEye;      // the same modulo that of woods [m]
 uniform vec3 landscapeCoverColor;   // albedo of grass
 uniform float landscapePixel;       // side of a pixel, in perspective at a distance of 1 [m]
 uniform int landscapeBackground;    // 1: sky behind the surfaces
 //VTK::Landscape::Dec
 //VTK::Output::Dec
+
+const float landscapeRiverDepth = 0.8;  // of the bed of rivers, which is drawn by no data [m]
+const float landscapeRiverSlack = 0.002; // of the distance, by which ground may hide a river
+const float landscapeWetGround = 0.5;    // luminance of wet ground, over that of dry one  (Lekner and Dorf 1988)
 
 vec3 landscapePlace(float depth)
 {
@@ -40,25 +52,24 @@ vec3 landscapeBehindAll(vec3 d)
   return mix(luminance, clouds.rgb, clouds.w);
 }
 
-// Albedo and transmittance of a surface by its material; the normal of a ground gets its relief.
-vec4 landscapeMaterialOf(float material, vec3 albedo, vec3 place, inout vec3 normal)
+// Albedo of a ground, whose normal gets its relief, or of grass.
+#if LandscapePart == LandscapeGround
+vec3 landscapeGrown(bool isGrass, vec3 albedo, vec3 place, inout vec3 normal)
 {
-  vec2 at = (landscapeEye + landscapeToWorld * place).xy;
-  if (material > 2.5)
+  vec3 off = landscapeToWorld * place;
+  vec2 at = landscapeEye.xy + off.xy;
+  if (isGrass)
   {
     normal *= sign((landscapeToWorld * normal).z); // VTK turns it to the eye, which may be below
-    return vec4(albedo * landscapeCoverColor * landscapeGrowth(at).rgb, 0.4);
+    return albedo * landscapeCoverColor * landscapeGrowth(at).rgb;
   }
-  if (material > 1.5)
-  {
-    vec3 up = landscapeToWorld * normal;
-    float footprint = landscapePixel * (landscapeIsParallel == 1 ? 1.0 : -place.z) / max(0.2, abs(normal.z));
-    albedo = landscapeGround(albedo, at, footprint, up);
-    normal = up * landscapeToWorld;
-    return vec4(albedo, 0.0);
-  }
-  return vec4(albedo, material);
+  vec3 up = landscapeToWorld * normal;
+  float footprint = landscapePixel * (landscapeIsParallel == 1 ? 1.0 : -place.z) / max(0.2, abs(normal.z));
+  albedo = landscapeGround(albedo, at, landscapeWideEye + off.xy, footprint, up);
+  normal = up * landscapeToWorld;
+  return albedo;
 }
+#endif
 
 // Place of a surface along a line of sight: in perspective w of the clip coordinates, of what has one, is the distance
 // along the view's axis, more exact than the depth.
@@ -67,21 +78,62 @@ vec3 landscapePlaceOf(float depth, float w, vec3 sight)
   return landscapeIsParallel == 1 || w <= 0.0 ? landscapePlace(depth) : sight * (w / -sight.z);
 }
 
+#if LandscapePart >= LandscapeAbove
+// Luminance of what is in the water, of the color of its data.
+vec3 landscapeWetLuminance(float material, vec3 code, vec3 place, vec3 normal)
+{
+  vec3 albedo = landscapeLinear(code);
+  bool isGrass = material > 2.5;
+  return landscapeWet(isGrass ? albedo * landscapeCoverColor : albedo, place, normal,
+    isGrass ? 0.4 : material > 1.5 ? 0.0 : material);
+}
+#endif
+
 void main()
 {
   vec4 surface = texture(landscapeSurface, texCoord);
   float depth = texture(landscapeDepth, texCoord).r;
-  vec3 code = texture(landscapeAlbedo, texCoord).rgb;
+  bool isThere = surface.z > -1.5;
+#if LandscapeHasWater
+  // Water before all else. The ground that a river lies on is coarser than its bands, and may be before it by a little.
+  vec4 wet = texture(landscapeWetSurface, texCoord);
+  float wetDepth = texture(landscapeWetDepth, texCoord).r;
+  bool isRiver = wet.z > 4.5;
+  bool hasSurface = wet.z > -0.5 && (wetDepth < depth ||
+    (isRiver && landscapeIsParallel == 0 && wet.w < (1.0 + landscapeRiverSlack) * surface.w));
+#else
+  const bool hasSurface = false;
+#endif
+  bool isGrown = surface.z > 1.5 && surface.z < 3.5;
+#if LandscapePart == LandscapeSky
+  if (isThere || hasSurface) discard;
+#elif LandscapePart == LandscapeSurface
+  if (!isThere || hasSurface || isGrown) discard;
+#elif LandscapePart == LandscapeGround
+  if (hasSurface || !isGrown) discard;
+#elif LandscapePart == LandscapeAbove
+  if (!hasSurface) discard;
+#else
+  if (!isThere && !hasSurface && landscapeBackground == 0) discard;
+#endif
   // The line of sight, from the middle of its part that is shown
   vec3 sight = landscapePlace(0.5);
   vec3 eye = landscapeEyeOf(sight);
   vec3 d = normalize(landscapeToWorld * (landscapeIsParallel == 1 ? vec3(0.0, 0.0, -1.0) : sight));
-  bool isThere = surface.z > -1.5;
-  bool isLit = surface.z > -0.5;
+  vec3 code = texture(landscapeAlbedo, texCoord).rgb;
   vec3 place = landscapePlaceOf(depth, surface.w, sight);
-  vec4 wet = landscapeWater > 0 ? texture(landscapeWetSurface, texCoord) : vec4(-2.0);
-  float wetDepth = landscapeWater > 0 ? texture(landscapeWetDepth, texCoord).r : 1.0;
-  bool hasSurface = wet.z > -0.5 && wetDepth < depth; // of water before all else
+  vec3 normal = landscapeUnfolded(surface.xy);
+  bool isLit = surface.z > -0.5;
+  vec3 luminance = vec3(0.0);
+#if LandscapePart == LandscapeSky
+  luminance = landscapeBehindAll(d);
+#elif LandscapePart == LandscapeSurface
+  luminance = landscapeBehindAir(landscapeLuminance(landscapeLinear(code), place, normal, surface.z), place - eye);
+#elif LandscapePart == LandscapeGround
+  bool isGrass = surface.z > 2.5;
+  vec3 albedo = landscapeGrown(isGrass, landscapeLinear(code), place, normal);
+  luminance = landscapeBehindAir(landscapeLuminance(albedo, place, normal, isGrass ? 0.4 : 0.0), place - eye);
+#else
   vec3 wetPlace = landscapePlaceOf(wetDepth, wet.w, sight);
   vec3 wetNormal = landscapeToWorld * landscapeUnfolded(wet.xy);
   wetNormal = normalize(wetNormal.z < 0.0 ? -wetNormal : wetNormal + vec3(0.0, 0.0, 1e-4));
@@ -90,52 +142,34 @@ void main()
   vec3 ripples = hasSurface ? landscapeRipples((landscapeToWorld * wetPlace).xy, footprint) : vec3(0.0);
   vec3 rippled = landscapeFacet(wetNormal, ripples.xy);
   // Facets are as large as they look: d n / n_z over that of the mesh, which at its crests turns away
-  float side = landscapeWater == 2 ? 1.0 : -1.0;
+  float side = LandscapePart == LandscapeBelow ? 1.0 : -1.0;
   float looks = max(side * dot(d, rippled) * wetNormal.z / rippled.z, 0.05) / max(side * dot(d, wetNormal), 0.05);
   looks = min(looks, 2.0);
   wetNormal = rippled;
-  bool isInWater = landscapeWater == 2 ? !hasSurface : hasSurface;
-  if (!isThere && landscapeBackground == 0 && !hasSurface) discard;
-
-  // What is there, in air or in water
-  vec3 luminance = vec3(0.0);
-  if (isLit)
-  {
-    vec3 normal = landscapeUnfolded(surface.xy);
-    // The bed of water keeps the color of its data.
-    float kind = isInWater && surface.z > 1.5 && surface.z < 2.5 ? 0.0 : surface.z;
-    vec4 material = landscapeMaterialOf(kind, landscapeLinear(code), place, normal);
-    luminance = isInWater ? landscapeWet(material.rgb, place, normal, material.w)
-                          : landscapeLuminance(material.rgb, place, normal, material.w);
-  }
-  // The water before it, and its surface
-  if (landscapeWater == 2)
-  {
-    float way = hasSurface ? length(wetPlace - eye) : isThere ? length(place - eye) : 1e3;
-    luminance = hasSurface ? looks * landscapeWaterBelow(d, wetNormal, ripples.z) : luminance;
-    luminance = landscapeInWater(luminance, d, landscapeEyeDepth, way);
-    luminance += landscapeHasShafts == 1 ? landscapeShafts(d, way) : vec3(0.0);
-  }
-  else if (hasSurface)
-  {
-    // L / n2 leaves the water; below it a line of sight is steeper.
-    vec3 down = refract(d, wetNormal, 1.0 / landscapeIndex);
-    float way = isThere ? length(place - wetPlace) : 1e3;
-    vec3 below = landscapeInWater(luminance, down, landscapeEyeDepth - (landscapeToWorld * wetPlace).z, way);
-    luminance = looks * landscapeWaterAbove(d, wetNormal, ripples.z, wetPlace, below / (landscapeIndex * landscapeIndex));
-    float foam = landscapeFoam(texture(landscapeWetColor, texCoord).a, (landscapeEye + landscapeToWorld * wetPlace).xy);
-    luminance = mix(luminance, landscapeLuminance(vec3(0.6), wetPlace, wetNormal * landscapeToWorld, 0.0), foam);
-    luminance = landscapeBehindAir(luminance, wetPlace - eye);
-  }
-  else if (isLit)
-  {
-    luminance = landscapeBehindAir(luminance, place - eye);
-  }
-  else if (!isThere)
-  {
-    luminance = landscapeBehindAll(d);
-  }
+#if LandscapePart == LandscapeBelow
+  landscapeBelow = landscapeEyeDepth;
+  luminance = isLit && !hasSurface ? landscapeWetLuminance(surface.z, code, place, normal) : vec3(0.0);
+  float way = hasSurface ? length(wetPlace - eye) : isThere ? length(place - eye) : 1e3;
+  luminance = hasSurface ? looks * landscapeWaterBelow(d, wetNormal, ripples.z) : luminance;
+  luminance = landscapeInWater(luminance, d, landscapeBelow, way);
+  luminance += landscapeHasShafts == 1 ? landscapeShafts(d, way) : vec3(0.0);
+#else
+  landscapeBelow = (landscapeToWorld * wetPlace).z;
+  luminance = isLit ? landscapeWetLuminance(surface.z, code, place, normal) : vec3(0.0);
+  // L / n2 leaves the water; below it a line of sight is steeper.
+  vec3 down = refract(d, wetNormal, 1.0 / landscapeIndex);
+  float way = isRiver ? landscapeRiverDepth / -down.z : isThere ? length(place - wetPlace) : 1e3;
+  vec3 below = landscapeInWater(isRiver ? landscapeWetGround * luminance : luminance, down, 0.0, way);
+  luminance = looks * landscapeWaterAbove(d, wetNormal, ripples.z, wetPlace, below / (landscapeIndex * landscapeIndex));
+  float foam = landscapeFoam(texture(landscapeWetColor, texCoord).a, (landscapeEye + landscapeToWorld * wetPlace).xy);
+  luminance = mix(luminance, landscapeLuminance(vec3(0.6), wetPlace, wetNormal * landscapeToWorld, 0.0), foam);
+  luminance = landscapeBehindAir(luminance, wetPlace - eye);
+#endif
+#endif
   bool isPaint = isThere && !isLit && !hasSurface; // which no light changes
   gl_FragData[0] = vec4(isPaint ? code : landscapeDisplayed(luminance), 1.0);
-  gl_FragDepth = hasSurface ? wetDepth : isThere ? depth : 0.9999999; // drawn, for who composes pictures by their depths
+#if LandscapeHasWater
+  depth = hasSurface ? wetDepth : depth;
+#endif
+  gl_FragDepth = isThere || hasSurface ? depth : 0.9999999; // drawn, for who composes pictures by their depths
 }

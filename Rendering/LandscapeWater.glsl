@@ -1,4 +1,4 @@
-// Water below a surface: what it reflects, what shows through it, and what is in it. Depths are below its mean level.
+// Water below a surface: what it reflects, what shows through it, and what is in it. Depths are below its mean level, or below it where it is looked through.
 
 uniform int landscapeWater;              // 0: there is none; 1: the eye is above it; 2: below
 uniform float landscapeEyeDepth;         // of the eye below the water's level [m]
@@ -14,6 +14,8 @@ uniform sampler2D landscapeRippleSlopes; // for the variance 1; in the third cha
 uniform sampler2D landscapeRippleLight;  // below them, over its mean, at four depths
 
 uniform float landscapeFoamBegins;        // stretch of the surface below which it has foam
+
+float landscapeBelow; // depth of the eye below the surface: of its level, or where it is looked through from above [m]
 
 const float landscapeIndex = 1.333;      // of refraction
 const float landscapeBackward = 0.02;    // part of scattered light that goes backwards
@@ -136,7 +138,7 @@ vec3 landscapeShafts(vec3 d, float way)
   for (int step_ = 0; step_ < steps; ++step_)
   {
     float l = -log(1.0 - all_ * (float(step_) + 0.5) / float(steps)) / c.y;
-    float depth = max(landscapeEyeDepth - d.z * l, 0.0);
+    float depth = max(landscapeBelow - d.z * l, 0.0);
     sum += (landscapeGathered(d.xy * l, depth, 0.3) - 1.0) * exp(-landscapeDownward() * depth - (c - c.y) * l);
   }
   return landscapeScattering * landscapePhase(d) * landscapeSunBelow() * sum * all_ / (c.y * float(steps));
@@ -146,7 +148,7 @@ vec3 landscapeShafts(vec3 d, float way)
 vec3 landscapeWet(vec3 albedo, vec3 placeV, vec3 normalV, float transmittance)
 {
   vec3 normal = landscapeToWorld * normalV;
-  float depth = max(landscapeEyeDepth - (landscapeToWorld * placeV).z, 0.0);
+  float depth = max(landscapeBelow - (landscapeToWorld * placeV).z, 0.0);
   float towards = dot(normal, landscapeSunInWater());
   float open = landscapeSkySeen(placeV, normalV);
   vec3 light = landscapeSkyBelow() * (0.5 + 0.5 * normal.z + transmittance * (0.5 - 0.5 * normal.z));

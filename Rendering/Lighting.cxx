@@ -89,7 +89,7 @@ void Lighting::SetUniforms(vtkShaderProgram* program) const
   const glm::dvec3 below = this->Eye - glm::dvec3(this->CloudDrift, 0.0);
   SetUniform(program, "landscapeCloudEye", below - period * glm::floor(below / period));
   SetUniform(program, "landscapeClouds", glm::dvec2(this->CloudCover, std::max(this->CloudHeight - this->Eye.z, 1.0)));
-  SetUniform(program, "landscapeWater", !this->HasWater ? 0 : this->Eye.z < this->WaterLevel ? 2 : 1);
+  SetUniform(program, "landscapeWater", !this->HasWater ? 0 : this->IsInWater ? 2 : 1);
   SetUniform(program, "landscapeEyeDepth", this->WaterLevel - this->Eye.z);
   SetUniform(program, "landscapeFoamBegins", this->FoamBegins);
   SetUniform(program, "landscapeSlopeVariance", this->WaterSlopeVariance);

@@ -37,17 +37,24 @@ public:
   bool Background = true;                       ///< sky behind the surfaces
   double Extinction = 0.0;                      ///< of the air [1/m]
   glm::dvec3 CoverColor = glm::dvec3(0.0);      ///< albedo of grass, linear
+  double WoodCover = 0.0;                       ///< part of the ground, from 0 to 1
   double CloudCover = 0.0;                      ///< part of the sky, from 0 to 1
   double CloudHeight = 1500.0;                  ///< [m]
   glm::dvec2 CloudDrift = glm::dvec2(0.0);      ///< [m]
   double OcclusionRadius = 0.0;                 ///< distance of what hides the sky [m]
+  bool HasGround = false;                       ///< whether surfaces of the material Ground are shown
   bool HasWater = false;                        ///< whether surfaces of water are shown
+  bool IsInWater = false;                       ///< whether the eye is below that of a sea
   double WaterLevel = 0.0;                      ///< mean height of them [m]
   double FoamBegins = 0.0;                      ///< stretch of them below which there is foam
   double WaterSlopeVariance = 0.0;              ///< of what their meshes do not have
   bool HasShafts = false;                       ///< whether the water between its waves' light is drawn
   glm::dvec3 WaterAbsorption = glm::dvec3(0.0); ///< [1/m]
   glm::dvec3 WaterScattering = glm::dvec3(0.0); ///< [1/m]
+
+  /// Whether anything is hidden from the sun, or from the sky.
+  bool HasShadows() const { return this->Maps.Has(0) || this->Maps.Has(1) || this->Maps.Has(2); }
+  bool HasOcclusion() const { return this->OcclusionRadius > 0.0 && this->Maps.Has(DepthMaps::Zenith); }
 
   /// Between them, the textures are bound.
   void Activate(vtkOpenGLRenderWindow* window);

@@ -220,15 +220,35 @@ void LightingQuad::DrawMeans(vtkOpenGLRenderWindow* window)
 //----------------------------------------------------------------------------
 void LightingQuad::DrawLit(vtkRenderer* renderer, const Lighting& light)
 {
+  std::string defined = "#define LandscapeHasWater " + std::string(this->Wet.Albedo ? "1" : "0") + "\n";
+  defined += light.HasShadows() ? "" : "#define LandscapeNoShadows\n";
+  defined += light.HasOcclusion() ? "" : "#define LandscapeNoOcclusion\n";
+  defined += light.CloudCover > 0.0 ? "" : "#define LandscapeNoClouds\n";
+  const std::pair<const char*, bool> parts[] = { { "LandscapeSky", light.Background && !light.IsInWater },
+    { "LandscapeSurface", !light.IsInWater }, { "LandscapeGround", light.HasGround && !light.IsInWater },
+    { "LandscapeAbove", light.HasWater && !light.IsInWater }, { "LandscapeBelow", light.IsInWater } };
+  for (const auto& [part, isThere] : parts)
+  {
+    if (isThere)
+    {
+      this->DrawPart(defined + "#define LandscapePart " + part + "\n", renderer, light);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+void LightingQuad::DrawPart(const std::string& defined, vtkRenderer* renderer, const Lighting& light)
+{
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Parts[defined];
   std::string source;
-  if (!this->Quad)
+  if (!quad)
   {
     source = LandscapeQuad;
     vtkShaderProgram::Substitute(
-      source, "//VTK::Landscape::Dec", std::string(LandscapeNoise) + LandscapeLight + LandscapeGround + LandscapeWater);
+      source, "//VTK::Landscape::Dec", defined + LandscapeNoise + LandscapeLight + LandscapeGround + LandscapeWater);
   }
-  vtkShaderProgram* program = Ready(this->Quad, window, source.c_str());
+  vtkShaderProgram* program = Ready(quad, window, source.c_str());
   if (!program)
   {
     return;
@@ -251,11 +271,13 @@ void LightingQuad::DrawLit(vtkRenderer* renderer, const Lighting& light)
     MatrixOf(renderer->GetActiveCamera()->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
   SetUniform(program, "landscapeToView", glm::inverse(projection));
   // Noise repeats itself after a period, so that places far from the origin keep their single precision.
-  constexpr double period = 4096.0;
-  SetUniform(program, "landscapeEye", light.Eye - period * glm::floor(light.Eye / period));
+  const auto modulo = [&](double period) { return light.Eye - period * glm::floor(light.Eye / period); };
+  SetUniform(program, "landscapeEye", modulo(4096.0));
+  SetUniform(program, "landscapeWideEye", glm::dvec2(modulo(65536.0)));
+  SetUniform(program, "landscapeWoodCover", light.WoodCover);
   SetUniform(program, "landscapeCoverColor", light.CoverColor);
   SetUniform(program, "landscapePixel", 2.0 / (projection[1][1] * this->Height));
-  this->Quad->Render();
+  quad->Render();
   for (int picture = 0; picture < (this->Wet.Albedo ? 6 : 3); ++picture)
   {
     pictures[picture]->Deactivate();
@@ -273,14 +295,16 @@ void LightingQuad::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->Lit = nullptr;
   this->Frame->ReleaseGraphicsResources(window);
-  for (auto* quad : { &this->Quad, &this->Means })
+  for (auto& [defined, quad] : this->Parts)
   {
-    if (*quad)
-    {
-      (*quad)->ReleaseGraphicsResources(window);
-    }
-    quad->reset();
+    quad->ReleaseGraphicsResources(window);
   }
+  this->Parts.clear();
+  if (this->Means)
+  {
+    this->Means->ReleaseGraphicsResources(window);
+  }
+  this->Means.reset();
 }
 
 }

@@ -7,7 +7,9 @@
 #include "vtkSmartPointer.h"
 
 #include <functional>
+#include <map>
 #include <memory>
+#include <string>
 
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLQuadHelper;
@@ -56,13 +58,14 @@ private:
   void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
   void Take(vtkOpenGLRenderWindow* window, const Layer& layer, const std::function<void()>& draw);
   void DrawLit(vtkRenderer* renderer, const Lighting& light);
+  void DrawPart(const std::string& defined, vtkRenderer* renderer, const Lighting& light);
   void DrawMeans(vtkOpenGLRenderWindow* window);
 
   vtkNew<vtkOpenGLFramebufferObject> Frame;
   Layer Dry;
-  Layer Wet;                             ///< of water; empty if there is none
-  vtkSmartPointer<vtkTextureObject> Lit; ///< of more than one pixel to one of the renderer
-  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+  Layer Wet;                                                         ///< of water; empty if there is none
+  vtkSmartPointer<vtkTextureObject> Lit;                             ///< of more than one pixel to one of the renderer
+  std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Parts; ///< by what is defined in their shaders
   std::unique_ptr<vtkOpenGLQuadHelper> Means;
   int Samples = 1;
   int Width = 0;

@@ -141,6 +141,7 @@ bool SurfacePass::SetShaderParameters(
       material == vtkLandscapePass::Ground    ? Ground
         : material == vtkLandscapePass::Cover ? Cover
         : material == vtkLandscapePass::Water ? Water
+        : material == vtkLandscapePass::River ? River
                                               : TransmittanceOf(prop));
   }
   return true;

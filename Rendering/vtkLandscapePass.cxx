@@ -92,9 +92,19 @@ glm::dvec3 LinearOf(const double code[3])
   return color;
 }
 
-bool IsWater(vtkProp* prop)
+bool IsGround(vtkProp* prop)
+{
+  return vtkLandscapePass::GetMaterial(prop) == vtkLandscapePass::Ground;
+}
+
+bool IsSea(vtkProp* prop)
 {
   return vtkLandscapePass::GetMaterial(prop) == vtkLandscapePass::Water;
+}
+
+bool IsWater(vtkProp* prop)
+{
+  return IsSea(prop) || vtkLandscapePass::GetMaterial(prop) == vtkLandscapePass::River;
 }
 
 /**
@@ -195,6 +205,7 @@ vtkLandscapePass::vtkLandscapePass()
   , CoverRadius(30.0)
   , CoverHeight(0.3)
   , CoverColor{ 0.46, 0.52, 0.23 }
+  , WoodCover(0.0)
   , WaterLevel(0.0)
   , WaterAbsorption{ 0.32, 0.08, 0.06 }
   , WaterScattering{ 0.06, 0.07, 0.07 }
@@ -361,8 +372,10 @@ void vtkLandscapePass::TakeShown(vtkRenderer* renderer)
       own.Shown.push_back(prop);
     }
   }
-  own.Light.HasWater = std::any_of(own.Shown.begin(), own.Shown.end(), IsWater);
   renderer->GetActiveCamera()->GetPosition(&own.Light.Eye.x);
+  own.Light.HasGround = std::any_of(own.Shown.begin(), own.Shown.end(), IsGround);
+  own.Light.HasWater = std::any_of(own.Shown.begin(), own.Shown.end(), IsWater);
+  own.Light.IsInWater = own.Light.Eye.z < this->WaterLevel && std::any_of(own.Shown.begin(), own.Shown.end(), IsSea);
 }
 
 //----------------------------------------------------------------------------
@@ -390,6 +403,7 @@ void vtkLandscapePass::TakeLight()
   lighting.Background = this->Background;
   lighting.OcclusionRadius = this->OcclusionRadius;
   lighting.CoverColor = LinearOf(this->CoverColor);
+  lighting.WoodCover = this->WoodCover;
   lighting.WaterLevel = this->WaterLevel;
   std::copy_n(this->WaterAbsorption, 3, &lighting.WaterAbsorption.x);
   std::copy_n(this->WaterScattering, 3, &lighting.WaterScattering.x);
@@ -401,7 +415,7 @@ void vtkLandscapePass::TakeLight()
   const littoral::SkyTables& sky = lighting.Sky.GetTables();
   const littoral::Vector3 light = sky.LightOn({ 0.0, 0.0, 1.0 }) + std::max(sky.Sun.z, 0.0) * sky.SunLight;
   // In water the eye is used to what light is left there, by its green.
-  const double depth = lighting.HasWater ? std::max(this->WaterLevel - lighting.Eye.z, 0.0) : 0.0;
+  const double depth = lighting.IsInWater ? this->WaterLevel - lighting.Eye.z : 0.0;
   const double left = depth > 0.0 ? 0.5 * std::exp(-this->WaterAbsorption[1] * depth) : 1.0;
   const double level = std::max(left * littoral::LuminanceOf(light) / littoral::Pi, 1e-9);
   const double white = this->Exposure == Manual ? 1.2e-3 * std::exp2(this->ExposureValue)
@@ -426,10 +440,8 @@ void vtkLandscapePass::RenderMaps(vtkRenderer* renderer, vtkMultiProcessControll
   wish.HasZenith = this->OcclusionRadius > 0.0;
   wish.Distance = this->ShadowDistance;
   wish.Size = this->MapSize;
-  const auto isGround = [](vtkProp* prop) { return GetMaterial(prop) == Ground; };
-  const bool hasGround = std::any_of(own.Shown.begin(), own.Shown.end(), isGround);
-  const bool isInWater = own.Light.HasWater && own.Light.Eye.z < this->WaterLevel;
-  wish.GroundRadius = hasGround && !isInWater && !this->Draft && this->CoverHeight > 0.0 ? this->CoverRadius : 0.0;
+  wish.GroundRadius =
+    own.Light.HasGround && !own.Light.IsInWater && !this->Draft && this->CoverHeight > 0.0 ? this->CoverRadius : 0.0;
   own.Cover.SetSize(this->CoverHeight, this->CoverRadius);
   // The same shaders as for the picture: none is built anew.
   vtkRenderState all(renderer);
@@ -439,7 +451,7 @@ void vtkLandscapePass::RenderMaps(vtkRenderer* renderer, vtkMultiProcessControll
   const auto drawCasters = [&](int map) {
     for (vtkProp* prop : own.Shown)
     {
-      if (!IsWater(prop) && (map != littoral::DepthMaps::Ground || isGround(prop)))
+      if (!IsWater(prop) && (map != littoral::DepthMaps::Ground || IsGround(prop)))
       {
         prop->RenderOpaqueGeometry(renderer);
       }
@@ -555,6 +567,7 @@ void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CoverHeight: " << this->CoverHeight << "\n";
   os << indent << "CoverColor: " << this->CoverColor[0] << " " << this->CoverColor[1] << " " << this->CoverColor[2]
      << "\n";
+  os << indent << "WoodCover: " << this->WoodCover << "\n";
   os << indent << "WaterLevel: " << this->WaterLevel << "\n";
   os << indent << "WaterAbsorption: " << this->WaterAbsorption[0] << " " << this->WaterAbsorption[1] << " "
      << this->WaterAbsorption[2] << "\n";

@@ -202,6 +202,15 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Part of a level ground that woods cover, as they are seen from a kilometre or more, and more where it slopes: for
+   * terrains without trees of their own, 0 to 1; default 0.
+   */
+  vtkSetClampMacro(WoodCover, double, 0.0, 1.0);
+  vtkGetMacro(WoodCover, double);
+  ///@}
+
+  ///@{
   /** Mean height of the surfaces of water [m], at which the eye goes under water; default 0. */
   vtkSetMacro(WaterLevel, double);
   vtkGetMacro(WaterLevel, double);
@@ -252,14 +261,18 @@ public:
   static double GetTransmittance(vtkProp* prop);
   ///@}
 
-  /** Materials: a surface of the color that it has; a ground, whose color is that of what grows there; grass, whose
-   * color is a part of CoverColor; the surface of water, below which what is seen is in the water. */
+  /**
+   * Materials: a surface of the color that it has; a ground, whose color is that of what grows there; grass, whose
+   * color is a part of CoverColor; the surface of water, below which what is seen is in the water; that of a river or
+   * brook, at any height, whose bed is 0.8 m below it.
+   */
   enum MaterialType
   {
     Surface,
     Ground,
     Cover,
-    Water
+    Water,
+    River
   };
   ///@{
   /**
@@ -348,6 +361,7 @@ private:
   double CoverRadius;
   double CoverHeight;
   double CoverColor[3];
+  double WoodCover;
   double WaterLevel;
   double WaterAbsorption[3];
   double WaterScattering[3];

@@ -78,7 +78,7 @@ class Row(NamedTuple):
 
     name: str
     field: str  # a title of FIELDS
-    fed_by: list = []  # classes, by port, of which small examples are the inputs of a small example
+    fed_by: list = []  # classes or OTHER_OUTPUTS, by port, of which small examples are the inputs of a small example
     small: dict = {}  # settings of a small example: methods and their arguments
     inputs: Optional[Callable] = None  # (Testing/Hashes/hash_outputs.py): larger inputs; None: those of a small example
     variants: list = []  # settings that change the output, beside the defaults
@@ -146,6 +146,10 @@ SEA = "vtkSeaStateSource"
 PARTICLES = "vtkSuspendedParticleSource"
 FLOW = "vtkFlowPrimitiveSource"
 SEAWEED = "vtkSeaweedSource"
+RIVERS = "rivers"
+
+# Outputs that feed classes but are not the first of theirs: class and port.
+OTHER_OUTPUTS = {RIVERS: ("vtkDrainageFilter", 1)}
 
 ROWS = [
     # Terrain ---------------------------------------------------------------------------------------------------------
@@ -192,6 +196,12 @@ ROWS = [
         variants=[{"SetStreamThreshold": (8,)}, {"SetStreamThreshold": (30,)},
                   {"SetUseSeaLevel": (True,), "SetSeaLevel": (180.0,)}],
         mistakes=[Mistake("GroundStatistics", lambda pv: dict(Input=pv.image()), "one layer")]),
+    Row("vtkRiverSurfaceFilter", "Drainage",
+        fed_by=[RIVERS, TERRAIN],
+        inputs=lambda h: [h.recipes.source(RIVERS), h.terrain(60)],
+        variants=[{"SetSmoothing": (0,)}, {"SetWidthOfUnitArea": (20.0,), "SetSubdivision": (2,)},
+                  {"SetWidthExponent": (0.1,), "SetLift": (3.0,)}],
+        mistakes=[Mistake("RiverSurface", lambda pv: dict(Input=pv.Sphere()), "lines")]),
     # Fields through data ---------------------------------------------------------------------------------------------
     Row("vtkConditionalTerrainFilter", "Fields through data",
         fed_by=[TERRAIN, TERRAIN, "vtkCovarianceFitFilter"],

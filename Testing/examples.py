@@ -61,6 +61,12 @@ class Examples:
             lines.append(f"{f:.2f},{1e-4 * f ** -5 * math.exp(-((0.1 / f) ** 4)):.6g}")
         return self.table(lines)
 
+    def output(self, name, make):
+        """What feeds a class: an object that is made by a row, or another output of it."""
+        other, port = classes.OTHER_OUTPUTS.get(name, (name, 0))
+        made = make(classes.BY_NAME[other])
+        return self.OutputPort(made, port) if port else made
+
     def shown_inputs(self, entry):
         """Usual inputs of an entry, by the names of their properties. A source has none."""
         for row in classes.ROWS:
@@ -68,14 +74,15 @@ class Examples:
                 if own.proxy == entry:
                     if entry in row.shown:
                         return row.shown[entry](self)
-                    feeders = [getattr(self, classes.BY_NAME[name].entries[0].proxy) for name in row.fed_by]
-                    return {own.ports[port]: make() for port, make in enumerate(feeders) if port in own.ports}
+                    return {own.ports[port]: self.output(name, lambda other: getattr(self, other.entries[0].proxy)())
+                            for port, name in enumerate(row.fed_by) if port in own.ports}
         return {}
 
     def small_example(self, name):
         """The small example of a class, by its row."""
         row = classes.BY_NAME[name]
         entry = row.entries[0]
-        feeders = {entry.ports[port]: self.small_example(other) for port, other in enumerate(row.fed_by)}
+        feeders = {entry.ports[port]: self.output(other, lambda row: self.small_example(row.name))
+                   for port, other in enumerate(row.fed_by)}
         values = {method[3:]: given[0] if len(given) == 1 else list(given) for method, given in row.small.items()}
         return getattr(self, entry.proxy)(**feeders, **values)

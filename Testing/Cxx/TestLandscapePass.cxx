@@ -330,6 +330,34 @@ bool TestGrass()
       "Ground is " + std::to_string(mean[1]) + " on average for " + std::to_string(mean[0]));
 }
 
+/// Woods cover the part of a level ground that they shall, and none of other surfaces.
+bool TestWoods()
+{
+  bool good = true;
+  for (const double cover : { 0.0, 0.15, 0.5, 0.9 })
+  {
+    Picture picture;
+    picture.Pass->SetSkyToEven();
+    picture.Pass->SetOcclusionRadius(0.0);
+    picture.Pass->SetWoodCover(cover);
+    vtkLandscapePass::SetMaterial(picture.Add(Level(40000.0), 0.6), vtkLandscapePass::Ground);
+    picture.Look({ 0.0, 0.0, 1000.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
+    picture.Renderer->GetActiveCamera()->ParallelProjectionOn();
+    picture.Renderer->GetActiveCamera()->SetParallelScale(25000.0);
+    picture.Renderer->ResetCameraClippingRange();
+    picture.Draw();
+    int woods = 0;
+    for (int pixel = 0; pixel < Width * Height; ++pixel)
+    {
+      woods += picture.LinearAt(pixel % Width, pixel / Width)[1] < 0.1;
+    }
+    const double part = static_cast<double>(woods) / (Width * Height);
+    good &= Check(std::abs(part - cover) < 0.04,
+      "Woods cover " + std::to_string(part) + " of the ground for " + std::to_string(cover));
+  }
+  return good;
+}
+
 /// Largest and mean difference of two pictures [1/255].
 std::array<double, 2> Differences(const Picture& a, const Picture& b)
 {
@@ -472,6 +500,7 @@ int TestLandscapePass(int, char*[])
   good &= TestLeaf();
   good &= TestRoof();
   good &= TestGrass();
+  good &= TestWoods();
   good &= TestPlacement();
   good &= TestBadInput();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -96,6 +96,38 @@ bool TestBed()
   return good;
 }
 
+/// A river below the level of a sea that is not there: as a bed of wet ground below 0.8 m of water. Ground of a coarser
+/// mesh hides it by no more than 0.2 % of the distance.
+bool TestRiver()
+{
+  bool good = true;
+  for (const double rise : { -0.05, 0.01, 0.05 })
+  {
+    Picture picture;
+    picture.Pass->SetSkyToEven();
+    picture.Pass->SetOcclusionRadius(0.0);
+    const Color absorption{ 0.3, 0.1, 0.02 };
+    const Color none{ 0.0, 0.0, 0.0 };
+    picture.Pass->SetWaterAbsorption(absorption.data());
+    picture.Pass->SetWaterScattering(none.data());
+    picture.Pass->SetWaterSlopeVariance(0.0);
+    vtkLandscapePass::SetMaterial(picture.Add(Level(20.0, -50.0), 0.2), vtkLandscapePass::River);
+    picture.Add(Level(100.0, rise - 50.0), 0.5);
+    picture.Look({ 0.0, 0.0, -40.0 }, { 0.0, 0.0, -50.0 }, { 0.0, 1.0, 0.0 });
+    picture.Draw();
+    const double back = ReflectedPart(0.0);
+    Color expected{ 0.5, 0.5, 0.5 };
+    for (int c = 0; rise < 0.04 && c < 3; ++c)
+    {
+      const double way = 0.8 + std::max(-rise, 0.0);
+      expected[c] = back + (1.0 - back) / (Index * Index) * 0.5 * 0.5 * 0.934 * std::exp(-absorption[c] * way);
+    }
+    good &= Near(picture.LinearAt(Width / 2, Height / 2), expected, 0.0, 0.005,
+      "A river with ground " + std::to_string(rise) + " m above it");
+  }
+  return good;
+}
+
 /**
  * A grey card in water: its light, that of the sun after refraction and of the sky, weakened downward and along the
  * line of sight, and the light that the water scatters into the line, summed in small steps.
@@ -260,6 +292,7 @@ int TestLandscapeWater(int, char*[])
   bool good = TestMirror();
   good &= TestWindow();
   good &= TestBed();
+  good &= TestRiver();
   good &= TestCard();
   good &= TestFoam();
   good &= TestGlitter();

@@ -11,7 +11,7 @@ import unittest.mock
 os.environ["VTK_SMP_BACKEND_IN_USE"] = "Sequential"
 sys.dont_write_bytecode = True
 
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow  # noqa: E402
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow  # noqa: E402
 
 import cases  # noqa: E402
 import fuzz  # noqa: E402
@@ -51,6 +51,7 @@ class Fuzzer(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         vtkOutputWindow.SetInstance(vtkStringOutputWindow())
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
 
     def test_a_good_case(self):
         self.assertEqual(fault("update()", "made.SetRange(30.0)", "keep()", "made.SetRange(0.0)", "update()",

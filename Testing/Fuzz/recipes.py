@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import littoral
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import classes  # noqa: E402
@@ -17,8 +18,8 @@ MADE = {}
 
 
 def inputs(name):
-    """Names of the classes that feed the ports."""
-    return classes.BY_NAME[name].fed_by
+    """Names of the classes, or of other outputs, that feed the ports."""
+    return [] if name in classes.OTHER_OUTPUTS else classes.BY_NAME[name].fed_by
 
 
 def settings(name):
@@ -27,7 +28,11 @@ def settings(name):
 
 
 def source(name):
-    """The working object of a class, one for all of a process."""
+    """The working object of a class, or what hands on another output, one for all of a process."""
+    if name in classes.OTHER_OUTPUTS and name not in MADE:
+        other, port = classes.OTHER_OUTPUTS[name]
+        MADE[name] = vtkTrivialProducer()
+        MADE[name].SetOutput(results(other)[port])
     if name not in MADE:
         MADE[name] = made = getattr(littoral, name)()
         for port, other in enumerate(inputs(name)):

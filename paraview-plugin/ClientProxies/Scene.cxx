@@ -54,7 +54,10 @@ void SetInputs(vtkSMProxy* part, vtkPVXMLElement* description, const Parts& part
     vtkPVXMLElement* one = description->GetNestedElement(k);
     if (IsCalled(one, "Connect"))
     {
-      vtkSMPropertyHelper(part, Attribute(one, "property").c_str()).Add(parts.at(Attribute(one, "to")), 0);
+      int port = 0;
+      one->GetScalarAttribute("port", &port);
+      vtkSMPropertyHelper(part, Attribute(one, "property").c_str())
+        .Add(parts.at(Attribute(one, "to")), static_cast<unsigned int>(port));
     }
   }
 }

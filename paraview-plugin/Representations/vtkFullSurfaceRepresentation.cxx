@@ -58,7 +58,7 @@ bool EachVisible(vtkDataObject* data, const vtkCompositeDataDisplayAttributes* a
 }
 
 /// Material of a data set, by its first part: polygons with elevations are a terrain, with a stretch the surface of a
-/// sea.
+/// sea, with a width of channels that of rivers.
 int MaterialOf(vtkDataObject* data)
 {
   int material = vtkLandscapePass::Surface;
@@ -68,6 +68,7 @@ int MaterialOf(vtkDataObject* data)
     {
       vtkPointData* arrays = surface->GetPointData();
       material = arrays->HasArray("Jacobian") ? vtkLandscapePass::Water
+        : arrays->HasArray("ChannelWidth")    ? vtkLandscapePass::River
         : arrays->HasArray("Elevation")       ? vtkLandscapePass::Ground
                                               : vtkLandscapePass::Surface;
     }
