@@ -1,13 +1,16 @@
 //VTK::System::Dec
-// The light of one kind of what was drawn before, LandscapePart, once a pixel: processors without a graphics card take
-// the time of all branches of a shader.
-#define LandscapeSky 0     // where nothing is
-#define LandscapeSurface 1 // surfaces of their own colors, and what no light changes
-#define LandscapeGround 2  // ground and what grows on it
-#define LandscapeAbove 3   // water seen from above, and what is in it
-#define LandscapeBelow 4   // all that an eye in water sees
+// The light of one kind of pixels, LandscapePart. A processor that draws takes the time of all branches of a shader, but
+// none for pixels of another depth: the kinds are depths first, and each is drawn at its own.
+#define LandscapeKinds 0   // the kinds
+#define LandscapeSky 1     // where nothing is
+#define LandscapeSurface 2 // surfaces of their own colors, and what no light changes
+#define LandscapeGround 3  // ground and what grows on it
+#define LandscapeAbove 4   // water seen from above, and what is in it
+#define LandscapeBelow 5   // all that an eye in water sees
+#define LandscapeShown 6   // what is lit, with the depths of surfaces
 
 in vec2 texCoord;
+uniform sampler2D landscapeDrawn;   // of the kinds before
 uniform sampler2D landscapeAlbedo;  // outputs of SurfacePass
 uniform sampler2D landscapeSurface;
 uniform sampler2D landscapeDepth;
@@ -78,7 +81,7 @@ vec3 landscapePlaceOf(float depth, float w, vec3 sight)
   return landscapeIsParallel == 1 || w <= 0.0 ? landscapePlace(depth) : sight * (w / -sight.z);
 }
 
-#if LandscapePart >= LandscapeAbove
+#if LandscapePart == LandscapeAbove || LandscapePart == LandscapeBelow
 // Luminance of what is in the water, of the color of its data.
 vec3 landscapeWetLuminance(float material, vec3 code, vec3 place, vec3 normal)
 {
@@ -101,21 +104,20 @@ void main()
   bool isRiver = wet.z > 4.5;
   bool hasSurface = wet.z > -0.5 && (wetDepth < depth ||
     (isRiver && landscapeIsParallel == 0 && wet.w < (1.0 + landscapeRiverSlack) * surface.w));
+  float shown = hasSurface ? wetDepth : depth;
 #else
   const bool hasSurface = false;
+  float shown = depth;
 #endif
-  bool isGrown = surface.z > 1.5 && surface.z < 3.5;
-#if LandscapePart == LandscapeSky
-  if (isThere || hasSurface) discard;
-#elif LandscapePart == LandscapeSurface
-  if (!isThere || hasSurface || isGrown) discard;
-#elif LandscapePart == LandscapeGround
-  if (hasSurface || !isGrown) discard;
-#elif LandscapePart == LandscapeAbove
-  if (!hasSurface) discard;
-#else
+#if LandscapePart == LandscapeKinds
+  int kind = hasSurface ? LandscapeAbove : !isThere ? LandscapeSky
+    : surface.z > 1.5 && surface.z < 3.5 ? LandscapeGround : LandscapeSurface;
+  gl_FragDepth = float(landscapeWater == 2 ? LandscapeBelow : kind) / 8.0;
+#elif LandscapePart == LandscapeShown
   if (!isThere && !hasSurface && landscapeBackground == 0) discard;
-#endif
+  gl_FragData[0] = vec4(texture(landscapeDrawn, texCoord).rgb, 1.0);
+  gl_FragDepth = isThere || hasSurface ? shown : 0.9999999; // drawn, for who composes pictures by their depths
+#else
   // The line of sight, from the middle of its part that is shown
   vec3 sight = landscapePlace(0.5);
   vec3 eye = landscapeEyeOf(sight);
@@ -168,8 +170,5 @@ void main()
 #endif
   bool isPaint = isThere && !isLit && !hasSurface; // which no light changes
   gl_FragData[0] = vec4(isPaint ? code : landscapeDisplayed(luminance), 1.0);
-#if LandscapeHasWater
-  depth = hasSurface ? wetDepth : depth;
 #endif
-  gl_FragDepth = isThere || hasSurface ? depth : 0.9999999; // drawn, for who composes pictures by their depths
 }

@@ -15,7 +15,7 @@ uniform sampler2D landscapeRippleLight;  // below them, over its mean, at four d
 
 uniform float landscapeFoamBegins;        // stretch of the surface below which it has foam
 
-float landscapeBelow; // depth of the eye below the surface: of its level, or where it is looked through from above [m]
+float landscapeBelow = 0.0; // depth of the eye below the surface: of its level, or where it is looked through from above [m]
 
 const float landscapeIndex = 1.333;      // of refraction
 const float landscapeBackward = 0.02;    // part of scattered light that goes backwards

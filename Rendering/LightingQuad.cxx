@@ -4,7 +4,6 @@
 
 #include "LandscapeGround.h"
 #include "LandscapeLight.h"
-#include "LandscapeMeans.h"
 #include "LandscapeNoise.h"
 #include "LandscapeQuad.h"
 #include "LandscapeWater.h"
@@ -42,13 +41,28 @@ vtkSmartPointer<vtkTextureObject> NewPicture(vtkOpenGLRenderWindow* window)
   return texture;
 }
 
-/// The program of a quad that is made if there is none; null if it does not compile.
+constexpr const char* Corners = R"(//VTK::System::Dec
+in vec4 ndCoordIn;
+in vec2 texCoordIn;
+uniform float landscapeKind; // depth from 0 to 1
+out vec2 texCoord;
+void main()
+{
+  texCoord = texCoordIn;
+  gl_Position = vec4(ndCoordIn.xy, 2.0 * landscapeKind - 1.0, 1.0);
+}
+)";
+
+/// The program of a quad that is made, with what is defined, if there is none; null if it does not compile.
 vtkShaderProgram* Ready(
-  std::unique_ptr<vtkOpenGLQuadHelper>& quad, vtkOpenGLRenderWindow* window, const char* fragmentShader)
+  std::unique_ptr<vtkOpenGLQuadHelper>& quad, vtkOpenGLRenderWindow* window, const std::string& defined)
 {
   if (!quad)
   {
-    quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, fragmentShader, "");
+    std::string source = LandscapeQuad;
+    vtkShaderProgram::Substitute(
+      source, "//VTK::Landscape::Dec", defined + LandscapeNoise + LandscapeLight + LandscapeGround + LandscapeWater);
+    quad = std::make_unique<vtkOpenGLQuadHelper>(window, Corners, source.c_str(), "");
   }
   else
   {
@@ -92,8 +106,7 @@ void LightingQuad::Layer::Clear(vtkWindow* window)
 //----------------------------------------------------------------------------
 void LightingQuad::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
 {
-  if (this->Dry.Albedo && this->Width == width && this->Height == height &&
-    (this->Lit != nullptr) == (this->Samples > 1))
+  if (this->Dry.Albedo && this->Width == width && this->Height == height)
   {
     return;
   }
@@ -101,15 +114,14 @@ void LightingQuad::Allocate(vtkOpenGLRenderWindow* window, int width, int height
   this->Height = height;
   this->Dry.Allocate(window, width, height);
   this->Wet = Layer();
-  this->Lit = nullptr;
-  if (this->Samples > 1)
-  {
-    // A linear filter between four pixels is their mean.
-    this->Lit = NewPicture(window);
-    this->Lit->SetMinificationFilter(vtkTextureObject::Linear);
-    this->Lit->SetMagnificationFilter(vtkTextureObject::Linear);
-    this->Lit->Allocate2D(static_cast<unsigned int>(width), static_cast<unsigned int>(height), 4, VTK_UNSIGNED_CHAR);
-  }
+  // A linear filter between four pixels is their mean.
+  this->Lit = NewPicture(window);
+  this->Lit->SetMinificationFilter(vtkTextureObject::Linear);
+  this->Lit->SetMagnificationFilter(vtkTextureObject::Linear);
+  this->Lit->Allocate2D(static_cast<unsigned int>(width), static_cast<unsigned int>(height), 4, VTK_UNSIGNED_CHAR);
+  this->Kinds = NewPicture(window);
+  this->Kinds->AllocateDepth(
+    static_cast<unsigned int>(width), static_cast<unsigned int>(height), vtkTextureObject::Float32);
 }
 
 //----------------------------------------------------------------------------
@@ -169,90 +181,75 @@ void LightingQuad::Take(vtkOpenGLRenderWindow* window, const Layer& layer, const
 //----------------------------------------------------------------------------
 void LightingQuad::Draw(vtkRenderer* renderer, const Lighting& light)
 {
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglDepthFunc depth(state);
   vtkOpenGLState::ScopedglDepthMask mask(state);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_BLEND);
+  this->DrawKinds(renderer, light);
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglDepthFunc(GL_LEQUAL);
-  state->vtkglDisable(GL_BLEND);
-  if (!this->Lit)
-  {
-    this->DrawLit(renderer, light);
-    return;
-  }
-  {
-    vtkOpenGLState::ScopedglViewport viewport(state);
-    vtkOpenGLState::ScopedglScissor scissor(state);
-    state->PushFramebufferBindings();
-    this->Frame->Bind();
-    this->Frame->AddColorAttachment(0, this->Lit);
-    this->Frame->ActivateDrawBuffers(1);
-    state->vtkglViewport(0, 0, this->Width, this->Height);
-    state->vtkglScissor(0, 0, this->Width, this->Height);
-    this->DrawLit(renderer, light);
-    this->Frame->RemoveColorAttachment(0);
-    state->PopFramebufferBindings();
-  }
-  this->DrawMeans(window);
-}
-
-//----------------------------------------------------------------------------
-void LightingQuad::DrawMeans(vtkOpenGLRenderWindow* window)
-{
-  vtkShaderProgram* program = Ready(this->Means, window, LandscapeMeans);
-  if (!program)
-  {
-    return;
-  }
   this->Lit->Activate();
-  this->Dry.Depth->Activate();
-  SetUniform(program, "landscapeLit", this->Lit->GetTextureUnit());
-  SetUniform(program, "landscapeDepth", this->Dry.Depth->GetTextureUnit());
-  this->Means->Render();
-  this->Dry.Depth->Deactivate();
+  this->DrawPart("LandscapeShown", 0, renderer, light);
   this->Lit->Deactivate();
 }
 
 //----------------------------------------------------------------------------
-void LightingQuad::DrawLit(vtkRenderer* renderer, const Lighting& light)
+void LightingQuad::DrawKinds(vtkRenderer* renderer, const Lighting& light)
 {
-  std::string defined = "#define LandscapeHasWater " + std::string(this->Wet.Albedo ? "1" : "0") + "\n";
-  defined += light.HasShadows() ? "" : "#define LandscapeNoShadows\n";
-  defined += light.HasOcclusion() ? "" : "#define LandscapeNoOcclusion\n";
-  defined += light.CloudCover > 0.0 ? "" : "#define LandscapeNoClouds\n";
-  const std::pair<const char*, bool> parts[] = { { "LandscapeSky", light.Background && !light.IsInWater },
-    { "LandscapeSurface", !light.IsInWater }, { "LandscapeGround", light.HasGround && !light.IsInWater },
-    { "LandscapeAbove", light.HasWater && !light.IsInWater }, { "LandscapeBelow", light.IsInWater } };
-  for (const auto& [part, isThere] : parts)
+  vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  state->PushFramebufferBindings();
+  this->Frame->Bind();
+  this->Frame->AddColorAttachment(0, this->Lit);
+  this->Frame->AddDepthAttachment(this->Kinds);
+  this->Frame->ActivateDrawBuffers(1);
+  state->vtkglViewport(0, 0, this->Width, this->Height);
+  state->vtkglScissor(0, 0, this->Width, this->Height);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglDepthFunc(GL_ALWAYS);
+  this->DrawPart("LandscapeKinds", 0, renderer, light);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglDepthFunc(GL_EQUAL);
+  if (light.IsInWater)
   {
-    if (isThere)
+    this->DrawPart("LandscapeBelow", 5, renderer, light);
+  }
+  else
+  {
+    const bool areThere[] = { light.Background, true, light.HasGround, light.HasWater };
+    const char* const parts[] = { "LandscapeSky", "LandscapeSurface", "LandscapeGround", "LandscapeAbove" };
+    for (int k = 0; k < 4; ++k)
     {
-      this->DrawPart(defined + "#define LandscapePart " + part + "\n", renderer, light);
+      if (areThere[k])
+      {
+        this->DrawPart(parts[k], k + 1, renderer, light);
+      }
     }
   }
+  this->Frame->RemoveDepthAttachment();
+  this->Frame->RemoveColorAttachment(0);
+  state->PopFramebufferBindings();
 }
 
 //----------------------------------------------------------------------------
-void LightingQuad::DrawPart(const std::string& defined, vtkRenderer* renderer, const Lighting& light)
+void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* renderer, const Lighting& light)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Parts[defined];
-  std::string source;
-  if (!quad)
-  {
-    source = LandscapeQuad;
-    vtkShaderProgram::Substitute(
-      source, "//VTK::Landscape::Dec", defined + LandscapeNoise + LandscapeLight + LandscapeGround + LandscapeWater);
-  }
-  vtkShaderProgram* program = Ready(quad, window, source.c_str());
+  std::string defined = "#define LandscapePart " + part + "\n#define LandscapeHasWater ";
+  defined += this->Wet.Albedo ? "1\n" : "0\n";
+  defined += light.HasShadows() ? "" : "#define LandscapeNoShadows\n";
+  defined += light.HasOcclusion() ? "" : "#define LandscapeNoOcclusion\n";
+  defined += light.CloudCover > 0.0 ? "" : "#define LandscapeNoClouds\n";
+  vtkShaderProgram* program = Ready(this->Parts[defined], window, defined);
   if (!program)
   {
     return;
   }
+  SetUniform(program, "landscapeKind", kind / 8.0);
   light.SetUniforms(program);
   const Layer& wet = this->Wet.Albedo ? this->Wet : this->Dry;
   vtkTextureObject* const pictures[] = { this->Dry.Albedo, this->Dry.Surface, this->Dry.Depth, wet.Albedo, wet.Surface,
@@ -276,8 +273,9 @@ void LightingQuad::DrawPart(const std::string& defined, vtkRenderer* renderer, c
   SetUniform(program, "landscapeWideEye", glm::dvec2(modulo(65536.0)));
   SetUniform(program, "landscapeWoodCover", light.WoodCover);
   SetUniform(program, "landscapeCoverColor", light.CoverColor);
+  SetUniform(program, "landscapeDrawn", this->Lit->GetTextureUnit());
   SetUniform(program, "landscapePixel", 2.0 / (projection[1][1] * this->Height));
-  quad->Render();
+  this->Parts[defined]->Render();
   for (int picture = 0; picture < (this->Wet.Albedo ? 6 : 3); ++picture)
   {
     pictures[picture]->Deactivate();
@@ -289,22 +287,20 @@ void LightingQuad::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Dry.Clear(window);
   this->Wet.Clear(window);
-  if (this->Lit)
+  for (auto* picture : { &this->Lit, &this->Kinds })
   {
-    this->Lit->ReleaseGraphicsResources(window);
+    if (*picture)
+    {
+      (*picture)->ReleaseGraphicsResources(window);
+    }
+    *picture = nullptr;
   }
-  this->Lit = nullptr;
   this->Frame->ReleaseGraphicsResources(window);
   for (auto& [defined, quad] : this->Parts)
   {
     quad->ReleaseGraphicsResources(window);
   }
   this->Parts.clear();
-  if (this->Means)
-  {
-    this->Means->ReleaseGraphicsResources(window);
-  }
-  this->Means.reset();
 }
 
 }

@@ -57,16 +57,15 @@ private:
 
   void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
   void Take(vtkOpenGLRenderWindow* window, const Layer& layer, const std::function<void()>& draw);
-  void DrawLit(vtkRenderer* renderer, const Lighting& light);
-  void DrawPart(const std::string& defined, vtkRenderer* renderer, const Lighting& light);
-  void DrawMeans(vtkOpenGLRenderWindow* window);
+  void DrawKinds(vtkRenderer* renderer, const Lighting& light);
+  void DrawPart(const std::string& part, int kind, vtkRenderer* renderer, const Lighting& light);
 
   vtkNew<vtkOpenGLFramebufferObject> Frame;
   Layer Dry;
-  Layer Wet;                                                         ///< of water; empty if there is none
-  vtkSmartPointer<vtkTextureObject> Lit;                             ///< of more than one pixel to one of the renderer
+  Layer Wet; ///< of water; empty if there is none
+  vtkSmartPointer<vtkTextureObject> Lit;
+  vtkSmartPointer<vtkTextureObject> Kinds;                           ///< of pixels, as depths
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Parts; ///< by what is defined in their shaders
-  std::unique_ptr<vtkOpenGLQuadHelper> Means;
   int Samples = 1;
   int Width = 0;
   int Height = 0;
