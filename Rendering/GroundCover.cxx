@@ -43,18 +43,22 @@ namespace littoral
 /// Blades of a tile.
 struct GroundCover::Tile
 {
-  double Side;  ///< [m]
+  double Side;  ///< over the radius of the cover, at least twice Reach
   int Count;    ///< blades
   double Width; ///< of a blade at its foot, over its height
-  double Reach; ///< distance to which they are drawn, over the radius of the cover
+  double From;  ///< distances between which they are drawn, over the radius of the cover
+  double Reach;
 };
 
 namespace
 {
 
 using Tile = GroundCover::Tile;
-constexpr Tile DenseTile{ 12.0, 90000, 0.032, 0.26 };
-constexpr Tile SparseTile{ 64.0, 150000, 0.085, 1.0 };
+constexpr Tile Tiles[GroundCover::Densities] = {
+  { 0.4, 90000, 0.032, 0.0, 0.2 },
+  { 1.0, 170000, 0.045, 0.15, 0.5 },
+  { 2.0, 100000, 0.085, 0.4, 1.0 },
+};
 constexpr double MeanUp = 0.75; // part of the blades' normal that is upward, as of the grass that they stand for
 
 /// A blade as two quadrangles and a tip, bent over; its five points are relative to its foot.
@@ -76,7 +80,7 @@ void AddBlade(const Tile& tile, const RandomStream& random, std::uint64_t blade,
     const glm::dvec3 at = height * (t * glm::dvec3(0.0, 0.0, 1.0 - 0.35 * bend * t) + bend * t * t * ahead) +
       side * 0.5 * tile.Width * (1.0 - 0.4 * t) * aside;
     data->GetPoints()->InsertNextPoint(at.x, at.y, at.z);
-    feet->InsertNextTuple2(tile.Side * foot[0], tile.Side * foot[1]);
+    feet->InsertNextTuple2(foot[0], foot[1]);
     normals->InsertNextTuple3(normal.x, normal.y, normal.z);
     // Dark among the others at the foot; no two blades are of one age.
     const double shade = 255.0 * (0.76 + 0.24 * t) * (0.88 + 0.12 * form[1]);
@@ -163,7 +167,12 @@ void GroundCover::SetSize(double height, double radius)
 //----------------------------------------------------------------------------
 std::vector<vtkProp*> GroundCover::GetProps() const
 {
-  return { this->Dense, this->Sparse };
+  std::vector<vtkProp*> props;
+  for (const auto& blades : this->Blades)
+  {
+    props.push_back(blades);
+  }
+  return props;
 }
 
 //----------------------------------------------------------------------------
@@ -171,16 +180,17 @@ void GroundCover::Draw(vtkRenderer* renderer, const DepthMaps& maps)
 {
   glm::dvec3 eye;
   renderer->GetActiveCamera()->GetPosition(&eye.x);
-  for (const Tile* tile : { &DenseTile, &SparseTile })
+  for (int k = 0; k < Densities; ++k)
   {
-    vtkActor* actor = tile == &DenseTile ? this->Dense : this->Sparse;
+    const Tile& tile = Tiles[k];
+    vtkActor* actor = this->Blades[k];
     if (!actor->GetMapper())
     {
-      Prepare(
-        actor, *tile, [this, tile, &maps](vtkShaderProgram* program) { this->SetUniforms(program, *tile, maps); });
+      Prepare(actor, tile, [this, &tile, &maps](vtkShaderProgram* program) { this->SetUniforms(program, tile, maps); });
     }
     // Blades are relative to a corner of the tiles near the eye, so that single precision holds them.
-    const auto corner = [&](double x) { return tile->Side * std::floor(x / tile->Side); };
+    const double side = tile.Side * this->Radius;
+    const auto corner = [&](double x) { return side * std::floor(x / side); };
     this->Eye = eye;
     this->Anchor = { corner(eye.x), corner(eye.y), std::floor(eye.z) };
     actor->SetPosition(this->Anchor.x, this->Anchor.y, this->Anchor.z);
@@ -200,7 +210,8 @@ void GroundCover::SetUniforms(vtkShaderProgram* program, const Tile& tile, const
   SetUniform(program, "coverCorner", glm::dvec3(toMap * glm::dvec4(this->Anchor, 1.0)));
   SetUniform(program, "coverEye", this->Eye - this->Anchor);
   SetUniform(program, "coverAnchor", this->Anchor - period * glm::floor(this->Anchor / period));
-  SetUniform(program, "coverSide", tile.Side);
+  SetUniform(program, "coverSide", tile.Side * this->Radius);
+  SetUniform(program, "coverFrom", tile.From * this->Radius);
   SetUniform(program, "coverReach", tile.Reach * this->Radius);
   SetUniform(program, "coverHeight", this->Height);
 }
@@ -208,8 +219,10 @@ void GroundCover::SetUniforms(vtkShaderProgram* program, const Tile& tile, const
 //----------------------------------------------------------------------------
 void GroundCover::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Dense->ReleaseGraphicsResources(window);
-  this->Sparse->ReleaseGraphicsResources(window);
+  for (const auto& blades : this->Blades)
+  {
+    blades->ReleaseGraphicsResources(window);
+  }
 }
 
 }

@@ -7,6 +7,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <vector>
 
 class vtkActor;
@@ -21,9 +22,10 @@ namespace littoral
 class DepthMaps;
 
 /**
- * Grass around the eye. Its blades are in two square tiles that are repeated over the plane, one of dense blades and
- * one of sparse broad ones; the vertex shader moves each blade to the copy that is nearest to the eye and onto the
- * ground, whose height it reads from a map of depths seen from the zenith. So they cost the same on any ground.
+ * Grass around the eye. Its blades are in square tiles that are repeated over the plane, of dense blades near the eye
+ * and of sparser and broader ones farther off; the vertex shader moves each blade to the copy that is nearest to the
+ * eye and onto the ground, whose height it reads from a map of depths seen from the zenith. So they cost the same on
+ * any ground.
  */
 class GroundCover
 {
@@ -41,12 +43,12 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
   struct Tile;
+  static constexpr int Densities = 3;
 
 private:
   void SetUniforms(vtkShaderProgram* program, const Tile& tile, const DepthMaps& maps) const;
 
-  vtkNew<vtkActor> Dense;
-  vtkNew<vtkActor> Sparse;
+  std::array<vtkNew<vtkActor>, Densities> Blades;
   double Height = 0.0;
   double Radius = 0.0;
   glm::dvec3 Eye = glm::dvec3(0.0);    ///< of the picture that is drawn

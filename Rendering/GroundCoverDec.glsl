@@ -1,5 +1,5 @@
 // The shader of blades of grass (GroundCover): declarations.
-in vec2 coverFoot;            // in its tile [m]
+in vec2 coverFoot;            // in its tile, from 0 to 1
 uniform sampler2D coverGround; // depths of the ground, seen from the zenith
 uniform float coverTexel;      // side of a texel of them [m]
 uniform vec3 coverToMap;       // from places to the map, by x, y and z
@@ -7,5 +7,6 @@ uniform vec3 coverCorner;      // place of the anchor on the map
 uniform vec3 coverEye;         // relative to the anchor [m]
 uniform vec3 coverAnchor;      // modulo the period of the noise [m]
 uniform float coverSide;       // of the tile [m]
-uniform float coverReach;      // distance of the last blades [m]
+uniform float coverFrom;       // distances of the first and the last blades [m]
+uniform float coverReach;
 uniform float coverHeight;     // [m]

@@ -1,5 +1,5 @@
   // The copy of the blade that is nearest to the eye, on the ground below it
-  vec2 coverAt = coverFoot + coverSide * floor((coverEye.xy - coverFoot) / coverSide + 0.5);
+  vec2 coverAt = coverSide * (coverFoot + floor(coverEye.xy / coverSide - coverFoot + 0.5));
   vec2 coverPlace = coverCorner.xy + coverToMap.xy * coverAt;
   float coverDepth = texture(coverGround, coverPlace).r;
   float coverZ = (coverDepth - coverCorner.z) / coverToMap.z;
@@ -11,7 +11,9 @@
   // Lower at the rim, where the ground is bare or steep, and in tufts; none beyond the ground
   vec4 coverGrowth = landscapeGrowth(coverAt + coverAnchor.xy);
   float coverTuft = landscapeNoise(coverAt + coverAnchor.xy, 0.5, 7u).x;
-  float coverHigh = coverHeight * (1.0 - smoothstep(0.7, 1.0, distance(coverAt, coverEye.xy) / coverReach)) *
+  float coverAway = distance(coverAt, coverEye.xy);
+  float coverHigh = coverHeight * (1.0 - smoothstep(0.8 * coverReach, coverReach, coverAway)) *
+    (coverFrom > 0.0 ? smoothstep(coverFrom, 1.25 * coverFrom, coverAway) : 1.0) *
     (1.0 - 0.9 * coverGrowth.w) * (1.0 - smoothstep(0.5, 0.9, coverSlope)) * (0.45 + 0.75 * coverTuft);
   coverHigh *= coverDepth < 0.9999 && coverHigh > 0.03 * coverHeight ? 1.0 : 0.0;
   vec4 coverMC = vec4(coverAt, coverZ, 1.0) + vec4(coverHigh * vertexMC.xyz, 0.0);

@@ -67,7 +67,8 @@ vec3 landscapeGrown(bool isGrass, vec3 albedo, vec3 place, inout vec3 normal)
     return albedo * landscapeCoverColor * landscapeGrowth(at).rgb;
   }
   vec3 up = landscapeToWorld * normal;
-  float footprint = landscapePixel * (landscapeIsParallel == 1 ? 1.0 : -place.z) / max(0.2, abs(normal.z));
+  float footprint = landscapePixel * (landscapeIsParallel == 1 ? 1.0 : -place.z) /
+    sqrt(max(0.04, abs(normal.z))); // sharper than its length: what grows stands up
   albedo = landscapeGround(albedo, at, landscapeWideEye + off.xy, footprint, up);
   normal = up * landscapeToWorld;
   return albedo;
