@@ -227,6 +227,10 @@ void DepthMaps::Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& casters
       last = Place();
       continue;
     }
+    if (wish.IsInHaste && this->Has(map) && map != Ground)
+    {
+      continue;
+    }
     const Place place = this->PlaceOf(map, renderer, whole, wish);
     areOld[map] = last.Time != place.Time || last.Center != place.Center || last.Towards != place.Towards ||
       last.Radius != place.Radius || last.Depth != place.Depth;

@@ -50,6 +50,7 @@ public:
     double GroundRadius; ///< around the eye, of that of the ground; 0: it is not wanted
     double Distance;     ///< from the eye, to which the middle map and that of the zenith reach
     int Size;            ///< texels along a side
+    bool IsInHaste;      ///< whether maps of light that are there do as they are
   };
 
   DepthMaps();

@@ -199,7 +199,7 @@ vtkLandscapePass::vtkLandscapePass()
   , Shadows(true)
   , ShadowDistance(150.0)
   , MapSize(2048)
-  , Supersampling(false)
+  , Quality(Good)
   , Draft(false)
   , OcclusionRadius(5.0)
   , CoverRadius(30.0)
@@ -409,7 +409,7 @@ void vtkLandscapePass::TakeLight()
   std::copy_n(this->WaterScattering, 3, &lighting.WaterScattering.x);
   lighting.WaterSlopeVariance = this->WaterSlopeVariance;
   lighting.Ripples.Take(this->WaterTime, lighting.HasWater && this->WaterRipples ? this->WaterSlopeVariance : 0.0);
-  lighting.HasShafts = !this->Draft;
+  lighting.HasShafts = this->GetQualityNow() != Fast;
   lighting.FoamBegins = this->FoamThreshold;
   // White on level ground is white, or luminances of 1.2 cd/m2 2^EV are.
   const littoral::SkyTables& sky = lighting.Sky.GetTables();
@@ -439,9 +439,12 @@ void vtkLandscapePass::RenderMaps(vtkRenderer* renderer, vtkMultiProcessControll
   wish.HasSun = this->Shadows && littoral::LuminanceOf(sky.SunLight) > 0.0;
   wish.HasZenith = this->OcclusionRadius > 0.0;
   wish.Distance = this->ShadowDistance;
-  wish.Size = this->MapSize;
+  wish.Size = this->Quality == Fast ? std::max(this->MapSize / 2, 1) : this->MapSize;
+  wish.IsInHaste = this->Draft;
   wish.GroundRadius =
-    own.Light.HasGround && !own.Light.IsInWater && !this->Draft && this->CoverHeight > 0.0 ? this->CoverRadius : 0.0;
+    own.Light.HasGround && !own.Light.IsInWater && this->GetQualityNow() != Fast && this->CoverHeight > 0.0
+    ? this->CoverRadius
+    : 0.0;
   own.Cover.SetSize(this->CoverHeight, this->CoverRadius);
   // The same shaders as for the picture: none is built anew.
   vtkRenderState all(renderer);
@@ -514,7 +517,7 @@ void vtkLandscapePass::Render(const vtkRenderState* state)
     this->RenderMaps(renderer, nullptr);
   }
   own.HasMaps = false;
-  own.Quad.SetSamples(this->Supersampling && !this->Draft ? 2 : 1);
+  own.Quad.SetSamples(this->GetQualityNow() == Best ? 2 : 1);
   vtkCamera* camera = renderer->GetActiveCamera();
   own.Light.ToWorld = glm::inverse(littoral::MatrixOf(camera->GetModelViewTransformMatrix()));
   own.Light.IsParallel = camera->GetParallelProjection();
@@ -560,7 +563,7 @@ void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Shadows: " << (this->Shadows ? "on" : "off") << "\n";
   os << indent << "ShadowDistance: " << this->ShadowDistance << "\n";
   os << indent << "MapSize: " << this->MapSize << "\n";
-  os << indent << "Supersampling: " << (this->Supersampling ? "on" : "off") << "\n";
+  os << indent << "Quality: " << this->Quality << "\n";
   os << indent << "OcclusionRadius: " << this->OcclusionRadius << "\n";
   os << indent << "Draft: " << (this->Draft ? "on" : "off") << "\n";
   os << indent << "CoverRadius: " << this->CoverRadius << "\n";

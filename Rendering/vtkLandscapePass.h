@@ -167,14 +167,26 @@ public:
   vtkSetClampMacro(MapSize, int, 16, 8192);
   vtkGetMacro(MapSize, int);
   ///@}
+  /**
+   * Qualities. Fast: without grass and shafts of light, with maps of half the size, for processors that draw. Best:
+   * with four samples a pixel, for edges and leaves without steps.
+   */
+  enum QualityType
+  {
+    Fast,
+    Good,
+    Best
+  };
   ///@{
-  /** Four samples a pixel, for edges and leaves without steps, at some three times the cost; default off. */
-  vtkSetMacro(Supersampling, bool);
-  vtkGetMacro(Supersampling, bool);
-  vtkBooleanMacro(Supersampling, bool);
+  /** Quality of pictures over their cost; default Good. */
+  vtkSetClampMacro(Quality, int, Fast, Best);
+  vtkGetMacro(Quality, int);
+  void SetQualityToFast() { this->SetQuality(Fast); }
+  void SetQualityToGood() { this->SetQuality(Good); }
+  void SetQualityToBest() { this->SetQuality(Best); }
   ///@}
   ///@{
-  /** Pictures in haste, as while a camera is dragged: without grass and Supersampling; default off. */
+  /** Pictures in haste, as while a camera is dragged: as Fast, with the shadows of the picture before; default off. */
   vtkSetMacro(Draft, bool);
   vtkGetMacro(Draft, bool);
   vtkBooleanMacro(Draft, bool);
@@ -328,6 +340,7 @@ private:
   void operator=(const vtkLandscapePass&) = delete;
 
   std::string WhyInvalid() const;
+  int GetQualityNow() const { return this->Draft ? Fast : this->Quality; }
   void TakeShown(vtkRenderer* renderer);
   void TakeLight();
   void RenderMaps(vtkRenderer* renderer, vtkMultiProcessController* processes);
@@ -355,7 +368,7 @@ private:
   bool Shadows;
   double ShadowDistance;
   int MapSize;
-  bool Supersampling;
+  int Quality;
   bool Draft;
   double OcclusionRadius;
   double CoverRadius;

@@ -127,7 +127,7 @@ def main(folder, elevation=16.0, azimuth=60.0, quick=False):
     light.SetSunElevation(elevation)
     light.SetSunAzimuth(azimuth)
     light.SetVisibility(6000.0)
-    light.SetSupersampling(not quick)
+    light.SetQuality(vtkLandscapePass.Good if quick else vtkLandscapePass.Best)
     renderer.SetPass(light)
     ground = actor_of(surface, (0.46, 0.47, 0.28))
     vtkLandscapePass.SetMaterial(ground, vtkLandscapePass.Ground)

@@ -16,7 +16,7 @@ import numpy as np
 from paraview import simple
 
 ROUNDS = 5
-SETTINGS = {"without": None, "fast": dict(MapSize="1024", Supersampling=0), "good": dict(MapSize="2048", Supersampling=1)}
+SETTINGS = {"without": None, "fast": dict(Quality="Fast"), "good": dict(Quality="Good"), "best": dict(Quality="Best")}
 
 
 def frame(view):

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Ground by vtkLandscapePass: its color, grass and woods.
+#include "LandscapePicture.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+namespace
+{
+
+/// Grass stands on a sloping ground and is not higher than it should be; there is none on other surfaces. Its ground
+/// has the data's color on average.
+bool TestGrass()
+{
+  constexpr double slope = 0.2;
+  constexpr double high = 0.5;
+  int above[2] = { 0, 0 };
+  double mean[2] = { 0.0, 0.0 };
+  bool good = true;
+  for (const bool isGround : { false, true })
+  {
+    Picture picture;
+    picture.Pass->SetSkyToEven();
+    picture.Pass->SetCoverHeight(high);
+    picture.Pass->SetCoverRadius(20.0);
+    picture.Pass->SetOcclusionRadius(0.0);
+    const double x = 1000.0;
+    vtkActor* ground = picture.Add(
+      Plane({ x - 30.0, -30.0, -30.0 * slope }, { x + 30.0, -30.0, 30.0 * slope }, { x - 30.0, 30.0, -30.0 * slope }),
+      0.3);
+    vtkLandscapePass::SetMaterial(ground, isGround ? vtkLandscapePass::Ground : vtkLandscapePass::Surface);
+    picture.Look({ x, -10.0, 0.0 }, { x, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
+    vtkCamera* camera = picture.Renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(4.0);
+    picture.Renderer->ResetCameraClippingRange();
+    picture.Draw();
+    const double metres = 8.0 / Height;
+    for (int column = 20; column < Width - 20; ++column)
+    {
+      for (int row = 0; row < Height; ++row)
+      {
+        const double over = (row + 0.5 - 0.5 * Height) * metres - slope * (column + 0.5 - 0.5 * Width) * metres;
+        const bool isSky = picture.LinearAt(column, row)[2] > 0.9;
+        above[isGround] += over > 0.1 && !isSky;
+        good &= over < 1.1 * high || isSky;
+      }
+    }
+    // From above, without grass
+    picture.Pass->SetCoverRadius(0.0);
+    camera->SetPosition(x, 0.0, 100.0);
+    camera->SetFocalPoint(x, 0.0, 0.0);
+    camera->SetViewUp(0.0, 1.0, 0.0);
+    camera->SetParallelScale(14.0);
+    picture.Renderer->ResetCameraClippingRange();
+    picture.Draw();
+    for (int pixel = 0; pixel < Width * Height; ++pixel)
+    {
+      mean[isGround] += picture.LinearAt(pixel % Width, pixel / Width)[1] / (Width * Height);
+    }
+  }
+  good = Check(good, "Grass is higher than it should be.");
+  good &= Check(above[0] == 0 && above[1] > 500, "Pixels of grass: " + std::to_string(above[1]));
+  return good &&
+    Check(std::abs(mean[1] / mean[0] - 1.0) < 0.05,
+      "Ground is " + std::to_string(mean[1]) + " on average for " + std::to_string(mean[0]));
+}
+
+/// Woods cover the part of a level ground that they shall, and none of other surfaces.
+bool TestWoods()
+{
+  bool good = true;
+  for (const double cover : { 0.0, 0.15, 0.5, 0.9 })
+  {
+    Picture picture;
+    picture.Pass->SetSkyToEven();
+    picture.Pass->SetOcclusionRadius(0.0);
+    picture.Pass->SetWoodCover(cover);
+    vtkLandscapePass::SetMaterial(picture.Add(Level(40000.0), 0.6), vtkLandscapePass::Ground);
+    picture.Look({ 0.0, 0.0, 1000.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
+    picture.Renderer->GetActiveCamera()->ParallelProjectionOn();
+    picture.Renderer->GetActiveCamera()->SetParallelScale(25000.0);
+    picture.Renderer->ResetCameraClippingRange();
+    picture.Draw();
+    int woods = 0;
+    for (int pixel = 0; pixel < Width * Height; ++pixel)
+    {
+      woods += picture.LinearAt(pixel % Width, pixel / Width)[1] < 0.1;
+    }
+    const double part = static_cast<double>(woods) / (Width * Height);
+    good &= Check(std::abs(part - cover) < 0.04,
+      "Woods cover " + std::to_string(part) + " of the ground for " + std::to_string(cover));
+  }
+  return good;
+}
+
+}
+
+int TestLandscapeGround(int, char*[])
+{
+  bool good = TestGrass();
+  good &= TestWoods();
+  return good ? EXIT_SUCCESS : EXIT_FAILURE;
+}
