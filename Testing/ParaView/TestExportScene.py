@@ -28,6 +28,13 @@ def triangles(scene):
                if part.get("mode", 4) == 4)
 
 
+def sun_of(scene):
+    """Direction towards the sun of a scene, in its own axes as ParaView has them."""
+    sun, = [node for node in scene["nodes"] if node.get("name") == "Sun"]
+    x, y, z, w = sun["rotation"]
+    return np.array((2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)))
+
+
 def camera_of(scene):
     """Where the camera is, where it looks to, and its angle, below the root node, where z is up."""
     node, = [node for node in scene["nodes"] if "camera" in node]
@@ -55,14 +62,25 @@ def check_script():
     np.testing.assert_allclose(place, (10, -30, 12), atol=1e-5)
     np.testing.assert_allclose(ahead, np.array((0, 35, -10)) / np.hypot(10, 35), atol=1e-6)
     assert abs(angle - np.radians(40.0)) < 1e-6
-    sun, = [node for node in scene["nodes"] if node.get("name") == "Sun"]
-    x, y, z, w = sun["rotation"]
-    towards = np.array((2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)))
+    towards = sun_of(scene)
     light = simple.GetLight(0, view)
     place, focus = (np.array(light.GetProperty(name).GetData()) for name in ("LightPosition", "FocalPoint"))
     wanted = place - focus
     np.testing.assert_allclose(towards, wanted / np.linalg.norm(wanted), atol=1e-6)
     whole = triangles(scene)
+
+    # That of Landscape Light is where it is in the sky, by its angles and by the clock, and none is there at night.
+    landscape = simple.Show(simple.LandscapeLight(), view, SunElevation=30.0, SunAzimuth=120.0)
+    towards = sun_of(exported("lit.glb", view))
+    np.testing.assert_allclose(towards, (np.sin(np.pi / 3) * np.cos(np.pi / 6), -np.cos(np.pi / 3) * np.cos(np.pi / 6), 0.5),
+                               atol=1e-6)
+    landscape.SunPlacement, landscape.Date, landscape.Hours = "Clock", [2003, 10, 17], 19.508333
+    landscape.Latitude, landscape.Longitude = 39.742476, -105.1786
+    towards = sun_of(exported("clock.glb", view))
+    assert abs(np.degrees(np.arccos(towards[2])) - 50.111) < 0.02  # Reda and Andreas (2004)
+    landscape.SunPlacement, landscape.SunElevation = "Angles", -20.0
+    assert "Sun" not in below_root(exported("night.glb", view))
+    landscape.Visibility = 0
 
     # What is hidden is left out, what is shown twice is there once; the options of the dialog.
     simple.Hide(tree, view)

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMGLTFSceneExporterProxy.h"
 
+#include "Daylight.h"
+#include "Light/AirLayers.h"
+#include "Light/SunPosition.h"
+
 #include "vtkObjectFactory.h"
 #include "vtkSMDataTypeDomain.h"
 #include "vtkSMProperty.h"
@@ -11,8 +15,10 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMWriterProxy.h"
 
+#include <algorithm>
 #include <set>
 #include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkSMGLTFSceneExporterProxy);
 
@@ -67,8 +73,56 @@ void SetCamera(vtkSMProxy* view, vtkSMProxy* writer)
   vtkSMPropertyHelper(writer, "CameraViewAngle").Set(vtkSMPropertyHelper(view, "CameraViewAngle").GetAsDouble());
 }
 
-/// The sun of a view: its first directional light that stands still in the scene; null if there is none.
-vtkSMProxy* SunOf(vtkSMProxy* view)
+/// The landscape light that is on in a view; null if there is none.
+vtkSMProxy* LandscapeLightOf(vtkSMProxy* view)
+{
+  const vtkSMPropertyHelper shown(view, "Representations");
+  for (unsigned int index = 0; index < shown.GetNumberOfElements(); ++index)
+  {
+    vtkSMProxy* one = shown.GetAsProxy(index);
+    if (littoral::IsLandscapeLight(one) && vtkSMPropertyHelper(one, "Visibility").GetAsInt() != 0)
+    {
+      return one;
+    }
+  }
+  return nullptr;
+}
+
+/// Direction towards the sun of a landscape light.
+littoral::Vector3 SunOfLandscape(vtkSMProxy* light)
+{
+  const auto number = [light](const char* name) { return vtkSMPropertyHelper(light, name).GetAsDouble(); };
+  littoral::SunAngles angles{ number("SunElevation"), number("SunAzimuth") };
+  if (vtkSMPropertyHelper(light, "SunPlacement").GetAsInt() == 1) // by the clock
+  {
+    const std::vector<int> date = vtkSMPropertyHelper(light, "Date").GetIntArray();
+    const littoral::UniversalTime time{ date[0], date[1], date[2], number("Hours") };
+    angles =
+      littoral::WhyInvalid(time).empty() ? littoral::SunAt(time, number("Latitude"), number("Longitude")) : angles;
+  }
+  return littoral::DirectionOf(angles);
+}
+
+/// The sun of a landscape light with the color that the air leaves it; false if it is below the horizon.
+bool SetSunOfLandscape(vtkSMProxy* light, vtkSMProxy* writer)
+{
+  const littoral::Vector3 towards = SunOfLandscape(light);
+  littoral::AirParameters air;
+  air.Turbidity = std::clamp(vtkSMPropertyHelper(light, "Turbidity").GetAsDouble(), 1.0, 10.0);
+  const littoral::Vector3 left = littoral::AirLayers(air).SunAt(0.0, towards.z);
+  const double most = std::max({ left.x, left.y, left.z });
+  if (most <= 0.0)
+  {
+    return false;
+  }
+  const littoral::Vector3 color = left / most;
+  vtkSMPropertyHelper(writer, "SunDirection").Set(&towards.x, 3);
+  vtkSMPropertyHelper(writer, "SunColor").Set(&color.x, 3);
+  return true;
+}
+
+/// The first directional light of a view that stands still in the scene; null if there is none.
+vtkSMProxy* LightOf(vtkSMProxy* view)
 {
   constexpr int ofScene = 3; // VTK_LIGHT_TYPE_SCENE_LIGHT
   vtkSMPropertyHelper lights(view, "AdditionalLights");
@@ -85,13 +139,28 @@ vtkSMProxy* SunOf(vtkSMProxy* view)
   return nullptr;
 }
 
-void SetSun(vtkSMProxy* light, vtkSMProxy* writer)
+void SetSunOfLight(vtkSMProxy* light, vtkSMProxy* writer)
 {
   const auto position = vtkSMPropertyHelper(light, "LightPosition").GetDoubleArray();
   const auto focus = vtkSMPropertyHelper(light, "FocalPoint").GetDoubleArray();
   const double towards[3] = { position[0] - focus[0], position[1] - focus[1], position[2] - focus[2] };
   vtkSMPropertyHelper(writer, "SunDirection").Set(towards, 3);
   CopyNumbers(light, "DiffuseColor", writer, "SunColor");
+}
+
+/// The sun of a view; false if there is none.
+bool SetSun(vtkSMProxy* view, vtkSMProxy* writer)
+{
+  if (vtkSMProxy* landscape = LandscapeLightOf(view))
+  {
+    return SetSunOfLandscape(landscape, writer);
+  }
+  vtkSMProxy* light = LightOf(view);
+  if (light)
+  {
+    SetSunOfLight(light, writer);
+  }
+  return light != nullptr;
 }
 
 }
@@ -126,14 +195,10 @@ void vtkSMGLTFSceneExporterProxy::Write()
   {
     SetCamera(view, writer);
   }
-  vtkSMProxy* sun = SunOf(view);
-  if (hasSun != 0 && sun)
-  {
-    SetSun(sun, writer);
-  }
+  const bool isSunny = hasSun != 0 && SetSun(view, writer);
   const bool isParallel = vtkSMPropertyHelper(view, "CameraParallelProjection").GetAsInt() != 0;
   vtkSMPropertyHelper(writer, "WriteCamera").Set(hasCamera != 0 && !isParallel ? 1 : 0);
-  vtkSMPropertyHelper(writer, "WriteSun").Set(hasSun != 0 && sun ? 1 : 0);
+  vtkSMPropertyHelper(writer, "WriteSun").Set(isSunny ? 1 : 0);
   writer->UpdateVTKObjects();
   writer->UpdatePipeline(vtkSMPropertyHelper(view, "ViewTime").GetAsDouble());
   vtkSMPropertyHelper(writer, "WriteCamera").Set(hasCamera);
