@@ -6,6 +6,7 @@
 #include "Data/Arrays.h"
 #include "Data/PlantBlocks.h"
 #include "Data/PlantForm.h"
+#include "Geometry/SrgbCode.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"
@@ -84,12 +85,6 @@ void Normalise(std::vector<float>& triples)
   }
 }
 
-/// Linear light of a displayed value, 0 to 1, of sRGB (IEC 61966-2-1).
-double LinearOf(double shown)
-{
-  return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4);
-}
-
 /// Linear colors of bytes in sRGB. A renderer multiplies them with the texels, of which Littoral's displays draw RGB *
 /// texel / mean: the mean goes into the colors of the vertices.
 std::vector<float> LinearColors(vtkUnsignedCharArray* colors, const ColorSum& mean)
@@ -101,7 +96,7 @@ std::vector<float> LinearColors(vtkUnsignedCharArray* colors, const ColorSum& me
   {
     for (int part = 0; part < 3; ++part)
     {
-      tables[part][level] = static_cast<float>(LinearOf(std::min(1.0, level / most / mean[part])));
+      tables[part][level] = static_cast<float>(LinearOfSrgb(std::min(1.0, level / most / mean[part])));
     }
     tables[3][level] = static_cast<float>(level / most); // opacity is linear
   }

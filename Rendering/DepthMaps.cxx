@@ -30,7 +30,7 @@ namespace
 {
 
 constexpr double MiddleShare = 0.15; // of the distance, to which the near map reaches
-constexpr double Slack = 1.1;        // of a map's radius over what it must cover
+constexpr double Slack = 1.25;       // of a map's radius over what it must cover: turns by some degrees move none
 
 vtkBoundingBox BoundsOf(const std::vector<vtkProp*>& props)
 {

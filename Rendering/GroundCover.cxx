@@ -201,7 +201,6 @@ void GroundCover::Draw(vtkRenderer* renderer, const DepthMaps& maps)
 //----------------------------------------------------------------------------
 void GroundCover::SetUniforms(vtkShaderProgram* program, const Tile& tile, const DepthMaps& maps) const
 {
-  constexpr double period = 4096.0;
   const glm::dmat4& toMap = maps.GetMatrix(DepthMaps::Ground);
   SetUniform(program, "coverGround", maps.GetGroundTexture()->GetTextureUnit());
   SetUniform(program, "coverTexel", maps.GetTexelSize(DepthMaps::Ground));
@@ -209,7 +208,7 @@ void GroundCover::SetUniforms(vtkShaderProgram* program, const Tile& tile, const
   SetUniform(program, "coverToMap", glm::dvec3(toMap[0][0], toMap[1][1], toMap[2][2]));
   SetUniform(program, "coverCorner", glm::dvec3(toMap * glm::dvec4(this->Anchor, 1.0)));
   SetUniform(program, "coverEye", this->Eye - this->Anchor);
-  SetUniform(program, "coverAnchor", this->Anchor - period * glm::floor(this->Anchor / period));
+  SetUniform(program, "coverAnchor", this->Anchor - NoisePeriod * glm::floor(this->Anchor / NoisePeriod));
   SetUniform(program, "coverSide", tile.Side * this->Radius);
   SetUniform(program, "coverFrom", tile.From * this->Radius);
   SetUniform(program, "coverReach", tile.Reach * this->Radius);

@@ -267,9 +267,8 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   const glm::dmat4 projection =
     MatrixOf(renderer->GetActiveCamera()->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
   SetUniform(program, "landscapeToView", glm::inverse(projection));
-  // Noise repeats itself after a period, so that places far from the origin keep their single precision.
   const auto modulo = [&](double period) { return light.Eye - period * glm::floor(light.Eye / period); };
-  SetUniform(program, "landscapeEye", modulo(4096.0));
+  SetUniform(program, "landscapeEye", modulo(NoisePeriod));
   SetUniform(program, "landscapeWideEye", glm::dvec2(modulo(65536.0)));
   SetUniform(program, "landscapeWoodCover", light.WoodCover);
   SetUniform(program, "landscapeCoverColor", light.CoverColor);

@@ -14,6 +14,10 @@
 namespace littoral
 {
 
+/// Length after which the noise of LandscapeNoise.glsl repeats itself, so that places far from the origin keep their
+/// single precision [m].
+constexpr double NoisePeriod = 4096.0;
+
 inline void SetUniform(vtkShaderProgram* program, const char* name, int value)
 {
   program->SetUniformi(name, value);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLandscapePass.h"
 
+#include "Geometry/SrgbCode.h"
 #include "GlassPass.h"
 #include "GroundCover.h"
 #include "Light/SunPosition.h"
@@ -79,17 +80,6 @@ vtkInformation* KeysOf(vtkProp* prop)
     prop->SetPropertyKeys(vtkNew<vtkInformation>());
   }
   return prop->GetPropertyKeys();
-}
-
-/// Linear color of one in the code of sRGB (IEC 61966-2-1).
-glm::dvec3 LinearOf(const double code[3])
-{
-  glm::dvec3 color;
-  for (int c = 0; c < 3; ++c)
-  {
-    color[c] = code[c] <= 0.04045 ? code[c] / 12.92 : std::pow((code[c] + 0.055) / 1.055, 2.4);
-  }
-  return color;
 }
 
 bool IsGround(vtkProp* prop)
@@ -402,7 +392,10 @@ void vtkLandscapePass::TakeLight()
   lighting.FilmCurve = this->FilmCurve;
   lighting.Background = this->Background;
   lighting.OcclusionRadius = this->OcclusionRadius;
-  lighting.CoverColor = LinearOf(this->CoverColor);
+  for (int c = 0; c < 3; ++c)
+  {
+    lighting.CoverColor[c] = littoral::LinearOfSrgb(this->CoverColor[c]);
+  }
   lighting.WoodCover = this->WoodCover;
   lighting.WaterLevel = this->WaterLevel;
   std::copy_n(this->WaterAbsorption, 3, &lighting.WaterAbsorption.x);
