@@ -151,6 +151,12 @@ RIVERS = "rivers"
 # Outputs that feed classes but are not the first of theirs: class and port.
 OTHER_OUTPUTS = {RIVERS: ("vtkDrainageFilter", 1)}
 
+def rivers_and_terrain(pv, drainage):
+    """Inputs of River Surface, which is seen on its terrain."""
+    pv.Show(drainage)
+    return dict(Input=pv.OutputPort(drainage, 1), Terrain=drainage)
+
+
 ROWS = [
     # Terrain ---------------------------------------------------------------------------------------------------------
     Row("vtkTurningBandsTerrainSource", "Terrain",
@@ -201,7 +207,8 @@ ROWS = [
         inputs=lambda h: [h.recipes.source(RIVERS), h.terrain(60)],
         variants=[{"SetSmoothing": (0,)}, {"SetWidthOfUnitArea": (20.0,), "SetSubdivision": (2,)},
                   {"SetWidthExponent": (0.1,), "SetLift": (3.0,)}],
-        mistakes=[Mistake("RiverSurface", lambda pv: dict(Input=pv.Sphere()), "lines")]),
+        mistakes=[Mistake("RiverSurface", lambda pv: dict(Input=pv.Sphere()), "lines")],
+        shown={"RiverSurface": lambda pv: rivers_and_terrain(pv, pv.Drainage(Input=pv.TurningBandsTerrain()))}),
     # Fields through data ---------------------------------------------------------------------------------------------
     Row("vtkConditionalTerrainFilter", "Fields through data",
         fed_by=[TERRAIN, TERRAIN, "vtkCovarianceFitFilter"],
