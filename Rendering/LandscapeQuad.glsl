@@ -71,7 +71,7 @@ void main()
 {
   vec4 surface = texture(landscapeSurface, texCoord);
   float depth = texture(landscapeDepth, texCoord).r;
-  vec3 code = texture(landscapeAlbedo, texCoord).rgb;
+  vec4 code = texture(landscapeAlbedo, texCoord);
   // The line of sight, from the middle of its part that is shown
   vec3 sight = landscapePlace(0.5);
   vec3 eye = landscapeEyeOf(sight);
@@ -104,9 +104,9 @@ void main()
     vec3 normal = landscapeUnfolded(surface.xy);
     // The bed of water keeps the color of its data.
     float kind = isInWater && surface.z > 1.5 && surface.z < 2.5 ? 0.0 : surface.z;
-    vec4 material = landscapeMaterialOf(kind, landscapeLinear(code), place, normal);
+    vec4 material = landscapeMaterialOf(kind, landscapeLinear(code.rgb), place, normal);
     luminance = isInWater ? landscapeWet(material.rgb, place, normal, material.w)
-                          : landscapeLuminance(material.rgb, place, normal, material.w);
+                          : landscapeLuminance(material.rgb, place, normal, material.w, 2.0 * code.a - 1.0);
   }
   // The water before it, and its surface
   if (landscapeWater == 2)
@@ -124,7 +124,7 @@ void main()
     vec3 below = landscapeInWater(luminance, down, landscapeEyeDepth - (landscapeToWorld * wetPlace).z, way);
     luminance = looks * landscapeWaterAbove(d, wetNormal, ripples.z, wetPlace, below / (landscapeIndex * landscapeIndex));
     float foam = landscapeFoam(texture(landscapeWetColor, texCoord).a, (landscapeEye + landscapeToWorld * wetPlace).xy);
-    luminance = mix(luminance, landscapeLuminance(vec3(0.6), wetPlace, wetNormal * landscapeToWorld, 0.0), foam);
+    luminance = mix(luminance, landscapeLuminance(vec3(0.6), wetPlace, wetNormal * landscapeToWorld, 0.0, 1.0), foam);
     luminance = landscapeBehindAir(luminance, wetPlace - eye);
   }
   else if (isLit)
@@ -136,6 +136,6 @@ void main()
     luminance = landscapeBehindAll(d);
   }
   bool isPaint = isThere && !isLit && !hasSurface; // which no light changes
-  gl_FragData[0] = vec4(isPaint ? code : landscapeDisplayed(luminance), 1.0);
+  gl_FragData[0] = vec4(isPaint ? code.rgb : landscapeDisplayed(luminance), 1.0);
   gl_FragDepth = hasSurface ? wetDepth : isThere ? depth : 0.9999999; // drawn, for who composes pictures by their depths
 }

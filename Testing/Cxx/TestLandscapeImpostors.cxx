@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Impostors of an oak beside the oak in full, from directions off the grid of their pictures: the same silhouettes, the
+// same light at three hours, the same area at all distances.
+#include "ImpostorWood.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+namespace
+{
+
+constexpr double Elevations[] = { -8.0, -2.0, 4.0, 10.0, 17.0, 26.0, 38.0, 50.0, 63.0, 77.0 }; // of four oaks each
+
+/// Intersection over union of what covers half of a pixel or more, by 16 samples a pixel.
+double OverlapOf(const std::vector<double>& a, const std::vector<double>& b)
+{
+  double both = 0.0;
+  double either = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k)
+  {
+    both += a[k] >= 0.5 && b[k] >= 0.5;
+    either += a[k] >= 0.5 || b[k] >= 0.5;
+  }
+  return both / either;
+}
+
+bool TestSilhouettes(vtkReevesTreeSource* oak)
+{
+  Row high(256);
+  Row impostors(256);
+  high.AddHigh(oak);
+  impostors.AddImpostors(oak);
+  double mean = 0.0;
+  double least = 1.0;
+  for (const double elevation : Elevations)
+  {
+    for (Row* row : { &high, &impostors })
+    {
+      row->Pass->ShadowsOff();
+      row->Pass->SetOcclusionRadius(0.0);
+      row->LookFrom(elevation);
+    }
+    const double overlap = OverlapOf(high.Covered(4), impostors.Covered(4));
+    mean += overlap / std::size(Elevations);
+    least = std::min(least, overlap);
+  }
+  std::cout << "Silhouettes overlap by " << mean << ", at least by " << least << " of an elevation\n";
+  return Check(mean >= 0.9 && least > 0.88, "Silhouettes overlap by " + std::to_string(mean));
+}
+
+/// The light at three hours, with shadows and what is open to the sky.
+bool TestHours(vtkReevesTreeSource* oak)
+{
+  Row high(64);
+  Row impostors(64);
+  high.AddHigh(oak);
+  impostors.AddImpostors(oak);
+  bool good = true;
+  for (const auto& hour : { std::array<double, 2>{ 60.0, 180.0 }, { 25.0, 100.0 }, { 10.0, 250.0 } })
+  {
+    double mean[2] = { 0.0, 0.0 };
+    for (const double elevation : Elevations)
+    {
+      for (Row* row : { &high, &impostors })
+      {
+        row->Pass->SetSunElevation(hour[0]);
+        row->Pass->SetSunAzimuth(hour[1]);
+        row->Pass->SetMapSize(512);
+        row->LookFrom(elevation);
+        mean[row == &impostors] += row->MeanLuminance() / std::size(Elevations);
+      }
+    }
+    const double ratio = mean[1] / mean[0];
+    std::cout << "Luminance with the sun at " << hour[0] << " degrees: " << ratio << "\n";
+    good &= Check(mean[0] > 0.01 && std::abs(ratio - 1.0) <= 0.03,
+      "Impostors are " + std::to_string(ratio) + " as bright with the sun at " + std::to_string(hour[0]) + " degrees.");
+  }
+  return good;
+}
+
+/// The area of the crown from near and far, in full and as impostors: that of the crown in full at its largest.
+bool TestCoverage(vtkReevesTreeSource* oak)
+{
+  Row high(256);
+  Row impostors(256);
+  high.AddHigh(oak);
+  impostors.AddImpostors(oak);
+  bool good = true;
+  double whole = 0.0;
+  for (const double scale : { 1.0, 0.5, 0.25, 0.125, 0.0625 })
+  {
+    double areas[2] = { 0.0, 0.0 };
+    for (const double elevation : { 5.0, 20.0, 45.0 })
+    {
+      for (Row* row : { &high, &impostors })
+      {
+        row->Pass->ShadowsOff();
+        row->Pass->SetOcclusionRadius(0.0);
+        row->LookFrom(elevation, scale);
+        const std::vector<double> there = row->Covered(1);
+        areas[row == &impostors] += std::accumulate(there.begin(), there.end(), 0.0) / (scale * scale);
+      }
+    }
+    whole = scale == 1.0 ? areas[0] : whole;
+    std::cout << "Areas at a scale of " << scale << ": " << areas[0] / whole << " " << areas[1] / whole << "\n";
+    good &= Check(std::abs(areas[0] / whole - 1.0) <= 0.03 && std::abs(areas[1] / whole - 1.0) <= 0.03,
+      "At a scale of " + std::to_string(scale) + " the oak covers " + std::to_string(areas[0] / whole) +
+        " of its area, its impostors " + std::to_string(areas[1] / whole));
+  }
+  return good;
+}
+
+/// Sizes that are rounded, the memory that they take, and what there is nothing of.
+bool TestSizes(vtkReevesTreeSource* oak)
+{
+  Row row(32);
+  vtkSmartPointer<vtkImpostorMapper> mapper = row.AddImpostors(oak);
+  mapper->SetFrames(4);
+  mapper->SetFrameSize(33);
+  bool good = Check(mapper->GetFrames() == 5 && mapper->GetFrameSize() == 32, "Sizes are not rounded.");
+  // 32, 16 and 8 texels a side
+  good &= Check(mapper->GetAtlasBytes() == 9 * 25 * (1024 + 256 + 64), "The atlas has a size of its own.");
+  const double* bounds = mapper->GetBounds();
+  good &= Check(std::abs(bounds[1] - bounds[0] - 3.0 * 2.25 * row.Radius) < 2.1 * row.Radius, "Bounds are wrong.");
+  row.LookFrom(10.0);
+  const auto count = [&row] {
+    const std::vector<double> there = row.Covered(1);
+    return std::accumulate(there.begin(), there.end(), 0.0);
+  };
+  good &= Check(count() > 500.0, "Impostors of few pictures are not there.");
+  mapper->RemoveAllParts();
+  good &= Check(count() == 0.0, "Impostors of nothing are there.");
+  return good;
+}
+
+}
+
+int TestLandscapeImpostors(int, char*[])
+{
+  vtkNew<vtkReevesTreeSource> oak;
+  bool good = TestSizes(oak);
+  good &= TestSilhouettes(oak);
+  good &= TestHours(oak);
+  good &= TestCoverage(oak);
+  return good ? EXIT_SUCCESS : EXIT_FAILURE;
+}
