@@ -25,7 +25,7 @@
   }
   if (impostorCovered < 0.5) discard;
   // Maps of the sun, whose projection is parallel, begin a little behind, so that leaves do not shade themselves.
-  const float behind = 0.0234;
+  const float behind = 0.0156;
   impostorWay += impostorToClip[2][3] > -0.5 ? behind * impostorCovered : 0.0;
   impostorMaterial /= impostorCovered;
   vec4 impostorTurn = impostorTurnVSOutput;

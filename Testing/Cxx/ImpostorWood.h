@@ -41,18 +41,30 @@ inline std::vector<vtkSmartPointer<vtkActor>> PartsOf(vtkReevesTreeSource* oak)
 /// A picture of oaks that are apart from each other, of a size of each of them [pixels].
 struct Row : Picture
 {
-  int Columns;
-  int Rows;
-  double Radius;
-  double Middle; ///< height [m]
+  int Columns = 0;
+  int Rows = 0;
+  double Radius = 0.0;
+  double Middle = 0.0; ///< height [m]
 
-  explicit Row(int pixels)
-    : Columns(Oaks * (pixels + pixels / 8))
-    , Rows(pixels + pixels / 8)
+  Row()
   {
-    this->Window->SetSize(this->Columns, this->Rows);
     this->Pass->BackgroundOff();
     this->Pass->SetExposureCompensation(-1.0);
+    this->Pass->SetMapSize(512);
+  }
+
+  void Resize(int pixels)
+  {
+    this->Columns = Oaks * (pixels + pixels / 8);
+    this->Rows = pixels + pixels / 8;
+    this->Window->SetSize(this->Columns, this->Rows);
+  }
+
+  /// Whether there is the light of the sun and of the sky by what hides them.
+  void SetShadows(bool areOn)
+  {
+    this->Pass->SetShadows(areOn);
+    this->Pass->SetOcclusionRadius(areOn ? 5.0 : 0.0);
   }
 
   /// Places of the oaks for a sphere around each of them.
@@ -120,16 +132,17 @@ struct Row : Picture
     return mapper;
   }
 
-  /// Looks from an elevation and azimuth [degrees] in parallel projection, with all as small as a scale.
-  void LookFrom(double elevation, double scale = 1.0)
+  /// Looks from an elevation [degrees], in perspective or in parallel projection.
+  void LookFrom(double elevation, bool isParallel = false)
   {
     const double up = vtkMath::RadiansFromDegrees(elevation);
     const double away = 12.0 * this->Radius;
     this->Look(
       { 0.0, -away * std::cos(up), this->Middle + away * std::sin(up) }, { 0.0, 0.0, this->Middle }, { 0.0, 0.0, 1.0 });
     vtkCamera* camera = this->Renderer->GetActiveCamera();
-    camera->ParallelProjectionOn();
-    camera->SetParallelScale(1.125 * this->Radius / scale);
+    camera->SetParallelProjection(isParallel);
+    camera->SetParallelScale(1.125 * this->Radius);
+    camera->SetViewAngle(2.0 * vtkMath::DegreesFromRadians(std::atan(1.125 * this->Radius / away)));
     this->Renderer->ResetCameraClippingRange();
   }
 
@@ -169,6 +182,21 @@ struct Row : Picture
     }
     return count > 0.0 ? sum / count : 0.0;
   }
+};
+
+/// The oaks in full and as impostors.
+struct Pair
+{
+  Row High;
+  Row Impostors;
+
+  explicit Pair(vtkReevesTreeSource* oak)
+  {
+    this->High.AddHigh(oak);
+    this->Impostors.AddImpostors(oak);
+  }
+
+  std::array<Row*, 2> Both() { return { &this->High, &this->Impostors }; }
 };
 
 }
