@@ -77,6 +77,48 @@ InstancedBlocks InstancesIn(vtkDataObject* data)
 }
 
 //----------------------------------------------------------------------------
+std::vector<vtkPolyData*> FullPlantOf(const InstancedBlocks& instanced, const InstancedBlocks::Pair& pair)
+{
+  // 1 + 3 species + level: High, Medium, Low
+  const int index = PrototypeIndex(pair.Prototype);
+  vtkDataArray* seaweed = ArrayWith(pair.Prototype->GetFieldData(), "Seaweed", 1);
+  std::vector<vtkPolyData*> blocks;
+  if (index % 3 != 0 || !seaweed || seaweed->GetNumberOfTuples() == 0 || seaweed->GetTuple1(0) != 0.0)
+  {
+    return blocks;
+  }
+  for (const InstancedBlocks::Pair& other : instanced.Pairs)
+  {
+    if (other.Points == pair.Points && PrototypeIndex(other.Prototype) == index - 2)
+    {
+      blocks.push_back(other.Prototype);
+    }
+  }
+  return blocks;
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> PlacesOf(const InstancedBlocks::Pair& pair)
+{
+  vtkPointData* given = pair.Points->GetPointData();
+  vtkDataArray* prototypes = given->GetArray(PrototypeName);
+  const int index = PrototypeIndex(pair.Prototype);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  auto places = vtkSmartPointer<vtkPolyData>::New();
+  places->GetPointData()->CopyAllocate(given);
+  for (vtkIdType point = 0; point < pair.Points->GetNumberOfPoints(); ++point)
+  {
+    if (static_cast<int>(prototypes->GetTuple1(point)) == index)
+    {
+      places->GetPointData()->CopyData(given, point, points->InsertNextPoint(pair.Points->GetPoint(point)));
+    }
+  }
+  places->SetPoints(points);
+  return places;
+}
+
+//----------------------------------------------------------------------------
 std::shared_ptr<const InstanceBatch> BatchOf(const InstancedBlocks::Pair& pair)
 {
   const auto& [instances, prototype] = pair;

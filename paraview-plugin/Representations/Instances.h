@@ -35,6 +35,13 @@ struct InstancedBlocks
 /// The instances in a tree; none in other data.
 InstancedBlocks InstancesIn(vtkDataObject* data);
 
+/// The blocks of the plant in full whose far level a pair places, as vtkPlantScatterFilter has them; none for other
+/// pairs, and for seaweed, which moves.
+std::vector<vtkPolyData*> FullPlantOf(const InstancedBlocks& instanced, const InstancedBlocks::Pair& pair);
+
+/// The points of a pair's prototype, with their arrays.
+vtkSmartPointer<vtkPolyData> PlacesOf(const InstancedBlocks::Pair& pair);
+
 /// The instances of one prototype.
 struct InstanceBatch
 {

@@ -193,6 +193,11 @@ void TexturedBlocks::Split(vtkDataObject* data)
     part.Prototype = vtkPolyData::SafeDownCast(block);
     part.Instances = BatchOf(pair);
     part.Transmittance = transmittances[pair.Prototype];
+    for (vtkPolyData* full : FullPlantOf(instanced, pair))
+    {
+      part.Plant.push_back({ vtkPolyData::SafeDownCast(WithCoordinates(full)), transmittances[full] });
+    }
+    part.Places = part.Plant.empty() ? nullptr : PlacesOf(pair);
     this->Parts.push_back(part);
   }
   const auto isSpecial = [](const PartOfTree& part) {
