@@ -7,6 +7,7 @@ in vec3 impostorToViewVSOutput;
 flat in vec2 impostorTileVSOutput[3];
 flat in vec3 impostorShareVSOutput;
 flat in float impostorLevelVSOutput;
+flat in float impostorShownVSOutput;
 flat in vec4 impostorTurnVSOutput;
 flat in vec4 impostorTintVSOutput;
 uniform mat4 impostorToClip;

@@ -1,3 +1,6 @@
+  // A pattern of pixels, of which the others have the plant in full (Jimenez, Next generation post processing, 2014)
+  float impostorPattern = fract(dot(floor(gl_FragCoord.xy), vec2(0.06711056, 0.00583715)));
+  if (impostorShownVSOutput <= fract(52.9829189 * impostorPattern)) discard;
   // Where the line of sight meets what each frame shows: its depths tried until they agree
   vec3 impostorAlbedo = vec3(0.0), impostorNormal = vec3(0.0);
   float impostorCovered = 0.0, impostorWay = 0.0, impostorMaterial = 0.0;

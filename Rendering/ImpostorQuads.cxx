@@ -166,6 +166,7 @@ void ImpostorQuads::SetMapperShaderParameters(vtkOpenGLHelper& squares, vtkRende
   SetUniform(program, "impostorSphere", glm::dvec4(this->Around.Center, this->Around.Radius));
   SetUniform(program, "impostorGrid", this->Grid);
   SetUniform(program, "impostorPixel", 2.0 / (projection[1][1] * viewport[3]));
+  SetUniform(program, "impostorFade", this->Fade);
   SetUniform(program, "impostorColors", this->Atlas->GetColors()->GetTextureUnit());
   SetUniform(program, "impostorForms", this->Atlas->GetForms()->GetTextureUnit());
   SetUniform(program, "impostorLeaves", this->Atlas->GetLeaves()->GetTextureUnit());

@@ -22,7 +22,8 @@ namespace littoral
 /// Numbers of instances in single precision, relative to a place, so that it holds them.
 struct ImpostorInstances
 {
-  /// Numbers of each: place and scale, rotation as a quaternion x, y, z, w, and tint with the width over the scale.
+  /// Numbers of each: place and scale, rotation as a quaternion x, y, z, w, and tint with the width over the scale,
+  /// below 0 for one that fades.
   static constexpr int Numbers = 12;
 
   std::vector<float> Values;
@@ -47,6 +48,9 @@ public:
   /// The pictures that are shown, which exist while they are drawn.
   void SetAtlas(const ImpostorAtlas* atlas, const ImpostorAtlas::Sphere& around, int frames, int frameSize);
 
+  /// Distances from the eye between which instances that fade appear [m].
+  void SetFade(const glm::dvec2& range) { this->Fade = range; }
+
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
@@ -68,6 +72,7 @@ private:
   const ImpostorAtlas* Atlas = nullptr;
   ImpostorAtlas::Sphere Around;
   glm::dvec2 Grid = glm::dvec2(0.0); ///< frames along a side, texels along a side of a frame
+  glm::dvec2 Fade = glm::dvec2(0.0);
   vtkNew<vtkOpenGLBufferObject> Buffer;
   bool IsUploaded = false;
 };

@@ -2,13 +2,14 @@
 // radii, places relative to its middle, unless there is another word for them.
 in vec4 instancePlace;         // relative to the anchor [m], and scale
 in vec4 instanceTurn;          // quaternion x, y, z, w
-in vec4 instanceTint;          // and how wide, beside the scale
+in vec4 instanceTint;          // and how wide, beside the scale, below 0 if it fades
 uniform mat4 impostorToView;   // from places relative to the anchor
 uniform vec4 impostorEye;      // place relative to the anchor, and 1; or the direction towards it, and 0
 uniform vec4 impostorSphere;   // around the plant, middle and radius [m]
 uniform vec2 impostorGrid;     // frames along a side, and texels along a side of a frame
 uniform float impostorPixel;   // side of a pixel, in perspective at a distance of 1 [m]
 uniform mat4 impostorToClip;   // from the view
+uniform vec2 impostorFade;     // distances between which instances that fade appear [m]
 out vec3 impostorAtVSOutput[3]; // place on the quad, in the axes of three frames
 out vec3 impostorToVSOutput[3]; // line of sight
 out vec3 impostorAtViewVSOutput; // both in the view [m]
@@ -16,6 +17,7 @@ out vec3 impostorToViewVSOutput;
 flat out vec2 impostorTileVSOutput[3]; // columns and rows of the frames
 flat out vec3 impostorShareVSOutput;   // of each frame
 flat out float impostorLevelVSOutput;  // of the textures
+flat out float impostorShownVSOutput;  // part of the pixels that is shown
 flat out vec4 impostorTurnVSOutput;
 flat out vec4 impostorTintVSOutput;
 

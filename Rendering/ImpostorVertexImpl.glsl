@@ -1,5 +1,10 @@
+  // In parallel projection, as for maps of the sun, what fades is not there.
+  float impostorFar = length((impostorToView * vec4(instancePlace.xyz, 1.0)).xyz);
+  impostorShownVSOutput = instanceTint.w > 0.0 ? 1.0 : impostorEye.w < 0.5 ? 0.0
+    : clamp((impostorFar - impostorFade.x) / max(impostorFade.y - impostorFade.x, 1e-6), 0.0, 1.0);
+  vec4 impostorWide = vec4(instanceTint.rgb, abs(instanceTint.w));
   // The eye, or the direction towards it
-  vec3 impostorSize = instancePlace.w * vec3(instanceTint.ww, 1.0);
+  vec3 impostorSize = instancePlace.w * vec3(impostorWide.ww, 1.0);
   vec3 impostorSeen = impostorTurned(impostorEye.xyz - impostorEye.w * instancePlace.xyz,
     vec4(-instanceTurn.xyz, instanceTurn.w)) / impostorSize;
   impostorSeen = (impostorSeen - impostorEye.w * impostorSphere.xyz) / impostorSphere.w;
@@ -30,12 +35,14 @@
     impostorToVSOutput[k] = impostorTo * axes;
   }
   // Texels along a pixel
-  float impostorStep = impostorPixel / impostorSphere.w * (impostorEye.w > 0.5 ? impostorAway * impostorSphere.w : 1.0 / instancePlace.w);
+  float impostorMetres = impostorEye.w > 0.5 ? impostorAway * impostorSphere.w : 1.0 / instancePlace.w;
+  float impostorStep = impostorPixel * impostorMetres / impostorSphere.w;
   impostorLevelVSOutput = max(0.0, log2(0.5 * impostorGrid.y * impostorStep));
   impostorTurnVSOutput = instanceTurn;
-  impostorTintVSOutput = instanceTint;
-  vec3 impostorMiddle = impostorTurned(impostorSize * impostorSphere.xyz, instanceTurn) + instancePlace.xyz;
-  vec3 impostorMC = impostorMiddle + impostorTurned(impostorSize * impostorSphere.w * impostorAt, instanceTurn);
+  impostorTintVSOutput = impostorWide;
+  vec3 impostorCorner = impostorSphere.xyz + impostorSphere.w * impostorAt;
+  vec3 impostorMC = instancePlace.xyz + impostorTurned(impostorSize * impostorCorner, instanceTurn);
+  vec3 impostorLine = impostorTurned(impostorSize * impostorSphere.w * impostorTo, instanceTurn);
   impostorAtViewVSOutput = (impostorToView * vec4(impostorMC, 1.0)).xyz;
-  impostorToViewVSOutput = mat3(impostorToView) * impostorTurned(impostorSize * impostorSphere.w * impostorTo, instanceTurn);
-  gl_Position = impostorToClip * vec4(impostorAtViewVSOutput, 1.0);
+  impostorToViewVSOutput = mat3(impostorToView) * impostorLine;
+  gl_Position = impostorShownVSOutput > 0.0 ? impostorToClip * vec4(impostorAtViewVSOutput, 1.0) : vec4(vec3(2.0), 1.0);

@@ -41,11 +41,13 @@ struct InstanceArrays
   vtkDataArray* Rotation;
   vtkDataArray* Scale;
   vtkDataArray* Tint;
+  vtkDataArray* Fades;
 
   explicit InstanceArrays(vtkPointData* arrays)
     : Rotation(ArrayWith(arrays, "Rotation", 4))
     , Scale(ArrayWith(arrays, "Scale", 1))
     , Tint(ArrayWith(arrays, "Tint", 3))
+    , Fades(ArrayWith(arrays, "Fades", 1))
   {
     this->Scale = this->Scale ? this->Scale : ArrayWith(arrays, "Scale", 3);
   }
@@ -72,9 +74,10 @@ void Add(const InstanceArrays& arrays, vtkIdType row, const glm::dvec3& place,
     return;
   }
   const double girth = wide / scale;
+  const bool isFading = arrays.Fades && arrays.Fades->GetTuple1(row) != 0.0;
   const glm::dvec3 off = place - instances.Anchor;
   for (const double number : { off.x, off.y, off.z, scale, rotation[1], rotation[2], rotation[3], rotation[0], tint[0],
-         tint[1], tint[2], girth })
+         tint[1], tint[2], isFading ? -girth : girth })
   {
     instances.Values.push_back(static_cast<float>(number));
   }
@@ -156,6 +159,7 @@ vtkImpostorMapper::vtkImpostorMapper()
   : Own(new Internals)
   , Frames(13)
   , FrameSize(64)
+  , FadeRange{ 0.0, 0.0 }
 {
 }
 
@@ -279,6 +283,7 @@ void vtkImpostorMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   if (!this->Own->Quads->GetInstances().Values.empty())
   {
     this->UpdateAtlas(renderer);
+    this->Own->Quads->SetFade({ this->FadeRange[0], this->FadeRange[1] });
     this->Own->Quads->RenderPiece(renderer, actor);
   }
 }
@@ -302,4 +307,5 @@ void vtkImpostorMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Parts: " << this->Own->Parts.size() << "\n";
   os << indent << "Frames: " << this->Frames << "\n";
   os << indent << "FrameSize: " << this->FrameSize << "\n";
+  os << indent << "FadeRange: " << this->FadeRange[0] << " " << this->FadeRange[1] << "\n";
 }

@@ -6,7 +6,8 @@
  *
  * Input: vtkPolyData, a point for each instance, with the optional point arrays `Rotation` (quaternion w, x, y, z),
  * `Scale` (one value, or x, y and z, of which x and z count) and `Tint` (factors of red, green and blue), as from
- * vtkPlantScatterFilter with OutputForm Instances. An instance is the plant scaled, rotated and moved to the point.
+ * vtkPlantScatterFilter with OutputForm Instances, and `Fades` (0 or 1), see FadeRange. An instance is the plant
+ * scaled, rotated and moved to the point.
  *
  * The plant is made of actors that are not in the renderer, see AddPart(). Before it is drawn first, and when a part
  * changed, its pictures are taken from the directions of an octahedron's grid: albedo and coverage, normal,
@@ -55,6 +56,16 @@ public:
   vtkGetMacro(FrameSize, int);
   ///@}
 
+  ///@{
+  /**
+   * Distances from the eye between which instances whose array `Fades` is 1 appear, by a pattern of pixels, so that
+   * what is in the other ones can disappear [m], not decreasing; default 0 0. In parallel projection they are not
+   * there.
+   */
+  vtkSetVector2Macro(FadeRange, double);
+  vtkGetVector2Macro(FadeRange, double);
+  ///@}
+
   /** Graphics memory of the pictures [bytes]: 9 (Frames FrameSize)^2 (1 + 1/4 + 1/16 + ...). */
   vtkTypeInt64 GetAtlasBytes();
 
@@ -79,6 +90,7 @@ private:
   std::unique_ptr<Internals> Own;
   int Frames;
   int FrameSize;
+  double FadeRange[2];
 };
 
 #endif

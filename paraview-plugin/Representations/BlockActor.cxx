@@ -315,6 +315,7 @@ void BlockActor::TakeInstances(const PartOfTree& part, vtkMapper* like)
   mapper->vtkMapper::ShallowCopy(like); // its input is another one
   mapper->SetInputData(part.Prototype);
   mapper->SetInstances(part.Instances);
+  mapper->SetFadeRange(part.FadeRange[0], part.FadeRange[1]);
 }
 
 //----------------------------------------------------------------------------
@@ -354,6 +355,7 @@ void BlockActor::TakeImpostors(const PartOfTree& part, vtkActor* like, vtkMapper
     block.Transmittance = this->Plant[k].Transmittance;
     this->PlantActors[k]->Draw(block, atOrigin, mapper, isLit);
   }
+  own->SetFadeRange(part.FadeRange[0], part.FadeRange[1]);
   if (own->GetInput() != part.Places)
   {
     own->SetInputData(part.Places);

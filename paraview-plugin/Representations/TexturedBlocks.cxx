@@ -140,6 +140,7 @@ bool TexturedBlocks::Draw(
     if (!hasSun)
     {
       part.Plant.clear(); // without it the far level as it is
+      part.FadeRange = { 0.0, 0.0 };
     }
     if (dataChanged || attributesChanged)
     {
@@ -218,6 +219,7 @@ void TexturedBlocks::Split(vtkDataObject* data)
     {
       part.Plant.push_back({ vtkPolyData::SafeDownCast(WithCoordinates(full)), transmittances[full] });
     }
+    part.FadeRange = FadeRangeOf(pair);
     part.Places = part.Plant.empty() ? nullptr : PlacesOf(pair);
     this->Parts.push_back(part);
   }
