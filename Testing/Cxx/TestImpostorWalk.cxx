@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// A walk towards oaks, through the distances at which impostors are exchanged for oaks in full: from picture to picture
+// little changes but by the motion, which enlarges the picture.
+#include "ImpostorWood.h"
+#include "InstanceMapper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+constexpr double Step = 0.12;                   // of the walk from picture to picture [m]
+constexpr double FadeRange[2] = { 48.0, 64.0 }; // distances of the oaks [m]
+
+/// Points of oaks as of vtkPlantScatterFilter.
+vtkSmartPointer<vtkPolyData> Places()
+{
+  vtkNew<vtkPoints> places;
+  auto points = vtkSmartPointer<vtkPolyData>::New();
+  points->SetPoints(places);
+  const auto add = [&points](const char* name, int components) {
+    vtkNew<vtkFloatArray> array;
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    points->GetPointData()->AddArray(array);
+    return array.Get();
+  };
+  vtkFloatArray* prototypes = add("Prototype", 1);
+  vtkFloatArray* rotations = add("Rotation", 4);
+  vtkFloatArray* scales = add("Scale", 1);
+  vtkFloatArray* tints = add("Tint", 3);
+  vtkFloatArray* fades = add("Fades", 1);
+  for (int oak = 0; oak < Oaks; ++oak)
+  {
+    const double half = vtkMath::RadiansFromDegrees(0.5 * Turns[oak]);
+    places->InsertNextPoint(9.0 * (oak - 0.5 * (Oaks - 1)), 0.0, 0.0);
+    prototypes->InsertNextValue(1.0F);
+    rotations->InsertNextTuple4(std::cos(half), 0.0, 0.0, std::sin(half));
+    scales->InsertNextValue(0.8F);
+    tints->InsertNextTuple3(0.9, 1.0, 0.9);
+    fades->InsertNextValue(1.0F);
+  }
+  return points;
+}
+
+/// Oaks in full, as instances in a view of ParaView.
+void AddFull(Picture& picture, const std::vector<vtkSmartPointer<vtkActor>>& parts, vtkPolyData* places)
+{
+  for (vtkActor* part : parts)
+  {
+    vtkNew<vtkPolyData> block;
+    block->ShallowCopy(vtkPolyDataMapper::SafeDownCast(part->GetMapper())->GetInput());
+    vtkNew<vtkFloatArray> index;
+    index->SetName("Prototype");
+    index->InsertNextValue(1.0F);
+    block->GetFieldData()->AddArray(index);
+    vtkNew<littoral::InstanceMapper> mapper;
+    mapper->SetInputData(block);
+    mapper->SetInstances(littoral::BatchOf({ places, block }));
+    mapper->SetFadeRange(FadeRange[0], FadeRange[1]);
+    part->SetMapper(mapper);
+    picture.Renderer->AddActor(part);
+  }
+}
+
+/// Number of a byte of a picture between its pixels.
+double Between(const std::vector<unsigned char>& picture, double x, double y, int channel)
+{
+  const int column = std::clamp(static_cast<int>(x), 0, Width - 2);
+  const int row = std::clamp(static_cast<int>(y), 0, Height - 2);
+  const double right = x - column;
+  const double up = y - row;
+  const auto at = [&](int c, int r) { return static_cast<double>(picture[4 * (r * Width + c) + channel]); };
+  return (1.0 - up) * ((1.0 - right) * at(column, row) + right * at(column + 1, row)) +
+    up * ((1.0 - right) * at(column, row + 1) + right * at(column + 1, row + 1));
+}
+
+/// Whether a pixel shows an oak, and not the background.
+bool IsOak(const std::vector<unsigned char>& picture, int column, int row)
+{
+  return std::memcmp(&picture[4 * (row * Width + column)], picture.data(), 3) != 0;
+}
+
+/// Pixels by their change [1/255].
+using Counts = std::vector<double>;
+
+double MeanOf(const Counts& counts)
+{
+  double all = 0.0;
+  double sum = 0.0;
+  for (std::size_t change = 0; change < counts.size(); ++change)
+  {
+    all += counts[change];
+    sum += static_cast<double>(change) * counts[change];
+  }
+  return sum / all;
+}
+
+/// The least change that all but a hundredth of the pixels do not exceed.
+std::size_t HighOf(const Counts& counts)
+{
+  const double all = std::accumulate(counts.begin(), counts.end(), 0.0);
+  double below = counts[0];
+  std::size_t change = 0;
+  while (below < 0.99 * all)
+  {
+    below += counts[++change];
+  }
+  return change;
+}
+
+/// What changed from a picture to the next, which is larger by a factor, where there is an oak.
+Counts ChangesOf(const std::vector<unsigned char>& last, const std::vector<unsigned char>& next, double larger)
+{
+  Counts counts(256);
+  for (int row = 2; row < Height - 2; ++row)
+  {
+    for (int column = 2; column < Width - 2; ++column)
+    {
+      const double x = 0.5 * (Width - 1) + (column - 0.5 * (Width - 1)) / larger;
+      const double y = 0.5 * (Height - 1) + (row - 0.5 * (Height - 1)) / larger;
+      double change = 0.0;
+      if (!IsOak(next, column, row) && !IsOak(last, column, row))
+      {
+        continue;
+      }
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        change += std::abs(next[4 * (row * Width + column) + channel] - Between(last, x, y, channel)) / 3.0;
+      }
+      counts[static_cast<std::size_t>(change + 0.5)] += 1.0;
+    }
+  }
+  return counts;
+}
+
+/// A view of oaks and their impostors.
+struct Walk : Picture
+{
+  vtkNew<vtkImpostorMapper> Impostors;
+
+  Walk()
+  {
+    vtkNew<vtkReevesTreeSource> oak;
+    oak->SetPreset(vtkReevesTreeSource::Custom);
+    oak->SetNumberOfLeaves(1500);
+    oak->SetMainBranches(8);
+    oak->SetOrders(1);
+    const auto places = Places();
+    for (vtkActor* part : PartsOf(oak))
+    {
+      this->Impostors->AddPart(part);
+    }
+    this->Impostors->SetInputData(places);
+    this->Impostors->SetFadeRange(FadeRange);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(this->Impostors);
+    this->Renderer->AddActor(actor);
+    AddFull(*this, PartsOf(oak), places);
+    this->Renderer->SetBackground(0.6, 0.7, 0.8);
+    this->Pass->BackgroundOff();
+    this->Pass->SupersamplingOn();
+    this->Pass->FilmCurveOn();
+    this->Pass->SetMapSize(512);
+  }
+
+  std::vector<unsigned char> From(double away)
+  {
+    this->Look({ 0.0, -away, 5.0 }, { 0.0, 0.0, 5.0 }, { 0.0, 0.0, 1.0 });
+    this->Draw();
+    return { this->Pixels->GetPointer(0), this->Pixels->GetPointer(0) + this->Pixels->GetNumberOfValues() };
+  }
+};
+
+/// All changes of a walk, and the largest mean of those of one step. A pattern of pixels that stays while the picture
+/// grows is a change too: the limit is higher for a walk that does not leave the distances of the exchange.
+bool TestWalk(int pictures, double limit)
+{
+  Walk walk;
+  double away = 0.5 * (FadeRange[0] + FadeRange[1]) + 0.5 * Step * pictures;
+  std::vector<unsigned char> last = walk.From(away);
+  Counts all(256);
+  double largest = 0.0;
+  for (int picture = 1; picture < pictures; ++picture)
+  {
+    away -= Step;
+    const std::vector<unsigned char> next = walk.From(away);
+    const Counts changes = ChangesOf(last, next, (away + Step) / away);
+    largest = std::max(largest, MeanOf(changes));
+    std::transform(all.begin(), all.end(), changes.begin(), all.begin(), std::plus<>());
+    last = next;
+  }
+  const double mean = MeanOf(all);
+  std::cout << "Changes: mean " << mean << ", 99th percentile " << HighOf(all) << ", largest of a step " << largest
+            << "\n";
+  bool good = Check(mean > 0.1 && mean <= limit && HighOf(all) <= 24, "More changes than the motion.");
+  return good & Check(largest < 2.0 * mean, "Oaks pop: a step changes " + std::to_string(largest));
+}
+
+}
+
+int TestImpostorWalk(int argc, char* argv[])
+{
+  const bool isLong = argc > 1 && std::string(argv[argc - 1]) == "--long";
+  return (isLong ? TestWalk(200, 2.0) : TestWalk(50, 3.0)) ? EXIT_SUCCESS : EXIT_FAILURE;
+}
