@@ -7,6 +7,8 @@ uniform sampler2D landscapeDepth;
 
 void main()
 {
-  gl_FragData[0] = vec4(texture(landscapeLit, texCoord).rgb, 1.0);
+  vec4 lit = texture(landscapeLit, texCoord);
+  if (lit.a <= 0.0) discard; // nothing, and no background
+  gl_FragData[0] = vec4(lit.rgb / lit.a, 1.0);
   gl_FragDepth = texture(landscapeDepth, texCoord).r;
 }

@@ -193,6 +193,9 @@ void LightingQuad::Draw(vtkRenderer* renderer, const Lighting& light)
     this->Frame->ActivateDrawBuffers(1);
     state->vtkglViewport(0, 0, this->Width, this->Height);
     state->vtkglScissor(0, 0, this->Width, this->Height);
+    vtkOpenGLState::ScopedglClearColor clearColor(state);
+    state->vtkglClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT); // there may be no background
     this->DrawLit(renderer, light);
     this->Frame->RemoveColorAttachment(0);
     state->PopFramebufferBindings();
