@@ -62,7 +62,7 @@ void FillFrom(const FramePicture& coarse, FramePicture& fine)
   }
 }
 
-/// What all texels cover [texels].
+/// Area that all texels cover [texels].
 double CoverageOf(const FramePicture& picture)
 {
   double sum = 0.0;
