@@ -44,7 +44,8 @@ def entry_of(row):
 def rows():
     """The classes in the order of the fields: name, field, entry."""
     bases = [Row(name, field, "a base class") for name, field in classes.BASES.items()]
-    passes = [Row(name, field, "a render pass") for name, field in classes.PASSES.items()]
+    passes = [Row(name, field, "a mapper" if name.endswith("Mapper") else "a render pass")
+              for name, field in classes.PASSES.items()]
     made = [Row(row.name, row.field, entry_of(row)) for row in classes.ROWS]
     return [row for field in classes.FIELDS for row in made + passes + bases if row.field == field]
 

@@ -469,7 +469,12 @@ void vtkPlantScatterFilter::AddInstances(const Request& request, vtkMultiBlockDa
   littoral::RequireMemory(bytes, "A forest of " + std::to_string(request.Shown.size()) + " instances of plants",
     "switch on UseCulling, or set VisibleDistance");
   output->ShallowCopy(this->Internals->Species.Levels);
-  littoral::ReplaceBlock(output, InstancesBlock, littoral::InstancesOf(places, request.Shown));
+  const auto instances = littoral::InstancesOf(places, request.Shown);
+  if (this->UseLevels)
+  {
+    littoral::WriteCounter(instances->GetFieldData(), "FarDistance", this->FarDistance);
+  }
+  littoral::ReplaceBlock(output, InstancesBlock, instances);
   const double polygons = littoral::PolygonsOf(this->Internals->Species.Levels, places, request.Shown);
   this->WriteCounters(request, polygons, bytes, output->GetFieldData());
   littoral::KeepRanges(output, littoral::PollOf(this));

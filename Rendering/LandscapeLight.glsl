@@ -219,16 +219,19 @@ vec3 landscapeBehindAir(vec3 luminance, vec3 lineV)
   return mix(horizon, luminance, through);
 }
 
-// Luminance of a surface of an albedo and of a transmittance, without the air before it.
-vec3 landscapeLuminance(vec3 albedo, vec3 placeV, vec3 normalV, float transmittance)
+// Luminance of a surface of an albedo and of a transmittance, without the air before it. Normals of small parts may
+// agree in part: those that do are the one given, the others are of all directions, for which |cos| is 1/2.
+vec3 landscapeLuminance(vec3 albedo, vec3 placeV, vec3 normalV, float transmittance, float agreed)
 {
   vec3 normal = landscapeToWorld * normalV;
   float towards = dot(normal, landscapeSun);
   // Light of the sky on both sides; what is hidden sends light that was sent before: a / (1 - albedo (1 - a))
   float open = landscapeSkySeen(placeV, normalV);
-  vec3 light = landscapeSkyLightOn(normal) + transmittance * landscapeSkyLightOn(-normal);
+  vec2 sides = mix(0.5 * vec2(1.0 + transmittance), vec2(1.0, transmittance), agreed);
+  vec3 light = sides.x * landscapeSkyLightOn(normal) + sides.y * landscapeSkyLightOn(-normal);
   light *= open / (1.0 - albedo * (1.0 - open));
   float facing = max(towards, 0.0) + transmittance * max(-towards, 0.0);
+  facing = mix(0.25 * (1.0 + transmittance), facing, agreed);
   if (facing > 0.0)
   {
     float seen = landscapeSunSeen(placeV, towards > 0.0 ? normalV : -normalV, towards);
@@ -241,5 +244,5 @@ vec3 landscapeLuminance(vec3 albedo, vec3 placeV, vec3 normalV, float transmitta
 vec3 landscapeLit(vec3 albedo, vec3 eyeV, vec3 placeV, vec3 normalV, float transmittance)
 {
   return landscapeDisplayed(
-    landscapeBehindAir(landscapeLuminance(albedo, placeV, normalV, transmittance), placeV - eyeV));
+    landscapeBehindAir(landscapeLuminance(albedo, placeV, normalV, transmittance, 1.0), placeV - eyeV));
 }

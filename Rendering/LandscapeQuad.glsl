@@ -115,15 +115,17 @@ void main()
     : surface.z > 1.5 && surface.z < 3.5 ? LandscapeGround : LandscapeSurface;
   gl_FragDepth = float(landscapeWater == 2 ? LandscapeBelow : kind) / 8.0;
 #elif LandscapePart == LandscapeShown
-  if (!isThere && !hasSurface && landscapeBackground == 0) discard;
-  gl_FragData[0] = vec4(texture(landscapeDrawn, texCoord).rgb, 1.0);
+  vec4 drawn = texture(landscapeDrawn, texCoord);
+  if (drawn.a <= 0.0) discard; // nothing, and no background
+  gl_FragData[0] = vec4(drawn.rgb / drawn.a, 1.0);
   gl_FragDepth = isThere || hasSurface ? shown : 0.9999999; // drawn, for who composes pictures by their depths
 #else
   // The line of sight, from the middle of its part that is shown
   vec3 sight = landscapePlace(0.5);
   vec3 eye = landscapeEyeOf(sight);
   vec3 d = normalize(landscapeToWorld * (landscapeIsParallel == 1 ? vec3(0.0, 0.0, -1.0) : sight));
-  vec3 code = texture(landscapeAlbedo, texCoord).rgb;
+  vec4 texel = texture(landscapeAlbedo, texCoord);
+  vec3 code = texel.rgb;
   vec3 place = landscapePlaceOf(depth, surface.w, sight);
   vec3 normal = landscapeUnfolded(surface.xy);
   bool isLit = surface.z > -0.5;
@@ -131,11 +133,12 @@ void main()
 #if LandscapePart == LandscapeSky
   luminance = landscapeBehindAll(d);
 #elif LandscapePart == LandscapeSurface
-  luminance = landscapeBehindAir(landscapeLuminance(landscapeLinear(code), place, normal, surface.z), place - eye);
+  luminance = landscapeLuminance(landscapeLinear(code), place, normal, surface.z, 2.0 * texel.a - 1.0);
+  luminance = landscapeBehindAir(luminance, place - eye);
 #elif LandscapePart == LandscapeGround
   bool isGrass = surface.z > 2.5;
   vec3 albedo = landscapeGrown(isGrass, landscapeLinear(code), place, normal);
-  luminance = landscapeBehindAir(landscapeLuminance(albedo, place, normal, isGrass ? 0.4 : 0.0), place - eye);
+  luminance = landscapeBehindAir(landscapeLuminance(albedo, place, normal, isGrass ? 0.4 : 0.0, 1.0), place - eye);
 #else
   vec3 wetPlace = landscapePlaceOf(wetDepth, wet.w, sight);
   vec3 wetNormal = landscapeToWorld * landscapeUnfolded(wet.xy);
@@ -165,7 +168,7 @@ void main()
   vec3 below = landscapeInWater(isRiver ? landscapeWetGround * luminance : luminance, down, 0.0, way);
   luminance = looks * landscapeWaterAbove(d, wetNormal, ripples.z, wetPlace, below / (landscapeIndex * landscapeIndex));
   float foam = landscapeFoam(texture(landscapeWetColor, texCoord).a, (landscapeEye + landscapeToWorld * wetPlace).xy);
-  luminance = mix(luminance, landscapeLuminance(vec3(0.6), wetPlace, wetNormal * landscapeToWorld, 0.0), foam);
+  luminance = mix(luminance, landscapeLuminance(vec3(0.6), wetPlace, wetNormal * landscapeToWorld, 0.0, 1.0), foam);
   luminance = landscapeBehindAir(luminance, wetPlace - eye);
 #endif
 #endif

@@ -202,6 +202,8 @@ void LightingQuad::DrawKinds(vtkRenderer* renderer, const Lighting& light)
   vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
   vtkOpenGLState::ScopedglViewport viewport(state);
   vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  vtkOpenGLState::ScopedglColorMask colorMask(state);
   state->PushFramebufferBindings();
   this->Frame->Bind();
   this->Frame->AddColorAttachment(0, this->Lit);
@@ -209,9 +211,13 @@ void LightingQuad::DrawKinds(vtkRenderer* renderer, const Lighting& light)
   this->Frame->ActivateDrawBuffers(1);
   state->vtkglViewport(0, 0, this->Width, this->Height);
   state->vtkglScissor(0, 0, this->Width, this->Height);
+  state->vtkglClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+  state->vtkglClear(GL_COLOR_BUFFER_BIT); // there may be no background
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglDepthFunc(GL_ALWAYS);
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   this->DrawPart("LandscapeKinds", 0, renderer, light);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglDepthFunc(GL_EQUAL);
   if (light.IsInWater)

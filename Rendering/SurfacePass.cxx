@@ -26,6 +26,9 @@ constexpr const char* CutOut = "  if (gl_FragData[0].a < 0.5) discard;";
 
 constexpr const char* LitOutput = R"(
   gl_FragData[0].a = landscapeMaterial > 3.5 ? landscapeStretched() : 1.0;
+#ifdef LandscapeOwnPlace
+  gl_FragData[0].a = 0.5 + 0.5 * landscapeAgreed;
+#endif
   vec3 landscapeN = normalVCVSOutput / max(dot(abs(normalVCVSOutput), vec3(1.0)), 1e-9);
   vec2 landscapeS = vec2(landscapeN.x >= 0.0 ? 1.0 : -1.0, landscapeN.y >= 0.0 ? 1.0 : -1.0);
   vec2 landscapeO = landscapeN.z >= 0.0 ? landscapeN.xy : (1.0 - abs(landscapeN.yx)) * landscapeS;
@@ -39,8 +42,14 @@ float landscapeStretched() { return landscapeStretchVS == 0.0 ? 0.0 : clamp(land
 )";
 constexpr const char* NoStretch = "float landscapeStretched() { return 0.0; }\n";
 
-/// w of the clip coordinates, by which the place of a fragment is found.
-constexpr const char* Solid = "  float landscapeW = 1.0 / gl_FragCoord.w;\n";
+/// w of the clip coordinates, by which the place of a fragment is found; impostors are not where they are drawn.
+constexpr const char* Solid = R"(
+#ifdef LandscapeOwnPlace
+  float landscapeW = landscapeOwnW;
+#else
+  float landscapeW = 1.0 / gl_FragCoord.w;
+#endif
+)";
 
 /// Normal of the sphere that a sprite of vtkPointGaussianMapper is a picture of, without a w, which since VTK 9.4 is
 /// not that of its place; and the shade that ParaView paints on it.

@@ -12,7 +12,8 @@ namespace littoral
  * Lets the shaders of surfaces write what is needed to light them, not their look: the color without light, and normal,
  * material and distance. Where a texture is more than half transparent there is no surface.
  *
- * Output 0: albedo as the display's code, and 1, or the stretch of a surface of water. Output 1: the view's normal on
+ * Output 0: albedo as the display's code, and 1, or the stretch of a surface of water, or from 0.5 to 1 how far the
+ * normals of an impostor's fragment agree (ImpostorQuads). Output 1: the view's normal on
  * an octahedron unfolded to a square (two numbers from -1 to 1), transmittance of the surface from 0 to 1 or one of the
  * numbers below, and w of the clip coordinates.
  */

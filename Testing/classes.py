@@ -44,8 +44,8 @@ BASES = {
     "vtkViewDependentAlgorithm": "Views",
 }
 
-# Classes that have no inputs and outputs.
-PASSES = {"vtkLandscapePass": "Light"}
+# Classes that draw, and are no part of a pipeline.
+PASSES = {"vtkLandscapePass": "Light", "vtkImpostorMapper": "Light"}
 
 # Folders of VTK classes that users call.
 MODULES = ("Sources", "Filters", "Rendering", "IO")

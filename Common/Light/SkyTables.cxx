@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Light/SkyTables.h"
 
+#include "Geometry/OctahedronMap.h"
 #include "Numerics/Constants.h"
 
 #include <algorithm>
@@ -29,22 +30,6 @@ double RowAt(double elevation)
 {
   const double t = (HalfRows - 1.0) * std::sqrt(std::min(std::abs(elevation) / (0.5 * Pi), 1.0));
   return (elevation >= 0.0 ? HalfRows + t : HalfRows - 1.0 - t) / (SkyTables::DomeRows - 1.0);
-}
-
-double SignOf(double value)
-{
-  return value >= 0.0 ? 1.0 : -1.0;
-}
-
-/// Normal of a place of the unfolded octahedron, both from -1 to 1.
-Vector3 OctahedronNormal(double u, double v)
-{
-  Vector3 n(u, v, 1.0 - std::abs(u) - std::abs(v));
-  if (n.z < 0.0)
-  {
-    n = { (1.0 - std::abs(v)) * SignOf(u), (1.0 - std::abs(u)) * SignOf(v), n.z };
-  }
-  return glm::normalize(n);
 }
 
 /// A part of the sphere of directions.
@@ -108,11 +93,8 @@ Vector3 SkyTables::LuminanceAt(const Vector3& direction) const
 
 Vector3 SkyTables::LightOn(const Vector3& normal) const
 {
-  // Onto the octahedron |x| + |y| + |z| = 1, whose lower half is folded outward
-  const Vector3 n = normal / (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z));
-  const double u = n.z >= 0.0 ? n.x : (1.0 - std::abs(n.y)) * SignOf(n.x);
-  const double v = n.z >= 0.0 ? n.y : (1.0 - std::abs(n.x)) * SignOf(n.y);
-  return this->Light.Between(0.5 + 0.5 * u, 0.5 + 0.5 * v);
+  const glm::dvec2 place = OctahedronPlace(normal);
+  return this->Light.Between(0.5 + 0.5 * place.x, 0.5 + 0.5 * place.y);
 }
 
 SkyTables TabulateSky(const Atmosphere& air, const Vector3& sun, const ParallelFor& parallel)

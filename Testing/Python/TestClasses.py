@@ -28,7 +28,8 @@ names = [name for name in littoral.__all__ if not is_abstract(getattr(littoral, 
 missing = []
 for files, entry in PLACES.items():
     text = "".join(file.read_text(encoding="utf-8") for file in TOP.glob(files))
-    missing += [f"{files} has no {entry.format(name)}" for name in names if entry.format(name) not in text]
+    missing += [f"{files} has no {entry.format(name)}" for name in names
+                if entry.format(name) not in text and not (files.endswith(".xml") and name.endswith("Mapper"))]
 missing += [f"Testing/classes.py has no row of {name}" for name in names
             if name not in classes.BY_NAME and name not in classes.PASSES]
 # What is read or written is hashed by a function of its own.

@@ -4,6 +4,7 @@
 
 #include "BlockMapper.h"
 #include "InstanceMapper.h"
+#include "vtkImpostorMapper.h"
 #include "vtkLandscapePass.h"
 
 #include "vtkActor.h"
@@ -192,7 +193,11 @@ bool BlockActor::IsTextured(vtkDataObject* block)
 void BlockActor::Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper, bool isLit)
 {
   const bool isAlone = !part.Prototype && IsDrawnAlone(part, mapper);
-  if (part.Prototype)
+  if (!part.Plant.empty())
+  {
+    this->TakeImpostors(part, like, mapper, isLit);
+  }
+  else if (part.Prototype)
   {
     this->TakeInstances(part, mapper);
   }
@@ -216,12 +221,12 @@ void BlockActor::Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper,
     this->PropertyTime = like->GetProperty()->GetMTime();
     this->Actor->GetProperty()->DeepCopy(like->GetProperty());
   }
-  this->TakeKeys(like->GetPropertyKeys(), part.Transmittance);
+  this->TakeKeys(like->GetPropertyKeys(), part.Plant.empty() ? part.Transmittance : 0.0);
   this->Actor->SetPickable(like->GetPickable() && !part.Prototype);
   this->Actor->SetVisibility(!isAlone || IsVisible(part.Tree, part.Attributes));
   vtkProperty* property = like->GetProperty();
   const bool hasNormals = isLit && property->GetLighting() && property->GetRepresentation() == VTK_SURFACE;
-  this->TakeTexture(part.Textured, like->GetShaderProperty(), hasNormals);
+  this->TakeTexture(part.Plant.empty() ? part.Textured : nullptr, like->GetShaderProperty(), hasNormals);
 }
 
 //----------------------------------------------------------------------------
@@ -310,6 +315,51 @@ void BlockActor::TakeInstances(const PartOfTree& part, vtkMapper* like)
   mapper->vtkMapper::ShallowCopy(like); // its input is another one
   mapper->SetInputData(part.Prototype);
   mapper->SetInstances(part.Instances);
+  mapper->SetFadeRange(part.FadeRange[0], part.FadeRange[1]);
+}
+
+//----------------------------------------------------------------------------
+/// Pictures are taken anew only of other points: the blocks themselves are new whenever a plant changes its level.
+void BlockActor::TakeImpostors(const PartOfTree& part, vtkActor* like, vtkMapper* mapper, bool isLit)
+{
+  auto* own = vtkImpostorMapper::SafeDownCast(this->Mapper);
+  if (!own)
+  {
+    const auto made = vtkSmartPointer<vtkImpostorMapper>::New();
+    this->Mapper = own = made;
+    this->Actor->SetMapper(own);
+    this->Plant.clear();
+  }
+  const auto isSame = [](const PlantPart& a, const PlantPart& b) {
+    return a.Block->GetPoints() == b.Block->GetPoints() && a.Transmittance == b.Transmittance;
+  };
+  if (!std::equal(this->Plant.begin(), this->Plant.end(), part.Plant.begin(), part.Plant.end(), isSame))
+  {
+    this->Plant = part.Plant;
+    own->RemoveAllParts();
+    this->PlantActors.clear();
+    for (std::size_t k = 0; k < this->Plant.size(); ++k)
+    {
+      this->PlantActors.push_back(std::make_unique<BlockActor>());
+      own->AddPart(this->PlantActors.back()->Actor);
+    }
+  }
+  vtkNew<vtkActor> atOrigin;
+  atOrigin->SetProperty(like->GetProperty());
+  for (std::size_t k = 0; k < this->Plant.size(); ++k)
+  {
+    PartOfTree block;
+    block.Tree = block.Block = this->Plant[k].Block;
+    block.Textured = IsTextured(block.Block) ? block.Tree : nullptr;
+    block.Attributes = vtkSmartPointer<vtkCompositeDataDisplayAttributes>::New();
+    block.Transmittance = this->Plant[k].Transmittance;
+    this->PlantActors[k]->Draw(block, atOrigin, mapper, isLit);
+  }
+  own->SetFadeRange(part.FadeRange[0], part.FadeRange[1]);
+  if (own->GetInput() != part.Places)
+  {
+    own->SetInputData(part.Places);
+  }
 }
 
 //----------------------------------------------------------------------------

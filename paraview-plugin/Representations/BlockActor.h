@@ -10,6 +10,8 @@
 #include "vtkSmartPointer.h" // for the mapper
 
 #include <array>
+#include <memory>
+#include <vector>
 
 class vtkActor;
 class vtkCompositeDataDisplayAttributes;
@@ -25,6 +27,13 @@ class vtkTexture;
 namespace littoral
 {
 
+/// A block of a plant, and the light that comes through it.
+struct PlantPart
+{
+  vtkSmartPointer<vtkPolyData> Block;
+  double Transmittance;
+};
+
 /// Leaves of a tree of blocks, in a tree of the same branches, so that they keep their indices.
 struct PartOfTree
 {
@@ -35,7 +44,10 @@ struct PartOfTree
   unsigned int BlockIndex = 0;                                   ///< of the only leaf in the tree
   vtkSmartPointer<vtkPolyData> Prototype;                        ///< drawn in place of the tree where it has instances
   std::shared_ptr<const InstanceBatch> Instances;
-  double Transmittance = 0.0; ///< of the light on the far side of surfaces (vtkLandscapePass)
+  std::vector<PlantPart> Plant;                ///< drawn in place of the prototype by pictures of it, if there is one
+  vtkSmartPointer<vtkPolyData> Places;         ///< of such plants
+  std::array<double, 2> FadeRange{ 0.0, 0.0 }; ///< distances between which such plants appear, and others disappear
+  double Transmittance = 0.0;                  ///< of the light on the far side of surfaces (vtkLandscapePass)
 };
 
 /**
@@ -90,6 +102,7 @@ private:
   void TakeMapper(const PartOfTree& part, vtkMapper* like);
   void TakeBlock(const PartOfTree& part, vtkMapper* like);
   void TakeInstances(const PartOfTree& part, vtkMapper* like);
+  void TakeImpostors(const PartOfTree& part, vtkActor* like, vtkMapper* mapper, bool isLit);
   void TakeTexture(vtkDataObject* block, vtkShaderProperty* given, bool isLit);
   void TakeKeys(vtkInformation* given, double transmittance);
   void SetShading(Shading shading, vtkShaderProperty* given);
@@ -99,6 +112,8 @@ private:
   vtkNew<vtkMatrix4x4> Matrix;
   vtkNew<vtkInformation> Keys;
   vtkSmartPointer<vtkMapper> Mapper;
+  std::vector<PlantPart> Plant;                         ///< of the impostors
+  std::vector<std::unique_ptr<BlockActor>> PlantActors; ///< of its parts
   Picture Colors;
   Picture Normals;
   Shading Shaded = Shading::Plain;

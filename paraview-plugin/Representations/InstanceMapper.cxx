@@ -9,7 +9,9 @@
 #endif
 
 #include "vtkActor.h"
+#include "vtkCamera.h"
 #include "vtkMath.h"
+#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLHelper.h"
@@ -17,6 +19,7 @@
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkProperty.h"
+#include "vtkRenderer.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
 
@@ -32,6 +35,9 @@ constexpr const char* Declarations = R"(
 in vec4 instancePlace; // and scale
 in vec4 instanceTurn;
 in vec4 instanceTint; // and how wide, beside the scale
+uniform vec2 instanceFade; // distances [m]
+uniform vec3 instanceEye;
+flat out float instanceFadedVSOutput;
 vec3 instanceTurned(vec3 v)
 {
   vec3 q = instanceTurn.xyz;
@@ -41,10 +47,33 @@ vec3 instanceTurned(vec3 v)
 
 constexpr const char* Begin = R"(
   vec4 instanceMC = vec4(instancePlace.xyz + instancePlace.w * instanceTurned(vec3(instanceTint.ww, 1.0) * vertexMC.xyz), 1.0);
+  float instanceFar = distance(instanceEye, instancePlace.xyz);
+  instanceFadedVSOutput = instanceFade.y > 0.0
+    ? clamp((instanceFar - instanceFade.x) / max(instanceFade.y - instanceFade.x, 1e-6), 0.0, 1.0) : 0.0;
 #define vertexMC instanceMC
 #define normalMC instanceTurned(normalMC / vec3(instanceTint.ww, 1.0))
 #define scalarColor min(vec4(1.0), vec4(instanceTint.rgb, 1.0) * scalarColor)
 )";
+
+// The pattern is that of impostors.
+constexpr const char* Faded = R"(
+  float instancePattern = fract(dot(floor(gl_FragCoord.xy), vec2(0.06711056, 0.00583715)));
+  if (instanceFadedVSOutput > fract(52.9829189 * instancePattern)) discard;
+)";
+
+/// Inserts declarations before the function main of a shader, and code at its beginning.
+void InsertInMain(vtkShader* shader, const char* declarations, const char* code)
+{
+  std::string source = shader->GetSource();
+  const std::size_t main = source.find("void main");
+  const std::size_t body = source.find('{', main);
+  if (body != std::string::npos)
+  {
+    source.insert(body + 1, code);
+    source.insert(main, declarations);
+  }
+  shader->SetSource(source);
+}
 
 }
 
@@ -133,16 +162,32 @@ void InstanceMapper::BindAttributes(vtkOpenGLHelper& triangles)
 void InstanceMapper::ReplaceShaderValues(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
 {
-  std::string source = shaders[vtkShader::Vertex]->GetSource();
-  const std::size_t main = source.find("void main");
-  const std::size_t body = source.find('{', main);
-  if (body != std::string::npos)
-  {
-    source.insert(body + 1, Begin);
-    source.insert(main, Declarations);
-  }
-  shaders[vtkShader::Vertex]->SetSource(source);
+  InsertInMain(shaders[vtkShader::Vertex], Declarations, Begin);
+  InsertInMain(shaders[vtkShader::Fragment], "flat in float instanceFadedVSOutput;\n", Faded);
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
+}
+
+//----------------------------------------------------------------------------
+void InstanceMapper::SetFadeRange(double from, double to)
+{
+  this->FadeRange[0] = static_cast<float>(from);
+  this->FadeRange[1] = static_cast<float>(to);
+}
+
+//----------------------------------------------------------------------------
+void InstanceMapper::SetMapperShaderParameters(vtkOpenGLHelper& triangles, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::SetMapperShaderParameters(triangles, renderer, actor);
+  const float none[2] = { 0.0F, 0.0F };
+  const bool isParallel = renderer->GetActiveCamera()->GetParallelProjection();
+  triangles.Program->SetUniform2f("instanceFade", isParallel ? none : this->FadeRange);
+  double place[4] = { 0.0, 0.0, 0.0, 1.0 };
+  renderer->GetActiveCamera()->GetPosition(place);
+  vtkNew<vtkMatrix4x4> toOwn;
+  vtkMatrix4x4::Invert(actor->GetMatrix(), toOwn);
+  toOwn->MultiplyPoint(place, place);
+  const float eye[3] = { static_cast<float>(place[0]), static_cast<float>(place[1]), static_cast<float>(place[2]) };
+  triangles.Program->SetUniform3f("instanceEye", eye);
 }
 
 }

@@ -28,6 +28,10 @@ public:
   /// Instances to draw.
   void SetInstances(const std::shared_ptr<const InstanceBatch>& batch);
 
+  /// Distances from the eye between which instances disappear, in the pixels in which impostors of them appear
+  /// (vtkImpostorMapper::SetFadeRange) [m]; 0 0, or a parallel projection: none does.
+  void SetFadeRange(double from, double to);
+
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
@@ -35,6 +39,7 @@ protected:
   ~InstanceMapper() override;
 
   void ComputeBounds() override;
+  void SetMapperShaderParameters(vtkOpenGLHelper& triangles, vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
   void ReplaceShaderValues(
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
@@ -48,6 +53,7 @@ private:
   std::shared_ptr<const InstanceBatch> Batch;
   vtkNew<vtkOpenGLBufferObject> Buffer;
   bool IsUploaded = false;
+  float FadeRange[2] = { 0.0F, 0.0F };
 };
 
 }

@@ -9,6 +9,7 @@
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <array>
 
@@ -46,6 +47,13 @@ int PrototypeIndex(vtkPolyData* block)
   return index && index->GetNumberOfTuples() > 0 ? static_cast<int>(index->GetTuple1(0)) : -1;
 }
 
+/// Whether a block is one of vtkPlantScatterFilter and no seaweed, which moves.
+bool IsStill(vtkPolyData* block)
+{
+  vtkDataArray* seaweed = ArrayWith(block->GetFieldData(), "Seaweed", 1);
+  return seaweed && seaweed->GetNumberOfTuples() > 0 && seaweed->GetTuple1(0) == 0.0;
+}
+
 }
 
 //----------------------------------------------------------------------------
@@ -74,6 +82,63 @@ InstancedBlocks InstancesIn(vtkDataObject* data)
     }
   }
   return found;
+}
+
+//----------------------------------------------------------------------------
+std::vector<vtkPolyData*> FullPlantOf(const InstancedBlocks& instanced, const InstancedBlocks::Pair& pair)
+{
+  // 1 + 3 species + level: High, Medium, Low
+  const int index = PrototypeIndex(pair.Prototype);
+  std::vector<vtkPolyData*> blocks;
+  if (index % 3 != 0 || !IsStill(pair.Prototype))
+  {
+    return blocks;
+  }
+  for (const InstancedBlocks::Pair& other : instanced.Pairs)
+  {
+    if (other.Points == pair.Points && PrototypeIndex(other.Prototype) == index - 2)
+    {
+      blocks.push_back(other.Prototype);
+    }
+  }
+  return blocks;
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> PlacesOf(const InstancedBlocks::Pair& pair)
+{
+  vtkPointData* given = pair.Points->GetPointData();
+  vtkDataArray* prototypes = given->GetArray(PrototypeName);
+  const int index = PrototypeIndex(pair.Prototype);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  auto places = vtkSmartPointer<vtkPolyData>::New();
+  places->GetPointData()->CopyAllocate(given);
+  vtkNew<vtkUnsignedCharArray> fades;
+  fades->SetName("Fades");
+  for (vtkIdType point = 0; point < pair.Points->GetNumberOfPoints(); ++point)
+  {
+    const int own = static_cast<int>(prototypes->GetTuple1(point));
+    if (own == index || own == index - 1)
+    {
+      fades->InsertNextValue(own != index);
+      places->GetPointData()->CopyData(given, point, points->InsertNextPoint(pair.Points->GetPoint(point)));
+    }
+  }
+  places->SetPoints(points);
+  places->GetPointData()->AddArray(fades);
+  return places;
+}
+
+//----------------------------------------------------------------------------
+std::array<double, 2> FadeRangeOf(const InstancedBlocks::Pair& pair)
+{
+  constexpr double begin = 0.8; // of the far level's distance
+  const int level = (PrototypeIndex(pair.Prototype) - 1) % 3;
+  vtkDataArray* far = ArrayWith(pair.Points->GetFieldData(), "FarDistance", 1);
+  return level > 0 && IsStill(pair.Prototype) && far && far->GetNumberOfTuples() > 0
+    ? std::array<double, 2>{ begin * far->GetTuple1(0), far->GetTuple1(0) }
+    : std::array<double, 2>{ 0.0, 0.0 };
 }
 
 //----------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #include "vtkBoundingBox.h" // for the bounds of instances
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <memory>
 #include <set>
 #include <vector>
@@ -34,6 +35,18 @@ struct InstancedBlocks
 
 /// The instances in a tree; none in other data.
 InstancedBlocks InstancesIn(vtkDataObject* data);
+
+/// The blocks of the plant in full whose far level a pair places, as vtkPlantScatterFilter has them; none for other
+/// pairs, and for seaweed, which moves.
+std::vector<vtkPolyData*> FullPlantOf(const InstancedBlocks& instanced, const InstancedBlocks::Pair& pair);
+
+/// The points of the prototype of a far level, with their arrays, and those of the level before it with 1 in the array
+/// Fades: both are drawn where they are about to change.
+vtkSmartPointer<vtkPolyData> PlacesOf(const InstancedBlocks::Pair& pair);
+
+/// Distances from the eye between which a level of plants is exchanged for the far one; 0 0 for other levels and where
+/// the points do not tell the distance of the far one.
+std::array<double, 2> FadeRangeOf(const InstancedBlocks::Pair& pair);
 
 /// The instances of one prototype.
 struct InstanceBatch

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TexturedBlocks.h"
 
+#include "vtkLandscapeLightRepresentation.h"
+
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
@@ -65,6 +67,20 @@ bool HasLights(vtkRenderer* renderer)
   return lights->GetNumberOfItems() == 0 && renderer->GetAutomaticLightCreation();
 }
 
+/// Whether a view has the light of sun and sky.
+bool HasSun(vtkPVRenderView* view)
+{
+  for (int index = 0; index < view->GetNumberOfRepresentations(); ++index)
+  {
+    auto* light = vtkLandscapeLightRepresentation::SafeDownCast(view->GetRepresentation(index));
+    if (light && light->GetVisibility())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// A block with its texture coordinates active: ParaView passes them on by their name alone.
 vtkSmartPointer<vtkDataObject> WithCoordinates(vtkDataObject* block)
 {
@@ -112,6 +128,7 @@ bool TexturedBlocks::Draw(
     this->AddActor();
   }
   const bool hasLights = this->View && HasLights(this->View->GetRenderer());
+  const bool hasSun = this->View && HasSun(this->View);
   for (std::size_t index = 0; index < this->Actors.size(); ++index)
   {
     if (index >= this->Parts.size())
@@ -119,7 +136,12 @@ bool TexturedBlocks::Draw(
       this->Actors[index]->Hide();
       continue;
     }
-    const PartOfTree& part = this->Parts[index];
+    PartOfTree part = this->Parts[index];
+    if (!hasSun)
+    {
+      part.Plant.clear(); // without it the far level as it is
+      part.FadeRange = { 0.0, 0.0 };
+    }
     if (dataChanged || attributesChanged)
     {
       take(part.Attributes, part.Tree);
@@ -193,6 +215,12 @@ void TexturedBlocks::Split(vtkDataObject* data)
     part.Prototype = vtkPolyData::SafeDownCast(block);
     part.Instances = BatchOf(pair);
     part.Transmittance = transmittances[pair.Prototype];
+    for (vtkPolyData* full : FullPlantOf(instanced, pair))
+    {
+      part.Plant.push_back({ vtkPolyData::SafeDownCast(WithCoordinates(full)), transmittances[full] });
+    }
+    part.FadeRange = FadeRangeOf(pair);
+    part.Places = part.Plant.empty() ? nullptr : PlacesOf(pair);
     this->Parts.push_back(part);
   }
   const auto isSpecial = [](const PartOfTree& part) {

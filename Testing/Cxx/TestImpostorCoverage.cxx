@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The area that an oak's crown of textured leaves covers, in full and as impostors, does not depend on the distance.
+#include "ImpostorWood.h"
+
+#include <cmath>
+#include <numeric>
+#include <string>
+
+namespace
+{
+
+/// The area of the crown from near and far, in full and as impostors: that of the crown in full at its largest.
+bool TestCoverage(Pair& pair)
+{
+  bool good = true;
+  double whole = 0.0;
+  for (const double scale : { 1.0, 0.5, 0.25, 0.125, 0.0625 })
+  {
+    double areas[2] = { 0.0, 0.0 };
+    for (const double elevation : { 5.0, 20.0, 45.0 })
+    {
+      for (Row* row : pair.Both())
+      {
+        row->SetShadows(false);
+        row->Resize(static_cast<int>(256 * scale));
+        row->LookFrom(elevation, true);
+        const std::vector<double> there = row->Covered(1);
+        areas[row == &pair.Impostors] += std::accumulate(there.begin(), there.end(), 0.0) / (scale * scale);
+      }
+    }
+    whole = scale == 1.0 ? areas[0] : whole;
+    std::cout << "Areas at a scale of " << scale << ": " << areas[0] / whole << " " << areas[1] / whole << "\n";
+    good &= Check(std::abs(areas[0] / whole - 1.0) <= 0.03 && std::abs(areas[1] / whole - 1.0) <= 0.03,
+      "At a scale of " + std::to_string(scale) + " the oak covers " + std::to_string(areas[0] / whole) +
+        " of its area, its impostors " + std::to_string(areas[1] / whole));
+  }
+  return good;
+}
+
+}
+
+int TestImpostorCoverage(int, char*[])
+{
+  vtkNew<vtkReevesTreeSource> oak;
+  Pair pair(oak);
+  return TestCoverage(pair) ? EXIT_SUCCESS : EXIT_FAILURE;
+}
