@@ -4,6 +4,7 @@
 
 #include "Geometry/FrameLevels.h"
 #include "Geometry/OctahedronMap.h"
+#include "Geometry/SrgbCode.h"
 #include "OpenGL.h"
 #include "SurfacePass.h"
 
@@ -21,6 +22,7 @@
 #include <glm/vec2.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -40,10 +42,15 @@ void AxesOf(const glm::dvec3& towards, glm::dvec3& right, glm::dvec3& up)
   up = glm::cross(towards, right);
 }
 
-float LinearOf(unsigned char code)
+/// Linear light of each byte.
+std::array<float, 256> LinearBytes()
 {
-  const float c = static_cast<float>(code) / 255.0F;
-  return c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F);
+  std::array<float, 256> linear;
+  for (int code = 0; code < 256; ++code)
+  {
+    linear[code] = static_cast<float>(LinearOfSrgb(code / 255.0));
+  }
+  return linear;
 }
 
 unsigned char ByteOf(double number)
@@ -198,13 +205,11 @@ void ImpostorAtlas::Draw(
   {
     const double half = 0.5 * (frames - 1);
     const glm::dvec3 towards = OctahedronNormal((k % frames) / half - 1.0, (k / frames) / half - 1.0);
-    std::vector<FramePicture> levels = FrameLevels(this->TakeFrame(renderer, props, around, towards, side));
-    const auto first = std::find_if(
-      levels.begin(), levels.end(), [frameSize](const FramePicture& level) { return level.Side == frameSize; });
+    std::vector<FramePicture> levels = FrameLevels(this->TakeFrame(renderer, props, around, towards, side), frameSize);
     for (int level = 0; level < LevelsOf(frameSize); ++level)
     {
-      KeepCoverage(first[level]);
-      bytes.Add(first[level], level, k % frames, k / frames);
+      KeepCoverage(levels[level]);
+      bytes.Add(levels[level], level, k % frames, k / frames);
     }
   }
   this->Surfaces->End(&all);
@@ -296,6 +301,7 @@ FramePicture ImpostorAtlas::Read(const glm::dvec3& towards, int side) const
   glm::dvec3 up;
   AxesOf(towards, right, up);
   FramePicture picture(side);
+  const std::array<float, 256> linear = LinearBytes();
   for (std::size_t k = 0; k < count; ++k)
   {
     FrameTexel& texel = picture.Texels[k];
@@ -305,7 +311,7 @@ FramePicture ImpostorAtlas::Read(const glm::dvec3& towards, int side) const
     }
     const Vector3 normal = OctahedronNormal(surface[4 * k], surface[4 * k + 1]);
     texel.Coverage = 1.0F;
-    texel.Albedo = { LinearOf(albedo[4 * k]), LinearOf(albedo[4 * k + 1]), LinearOf(albedo[4 * k + 2]) };
+    texel.Albedo = { linear[albedo[4 * k]], linear[albedo[4 * k + 1]], linear[albedo[4 * k + 2]] };
     texel.Normal = glm::vec3(normal.x * right + normal.y * up + normal.z * towards);
     texel.Transmittance = std::clamp(surface[4 * k + 2], 0.0F, 1.0F);
     texel.Depth = 1.0F - 2.0F * depth[k];

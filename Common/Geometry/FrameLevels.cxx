@@ -98,10 +98,14 @@ double CutCoverage(const FramePicture& picture, float scale)
 }
 
 //----------------------------------------------------------------------------
-std::vector<FramePicture> FrameLevels(FramePicture finest)
+std::vector<FramePicture> FrameLevels(FramePicture samples, int side)
 {
+  while (samples.Side > side)
+  {
+    samples = HalfOf(samples);
+  }
   std::vector<FramePicture> levels;
-  levels.push_back(std::move(finest));
+  levels.push_back(std::move(samples));
   while (levels.back().Side > 1)
   {
     levels.push_back(HalfOf(levels.back()));

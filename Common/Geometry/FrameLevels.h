@@ -39,9 +39,10 @@ struct FramePicture
   }
 };
 
-/// Pictures of half the side each, from one whose side is a power of 2 down to one texel. Texels that nothing covers
-/// have what covers those around them, so that interpolation finds nothing else.
-std::vector<FramePicture> FrameLevels(FramePicture finest);
+/// Pictures of samples, from a side of so many texels down to one texel, each of half the side of that before it; both
+/// sides are powers of 2. Texels that nothing covers have what covers those around them, so that interpolation finds
+/// nothing else.
+std::vector<FramePicture> FrameLevels(FramePicture samples, int side);
 
 /**
  * Scales coverages so that where they are cut at a half the picture covers the same area as without a cut (Castano,

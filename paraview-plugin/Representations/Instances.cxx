@@ -85,7 +85,7 @@ InstancedBlocks InstancesIn(vtkDataObject* data)
 }
 
 //----------------------------------------------------------------------------
-std::vector<vtkPolyData*> FullPlantOf(const InstancedBlocks& instanced, const InstancedBlocks::Pair& pair)
+std::vector<vtkPolyData*> MediumPlantOf(const InstancedBlocks& instanced, const InstancedBlocks::Pair& pair)
 {
   // 1 + 3 species + level: High, Medium, Low
   const int index = PrototypeIndex(pair.Prototype);
@@ -96,7 +96,7 @@ std::vector<vtkPolyData*> FullPlantOf(const InstancedBlocks& instanced, const In
   }
   for (const InstancedBlocks::Pair& other : instanced.Pairs)
   {
-    if (other.Points == pair.Points && PrototypeIndex(other.Prototype) == index - 2)
+    if (other.Points == pair.Points && PrototypeIndex(other.Prototype) == index - 1)
     {
       blocks.push_back(other.Prototype);
     }

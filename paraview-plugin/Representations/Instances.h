@@ -36,9 +36,9 @@ struct InstancedBlocks
 /// The instances in a tree; none in other data.
 InstancedBlocks InstancesIn(vtkDataObject* data);
 
-/// The blocks of the plant in full whose far level a pair places, as vtkPlantScatterFilter has them; none for other
+/// The blocks of the level before the far level that a pair places, as vtkPlantScatterFilter has them; none for other
 /// pairs, and for seaweed, which moves.
-std::vector<vtkPolyData*> FullPlantOf(const InstancedBlocks& instanced, const InstancedBlocks::Pair& pair);
+std::vector<vtkPolyData*> MediumPlantOf(const InstancedBlocks& instanced, const InstancedBlocks::Pair& pair);
 
 /// The points of the prototype of a far level, with their arrays, and those of the level before it with 1 in the array
 /// Fades: both are drawn where they are about to change.

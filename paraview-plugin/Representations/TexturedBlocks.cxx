@@ -215,7 +215,7 @@ void TexturedBlocks::Split(vtkDataObject* data)
     part.Prototype = vtkPolyData::SafeDownCast(block);
     part.Instances = BatchOf(pair);
     part.Transmittance = transmittances[pair.Prototype];
-    for (vtkPolyData* full : FullPlantOf(instanced, pair))
+    for (vtkPolyData* full : MediumPlantOf(instanced, pair))
     {
       part.Plant.push_back({ vtkPolyData::SafeDownCast(WithCoordinates(full)), transmittances[full] });
     }
