@@ -8,15 +8,6 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from .meshes import polygons, quads, vertices
 
 
-def fan(reach=160.0, nearest=0.3, rings=260, spokes=420, angle=130.0, height=0.0):
-    """A horizontal fan-shaped mesh from the origin to the north, with cells that grow with distance."""
-    radius = np.concatenate(([0.0], np.geomspace(nearest, reach, rings)))
-    turn = np.radians(np.linspace(-0.5 * angle, 0.5 * angle, spokes))
-    x, y = np.outer(radius, np.sin(turn)), np.outer(radius, np.cos(turn))
-    points = np.stack((x, y, np.full_like(x, height)), axis=-1)
-    return points
-
-
 def mesh(points, normals=None, colors=None):
     """Quadrilaterals between rows of points [row, column, 3]; colors from 0 to 1."""
     flat = None if colors is None else colors.reshape(-1, 3)

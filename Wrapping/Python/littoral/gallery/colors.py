@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Colors of land, and the light on it: linear until `to_bytes` encodes them.
+"""Colors of land: linear until `to_bytes` encodes them.
 
 Height fields are as in `heights`.
 """
@@ -8,10 +8,6 @@ Height fields are as in `heights`.
 import numpy as np
 
 from .heights import blur, smoothstep, steepness
-
-SUN_LIGHT = 3.1 * np.array((1.00, 0.83, 0.60))
-SKY_LIGHT = 0.85 * np.array((0.50, 0.68, 1.00))
-GROUND_LIGHT = 0.16 * np.array((0.95, 0.80, 0.60))
 
 MEADOW = np.array((0.150, 0.168, 0.060))
 PASTURE = np.array((0.238, 0.215, 0.104))
@@ -100,19 +96,7 @@ def mix(a, b, share):
     return a + (b - a) * share[..., None]
 
 
-def lit(color, normal, towards_sun, sun, sky):
-    """Reflected light of a surface, by the visible fractions of sun and sky."""
-    facing = np.maximum(normal @ towards_sun, 0.0) * sun
-    above = (0.5 + 0.5 * normal[..., 2]) * sky
-    below = 1.0 - 0.6 * sky
-    light = [share[..., None] * lamp for share, lamp in
-             ((facing, SUN_LIGHT), (above, SKY_LIGHT), (below, GROUND_LIGHT))]
-    return color * sum(light)
-
-
-def to_bytes(light):
-    """Linear light to sRGB; highlights are rolled off as on film."""
-    x = 0.92 * light
-    x = np.clip(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0)
-    srgb = np.where(x < 0.0031308, 12.92 * x, 1.055 * x ** (1.0 / 2.4) - 0.055)
-    return np.round(255.0 * srgb).astype(np.uint8)
+def to_bytes(color):
+    """Linear colors as bytes in the code of sRGB."""
+    x = np.clip(color, 0.0, 1.0)
+    return np.round(255.0 * np.where(x < 0.0031308, 12.92 * x, 1.055 * x ** (1.0 / 2.4) - 0.055)).astype(np.uint8)
