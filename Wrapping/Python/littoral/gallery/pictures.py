@@ -16,6 +16,9 @@ from ..properties import set_properties
 from . import relief
 from .colors import natural_color
 
+#: The floor before blocks, in their light; and a pale sky, at the lower and the upper edge of a picture.
+PAPER, SKY = (0.948, 0.949, 0.942), ((0.96, 0.955, 0.945), (0.74, 0.80, 0.86))
+
 
 def save_block(filename, image, exaggeration=1.0, size=(1200, 800)):
     """Render one terrain as a block on a pale floor."""
@@ -43,7 +46,7 @@ def save_grounds(filename, grounds, rivers, titles, notes, rows, chart=None, exa
     window, above, below = vtkRenderWindow(), vtkRenderer(), vtkRenderer()
     above.SetViewport(0.0, share, 1.0, 1.0)
     below.SetViewport(0.0, 0.0, 1.0, share)
-    below.SetBackground(*relief.BACKGROUND[0])
+    below.SetBackground(*PAPER)
     for ground, lines, center in zip(grounds, rivers, relief.row_centers(width, count)):
         above.AddActor(actor_of(relief.lake_block(ground, exaggeration, center)))
         for line, order in relief.river_lines(lines, ground, exaggeration, center):
@@ -84,7 +87,7 @@ def _chart_renderer(chart, viewport, size):
     """A renderer of a chart in a part of a picture, oversampled by two."""
     renderer, actor = vtkRenderer(), vtkContextActor()
     renderer.SetViewport(*viewport)
-    renderer.SetBackground(*relief.BACKGROUND[0])
+    renderer.SetBackground(*PAPER)
     chart.SetAutoSize(False)
     chart.SetSize(vtkRectf(
         0.0, 30.0, 2.0 * size[0] * (viewport[2] - viewport[0]), 2.0 * size[1] * (viewport[3] - viewport[1]) - 60.0))
@@ -97,8 +100,8 @@ def pale_renderer():
     """A renderer before a pale sky."""
     renderer = vtkRenderer()
     renderer.GradientBackgroundOn()
-    renderer.SetBackground(*relief.BACKGROUND[0])
-    renderer.SetBackground2(*relief.BACKGROUND[1])
+    renderer.SetBackground(*SKY[0])
+    renderer.SetBackground2(*SKY[1])
     renderer.UseFXAAOn()
     return renderer
 

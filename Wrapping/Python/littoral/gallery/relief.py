@@ -17,12 +17,14 @@ from .colors import LAKE, mix, natural_color, section_color, to_bytes
 from .heights import normals, refined, smoothstep
 from .meshes import grids, polygons
 
+#: Albedo of a model over that of the land.
+PAINT = 1.55
 #: Cells along the longer side of a block, at least.
 CELLS = 600
 #: Angle by which blocks are turned from facing the camera, and elevation of the camera above them [degrees].
 TURN, LIFT = 32.0, 39.0
-#: The pale sky behind a relief model, sRGB at the lower and the upper edge of the picture.
-BACKGROUND = (0.96, 0.955, 0.945), (0.66, 0.74, 0.82)
+#: Albedos of the floor, sRGB, before and behind the blocks.
+FLOOR = (0.97, 0.945, 0.935), (0.66, 0.73, 0.82)
 
 
 def relief_block(image, exaggeration=1.0, coloring=natural_color, center=(0.0, 0.0)):
@@ -49,7 +51,7 @@ def relief_block(image, exaggeration=1.0, coloring=natural_color, center=(0.0, 0
         (top[0, ::-1], (0.0, -1.0, 0.0)), (top[::-1, -1], (1.0, 0.0, 0.0)),
         (top[-1], (0.0, 1.0, 0.0)), (top[:, 0], (-1.0, 0.0, 0.0)))
     walls = [_wall(*side, thickness) for side in sides]
-    return grids((top, to_bytes(coloring(ground, spacing, reflectance)), normals(z, spacing)), *walls)
+    return grids((top, to_bytes(PAINT * coloring(ground, spacing, reflectance)), normals(z, spacing)), *walls)
 
 
 def lake_block(ground, exaggeration=1.0, center=(0.0, 0.0)):
@@ -104,7 +106,7 @@ def _wall(edge, normal, thickness):
     height = points[..., 2]
     along = np.hypot(*(points - edge[0])[..., :2].transpose(2, 0, 1))
     color = section_color(along, height, edge[:, 2] - height, thickness)
-    return points, to_bytes(color), np.broadcast_to(normal, points.shape)
+    return points, to_bytes(PAINT * color), np.broadcast_to(normal, points.shape)
 
 
 # Blocks in a row ----------------------------------------------------------------------------------
@@ -138,11 +140,11 @@ def floor(width, count):
     ahead, aside = direction(-TURN, 0.0), direction(90.0 - TURN, 0.0)
     reach = 3.0 * width * (1.0 + count)
     corners = np.array([v * reach * ahead + u * reach * aside for u, v in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
-    shade = np.array(BACKGROUND)[[0, 0, 1, 1]]
+    shade = np.array(FLOOR)[[0, 0, 1, 1]]
     return polygons(corners, np.array(((0, 1, 2, 3),)), shade)
 
 
 def light_of(width, distance):
     """Properties of vtkLandscapePass for blocks of a width, seen from a distance [m]."""
     return dict(SunAzimuth=248.0, SunElevation=25.0, CloudCover=0.0, Visibility=60.0 * distance, ShadowDistance=2.0 * distance,
-                OcclusionRadius=0.03 * width, Turbidity=2.5, ExposureCompensation=1.1)
+                OcclusionRadius=0.03 * width, Turbidity=4.0, FilmCurve=False, ExposureCompensation=0.45)
