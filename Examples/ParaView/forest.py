@@ -45,8 +45,8 @@ PLANT_PARTS = ("/Root/High/Skin", "/Root/High/Leaves", "/Root/Medium/Trunk", "/R
 STEADY = dict(MoveTolerance=10.0, TurnTolerance=2.0)
 #: A morning's sun from the side. The brooks are above the level of the water, at which an eye goes under.
 LIGHT = dict(SunElevation=18.0, SunAzimuth=106.0, Turbidity=2.0, VisibilityDistance=22000.0, CloudCover=0.3,
-             ExposureCompensation=0.65, ShadowDistance=400.0, CoverRadius=120.0, CoverHeight=0.5,
-             CoverColor=[0.50, 0.52, 0.25], WaterLevel=-100.0, WaterSlopeVariance=0.025)
+             ExposureCompensation=0.65, ShadowDistance=400.0, CoverRadius=120.0, CoverHeight=0.6,
+             CoverColor=[0.50, 0.52, 0.25], WaterLevel=-100.0, WaterSlopeVariance=0.04)
 
 
 def eye_at(country, share):

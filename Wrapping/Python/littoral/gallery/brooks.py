@@ -16,8 +16,8 @@ from .heights import blur, steepness
 LEAST_AREA, METRE_AREA, WIDTH_EXPONENT = 4e4, 1e5, 0.45
 #: Least slope in the wetness of the ground.
 LEAST_SLOPE = 0.005
-#: Places across a brook, in widths.
-ACROSS = np.array((-0.5, -0.25, 0.0, 0.25, 0.5))
+#: Places across a brook, in widths, and how uneven its banks are.
+ACROSS, RAGGED = np.array((-0.5, -0.25, 0.0, 0.25, 0.5)), 0.3
 
 
 def width_of(area):
@@ -85,6 +85,7 @@ def bands(courses, height, near, reach, above=0.25):
 
     height: of the ground at x, y; near: x and y [m]; above: of the bands over the ground [m].
     """
+    random = np.random.default_rng(1)
     points, triangles, first = [np.zeros((0, 3))], [np.zeros((0, 3), int)], 0
     for places, areas in courses:
         if np.hypot(*(places - near).T).min() > reach:
@@ -92,7 +93,8 @@ def bands(courses, height, near, reach, above=0.25):
         along = np.gradient(places, axis=0)
         along /= np.maximum(np.hypot(*along.T), 1e-9)[:, None]
         across = np.column_stack((along[:, 1], -along[:, 0]))
-        at = places[:, None] + (width_of(areas)[:, None] * ACROSS)[..., None] * across[:, None]
+        ragged = 1.0 + random.uniform(-RAGGED, RAGGED, (len(places), len(ACROSS)))
+        at = places[:, None] + (width_of(areas)[:, None] * ACROSS * ragged)[..., None] * across[:, None]
         z = height(at[..., 0], at[..., 1]) + above
         points.append(np.concatenate((at, z[..., None]), axis=-1).reshape(-1, 3))
         k = first + np.arange(z.size).reshape(z.shape)
