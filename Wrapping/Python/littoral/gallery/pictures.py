@@ -17,7 +17,7 @@ from . import relief
 from .colors import natural_color
 
 #: The floor before blocks, in their light; and a pale sky, at the lower and the upper edge of a picture.
-PAPER, SKY = (0.948, 0.949, 0.942), ((0.96, 0.955, 0.945), (0.74, 0.80, 0.86))
+PAPER, SKY = (0.955, 0.950, 0.940), ((0.96, 0.955, 0.945), (0.74, 0.80, 0.86))
 
 
 def save_block(filename, image, exaggeration=1.0, size=(1200, 800)):

@@ -146,5 +146,5 @@ def floor(width, count):
 
 def light_of(width, distance):
     """Properties of vtkLandscapePass for blocks of a width, seen from a distance [m]."""
-    return dict(SunAzimuth=248.0, SunElevation=25.0, CloudCover=0.0, Visibility=60.0 * distance, ShadowDistance=2.0 * distance,
-                OcclusionRadius=0.03 * width, Turbidity=4.0, FilmCurve=False, ExposureCompensation=0.45)
+    return dict(SunAzimuth=248.0, SunElevation=27.0, Turbidity=5.0, Visibility=1e4 * distance, CloudCover=0.0,
+                FilmCurve=False, ExposureCompensation=0.42, ShadowDistance=2.0 * distance, OcclusionRadius=0.06 * width)
