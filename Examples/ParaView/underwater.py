@@ -82,10 +82,10 @@ def build(folder, view, quick=False):
         registrationName="Kelp in the swell", Input=kelp, SeaState=sea, Currents=[current], FollowCamera=0,
         GenerateMotion=1, TimeStep=1.0 / 24.0, StartTime=TIME - (0.5 if quick else LEAD))
     wake = simple.PlantWake(registrationName="Wake", Input=bending, Strength=STIR)
-    # Only particles around the kelp feel its wake; the others drift uniformly, without time steps.
-    everywhere = bay.particles((-17.0, 1.2, -DEPTH + 0.1, 17.0, 29.0, -0.5), 10000 if quick else 480000, 0.0042,
-                               (0.84, 0.93, 0.84), clumps=0.9, plants=plants)
-    about, beyond = bay.split_about(everywhere, plants)
+    # Only particles gathered around the kelp feel its wake; the others drift uniformly, without time steps.
+    box, look = (-17.0, 1.2, -DEPTH + 0.1, 17.0, 29.0, -0.5), (0.0042, (0.84, 0.93, 0.84))
+    about = bay.particles(box, 500 if quick else 24000, *look, plants=plants, share=1.0)
+    beyond = bay.particles(box, 9500 if quick else 456000, *look, seed=2, clumps=0.9)
     stirred = levels("StirredLevels", drifting("Stirred", views.reader("ParticlesAboutKelp", about, data),
                                                [current, wake]), sea)
     # The current alone moves the others, all by the same step: their levels are chosen before, and again only when the

@@ -118,20 +118,3 @@ def particles(box, count, radius, color, seed=1, clumps=0.0, plants=None, share=
     sizes = radius * np.exp(np.clip(0.5 * random.standard_normal(count), -1.5, 1.0))
     shade = np.clip(np.array(color) * random.uniform(0.75, 1.1, (count, 1)), 0.0, 1.0)
     return vertices(places, Radius=sizes.astype(np.float32), RGB=np.round(255.0 * shade).astype(np.uint8))
-
-
-def split_about(points, sites, reach=1.0, top=-0.5):
-    """Particles around plants, within a horizontal reach [m] and up to a height, and the other particles."""
-    places, feet = (vtk_to_numpy(data.GetPoints().GetData()).astype(float) for data in (points, sites))
-    about = np.zeros(len(places), dtype=bool)
-    for foot, giant in zip(feet, vtk_to_numpy(sites.GetPointData().GetArray("Species"))):
-        across = np.hypot(places[:, 0] - foot[0], places[:, 1] - foot[1])
-        about |= (across < (1.4 if giant else 1.0) * reach) & (places[:, 2] < (top if giant else foot[2] + 2.0 * reach))
-    return _selected(points, about), _selected(points, ~about)
-
-
-def _selected(points, chosen):
-    """The points selected by a mask, with their arrays."""
-    arrays = points.GetPointData()
-    return vertices(vtk_to_numpy(points.GetPoints().GetData())[chosen], **{
-        arrays.GetArrayName(k): vtk_to_numpy(arrays.GetArray(k))[chosen] for k in range(arrays.GetNumberOfArrays())})
