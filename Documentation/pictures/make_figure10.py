@@ -24,7 +24,7 @@ from littoral.gallery.meshes import polygons, vertices
 
 SIDE, SPACING = 1200.0, 3.0  # of the terrain [m]
 EYE, FOCUS = np.array((600.0, 70.0)), np.array((600.0, 640.0))
-EYE_HEIGHT, VIEW_ANGLE = 7.0, 19.0  # [m], [degrees]
+EYE_HEIGHT, VIEW_ANGLE = 9.0, 25.0  # [m], [degrees]
 SIZE = (960, 520)
 SPEED, TIME = 14.0, 7.3  # of the wind [m/s]; of the picture [s]
 #: Houses: place [m], turn [degrees].
@@ -137,8 +137,8 @@ def draw(folder):
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = list(SIZE)
     views.light(view, SunElevation=17.0, SunAzimuth=262.0, VisibilityDistance=15000.0, CloudCover=0.2, Turbidity=2.0,
-                ExposureCompensation=0.4, ShadowDistance=400.0, CoverRadius=120.0, CoverHeight=0.4, Supersampling=1)
-    views.look(view, eye, (*FOCUS, height(terrain, *FOCUS) + 2.0), VIEW_ANGLE)
+                ExposureCompensation=0.4, ShadowDistance=400.0, CoverRadius=120.0, CoverHeight=0.5, Supersampling=1)
+    views.look(view, eye, (*FOCUS, height(terrain, *FOCUS) + 6.0), VIEW_ANGLE)
     view.ViewTime = TIME
     views.show_surface(simple.TerrainLevelOfDetail(Input=country), view)
     views.show_surface(homes, view)
