@@ -11,7 +11,6 @@ from .heights import blur, smoothstep, steepness
 
 MEADOW = np.array((0.150, 0.168, 0.060))
 PASTURE = np.array((0.238, 0.215, 0.104))
-LUSH = np.array((0.098, 0.150, 0.044))
 FOREST = np.array((0.050, 0.080, 0.034))
 UPLAND = np.array((0.095, 0.105, 0.042))
 ROCK = np.array((0.260, 0.225, 0.185))
@@ -30,17 +29,12 @@ def natural_color(z, spacing, reflectance=None):
 
     `reflectance` [0..1] decides between wood and meadow; default: random.
     """
-    return colored(*site_factors(z, spacing, reflectance))
-
-
-def colored(slope, height, hollow, patches, grain, wet):
-    """The natural color, by the factors of plant cover."""
-    dry = smoothstep(patches + 0.4 * grain - 0.3 * hollow - 0.8 * wet, -0.5, 1.8)
+    slope, height, hollow, patches, grain, wet = site_factors(z, spacing, reflectance)
+    dry = smoothstep(patches + 0.4 * grain - 0.3 * hollow, -0.5, 1.8)
     high = smoothstep(height + 0.4 * patches, 0.2, 2.2)
     steep = slope + 4.0 * np.maximum(height - 1.0, 0.0) + 2.0 * patches + grain
     wood = mix(FOREST, UPLAND, high) * (1.0 + 0.14 * grain[..., None])
-    open_land = mix(mix(MEADOW, PASTURE, dry), LUSH, 0.8 * smoothstep(wet, 0.8, 2.4))
-    color = mix(open_land, wood, wooded(slope, height, hollow, patches, grain, wet))
+    color = mix(mix(MEADOW, PASTURE, dry), wood, wooded(slope, height, hollow, patches, grain, wet))
     return mix(color, ROCK * (1.0 + 0.08 * grain[..., None]), 0.9 * smoothstep(steep, 24.0, 36.0))
 
 
