@@ -18,27 +18,23 @@ from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGReader
 
 from littoral import vtkQuadratPointSource, vtkTurningBandsTerrainSource
 from littoral.elevation import array_from_image
-from littoral.gallery import country as countries
-from littoral.gallery import landscape, views
+from littoral.gallery import views
+from littoral.gallery.heights import sampled
 from littoral.gallery.meshes import polygons, vertices
-from littoral.gallery.sky import sky_dome, write_sky
-from littoral.glb import direction
 
 SIDE, SPACING = 1200.0, 3.0  # of the terrain [m]
 EYE, FOCUS = np.array((600.0, 70.0)), np.array((600.0, 640.0))
 EYE_HEIGHT, VIEW_ANGLE = 9.0, 25.0  # [m], [degrees]
 SIZE = (960, 520)
 SPEED, TIME = 14.0, 7.3  # of the wind [m/s]; of the picture [s]
-#: Radius of the crown, height of its middle [m]: pine and birch.
-CROWNS = np.array(((2.0, 4.5), (2.2, 7.0)))
 #: Houses: place [m], turn [degrees].
 HOUSES = ((572.0, 300.0, 20.0), (612.0, 322.0, -35.0), (540.0, 352.0, 75.0), (660.0, 372.0, 10.0),
           (498.0, 450.0, -20.0))
 WALLS, ROOF = (232, 222, 200), (150, 78, 56)
 
 
-def smooth_country():
-    """A terrain of the Gaussian model, without detail of its own."""
+def smooth_terrain():
+    """An image of the Gaussian model, without detail of its own."""
     source = vtkTurningBandsTerrainSource()
     source.SetModelToDoubleExponential()
     source.SetRange(170.0)
@@ -49,11 +45,15 @@ def smooth_country():
     source.SetSpacing(SPACING, SPACING, 1.0)
     source.SetSeed(23)
     source.Update()
-    z = array_from_image(source.GetOutput()).astype(float)
-    return countries.Country.from_heights(z, (SPACING, SPACING))
+    return source.GetOutput()
 
 
-def tree_sites(country):
+def height(terrain, x, y):
+    """Height of a terrain at places [m]."""
+    return sampled(array_from_image(terrain), (SPACING, SPACING), x, y)
+
+
+def tree_sites(terrain):
     """Clusters of trees, off the houses and the meadow before the eye."""
     source = vtkQuadratPointSource()
     source.SetOrigin(60.0, 60.0)
@@ -80,29 +80,25 @@ def tree_sites(country):
     for k in range(1, len(places)):
         apart[k] = np.hypot(*(places[:k][apart[:k]] - places[k]).T).min(initial=9.0) > 2.6
     places = places[apart]
-    heights = country.height(*places.T)
-    pines = random.random(len(places)) < np.clip((heights - country.z.mean()) / 18.0 + 0.45, 0.1, 0.9)
+    heights = height(terrain, *places.T)
+    pines = random.random(len(places)) < np.clip((heights - array_from_image(terrain).mean()) / 18.0 + 0.45, 0.1, 0.9)
     species = np.where(pines, 0, 1).astype(np.int32)
     return vertices(np.column_stack((places, heights)), Species=species)
 
 
-def houses(country):
-    """Walls and gable roofs, lit by hand: they have no normals of their own."""
+def houses(terrain):
+    """Walls and gable roofs."""
     points, triangles, colors = [], [], []
 
     def face(corners, color):
-        corners = np.asarray(corners)
-        normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
-        normal = -normal if normal[2] < 0.0 else normal  # a roof's outside is above
-        shine = max(0.0, float(normal @ direction(*countries.SUN)) / np.linalg.norm(normal))
         first = len(points)
         points.extend(corners)
         triangles.extend((first, first + k, first + k + 1) for k in range(1, len(corners) - 1))
-        colors.extend([np.array(color) * (0.5 + 0.5 * shine)] * len(corners))
+        colors.extend([color] * len(corners))
 
     for x, y, turn in HOUSES:
         c, s = np.cos(np.radians(turn)), np.sin(np.radians(turn))
-        ground = float(country.height(x, y)) - 1.0
+        ground = float(height(terrain, x, y)) - 1.0
 
         def at(u, v, w, x=x, y=y, c=c, s=s, ground=ground):
             return (x + c * u - s * v, y + s * u + c * v, ground + w)
@@ -119,44 +115,34 @@ def houses(country):
             face((at(sign * -over, v, low), at(sign * over, v, low), at(sign * over, 0.0, ridge + 0.1),
                   at(sign * -over, 0.0, ridge + 0.1)) if sign < 0 else
                  (at(over, v, low), at(-over, v, low), at(-over, 0.0, ridge + 0.1), at(over, 0.0, ridge + 0.1)), ROOF)
-    return polygons(
-        np.array(points), np.array(triangles), np.clip(np.array(colors), 0.0, 255.0).astype(np.uint8))
+    return polygons(np.array(points), np.array(triangles), np.array(colors, np.uint8))
 
 
 def draw(folder):
     """Write figure10.png into a folder."""
-    country = smooth_country()
-    trees = tree_sites(country)
-    eye = np.array((*EYE, country.height(*EYE) + EYE_HEIGHT))
-    places = vtk_to_numpy(trees.GetPoints().GetData()).astype(float)
-    crowns = CROWNS[vtk_to_numpy(trees.GetPointData().GetArray("Species"))]
-    shades = countries.shadows(country, places, *crowns.T)
-    terrain = views.reader("country", country.image, folder)
-    sites, sky, dark, homes = (
-        views.reader(name, data, folder)
-        for name, data in (("sites", trees), ("sky", sky_dome(eye)),
-                           ("shadows", shades), ("houses", houses(country))))
-    write_sky(os.path.join(folder, "sky.png"))
+    terrain = smooth_terrain()
+    trees = tree_sites(terrain)
+    eye = np.array((*EYE, height(terrain, *EYE) + EYE_HEIGHT))
+    country, sites, homes = (views.reader(name, data, folder) for name, data in (
+        ("country", terrain), ("sites", trees), ("houses", houses(terrain))))
 
     prototypes = [simple.ReevesTree(Preset="Pine", Seed=3), simple.ReevesTree(Preset="Birch", Seed=2)]
     forest = simple.PlantScatter(
-        Sites=sites, Prototypes=prototypes, Terrain=terrain, NearDistance=420.0, FarDistance=3000.0)
+        Sites=sites, Prototypes=prototypes, Terrain=country, NearDistance=420.0, FarDistance=3000.0)
     wind = simple.WindField(
         Dimensions=[600, 100, 12], LateralSpacing=12.5, ReferenceSpeed=SPEED, Center=[0.5 * SIDE] * 2,
         RoughnessLength=0.1)
     sway = simple.BeamTreeDeformation(Input=forest, Wind=wind, Prototypes=prototypes)
 
     view = simple.GetActiveViewOrCreate("RenderView")
-    view.ViewSize = [2 * n for n in SIZE]
-    landscape.prepare_view(view)
-    views.look(view, eye, (*FOCUS, country.height(*FOCUS) + 2.0), VIEW_ANGLE)
+    view.ViewSize = list(SIZE)
+    views.light(view, SunElevation=17.0, SunAzimuth=262.0, VisibilityDistance=15000.0, CloudCover=0.2, Turbidity=2.0,
+                ExposureCompensation=0.4, ShadowDistance=400.0, CoverRadius=120.0, CoverHeight=0.5, Supersampling=1)
+    views.look(view, eye, (*FOCUS, height(terrain, *FOCUS) + 6.0), VIEW_ANGLE)
     view.ViewTime = TIME
-    landscape.show_sky(sky, view, os.path.join(folder, "sky.png"))
-    landscape.show_ground(
-        simple.TerrainLevelOfDetail(Input=terrain), view)
-    views.show_baked(dark, view)
-    views.show_baked(homes, view)
-    landscape.show_plants(sway, view)
+    views.show_surface(simple.TerrainLevelOfDetail(Input=country), view)
+    views.show_surface(homes, view)
+    views.show_surface(sway, view, [f"/Root/{part}" for part in ("High/Skin", "High/Leaves", "Medium", "Low")])
     sway.UpdatePipeline(TIME)
     simple.Render(view)
     table = forest.GetFieldDataInformation()

@@ -12,7 +12,7 @@ import tempfile
 import numpy as np
 from paraview import simple
 
-from littoral.gallery import bay, underwater
+from littoral.gallery import bay, views
 from littoral.gallery.meshes import vertices
 from littoral.gallery.views import reader
 
@@ -42,7 +42,7 @@ def build(folder, view):
     sea = simple.SeaState(SeaBy="Height And Period", SignificantWaveHeight=0.4, PeakPeriod=5.5, WaterDepth=DEPTH,
                           MeanDirection=-60.0, NumberOfTrains=60)
     current = simple.FlowPrimitive(Strength=0.05, Axis=[1.0, 0.25, 0.0])
-    surface = simple.ParticleOrbits(Input=reader("Level", bay.mesh(bay.fan()), folder), SeaState=sea)
+    surface = simple.SeaSurface(Input=sea, Radius=150.0, Sectors=300, Spacing=0.1, WaterColors=0)
     sand, height = bay.bed(DEPTH, EYE)
     plants = sites(height)
     kelp = simple.PlantScatter(Sites=reader("KelpSites", plants, folder), FollowCamera=0, UseLevels=0, UseCulling=0,
@@ -56,15 +56,13 @@ def build(folder, view):
     drift = simple.CurrentDrift(Input=specks, Currents=[current, simple.PlantWake(Input=bending)], WaterDepth=DEPTH,
                                 StartTime=TIME - 1.0)
     riding = simple.ParticleOrbits(Input=drift, SeaState=sea)
-    seen = simple.Calculator(Input=riding, ResultArrayName="Alpha", Function="1")
-    for animated in (surface, bending, seen):
+    for animated in (surface, bending, riding):
         simple.UpdatePipeline(TIME, animated)
     view.ViewTime = TIME
-    underwater.show_particles(seen, view, EYE)
-    underwater.show_seaweeds(bending, view, TIME)
-    underwater.show_bed(reader("Bed", sand, folder), view, TIME)
-    underwater.show_surface(surface, view, TIME)
-    underwater.show_beyond(view, TIME, EYE)
+    views.show_particles(riding, view)
+    views.show_surface(bending, view, ["/Root/High/Skin", "/Root/High/Leaves"])
+    views.show_colored(reader("Bed", sand, folder), view)
+    views.show_surface(surface, view)
 
 
 def main(folder):
@@ -72,12 +70,13 @@ def main(folder):
     simple._DisableFirstRenderCameraReset()
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = list(SIZE)
-    underwater.prepare_view(view)
-    view.CameraPosition, view.CameraFocalPoint = list(EYE), list(FOCUS)
-    view.CameraViewUp, view.CameraViewAngle = [0.0, 0.0, 1.0], VIEW_ANGLE
+    views.light(view, SunElevation=60.0, SunAzimuth=330.0, CloudCover=0.1, ExposureCompensation=1.4, ShadowDistance=40.0,
+                WaterAbsorption=[0.31, 0.068, 0.035], WaterScattering=[0.02, 0.027, 0.03], WaterSlopeVariance=0.014,
+                Supersampling=1)
+    views.look(view, EYE, FOCUS, VIEW_ANGLE)
     with tempfile.TemporaryDirectory() as data:
         build(data, view)
-        simple.SaveScreenshot(os.path.join(folder, "figure-sea-8.jpg"), view, Quality=88)
+        simple.SaveScreenshot(os.path.join(folder, "figure-sea-8.jpg"), view, Quality=82)
 
 
 main(sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__)))

@@ -15,9 +15,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from littoral import vtkPlantScatterFilter, vtkReevesTreeSource
 from littoral.gallery.colors import natural_color
-from littoral.gallery.country import wood_sites
+from littoral.gallery.country import WOODS, jacksboro, wood_sites
 from littoral.gallery.meshes import add_array, vertices
-from littoral.gallery.places import WOODS, jacksboro
 from littoral.glb import write_glb
 from littoral.properties import set_properties
 

@@ -17,7 +17,7 @@ from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from littoral import (
     vtkFlowPrimitiveSource, vtkParticleOrbitFilter, vtkPlantScatterFilter, vtkSeaStateSource,
     vtkSeaweedDeformationFilter, vtkSeaweedSource)
-from littoral.gallery import bay, water
+from littoral.gallery import bay
 from littoral.gallery.meshes import vertices
 from littoral.glb import write_glb
 from littoral.properties import set_properties
@@ -51,6 +51,16 @@ def sea_state():
     return sea
 
 
+def ripples(time, count=14, seed=3):
+    """Short waves as rows of k_x, k_y [rad/m], amplitude [m] and phase [rad] at a time [s], longest first."""
+    random = np.random.default_rng(seed)
+    length = 4.6 * 0.82 ** np.arange(count)
+    k = 2.0 * np.pi / length
+    angle = random.normal(0.5, 0.95, count)
+    phase = random.uniform(0.0, 2.0 * np.pi, count) - np.sqrt(9.80665 * k) * time  # deep water
+    return np.column_stack((k * np.cos(angle), k * np.sin(angle), 0.0105 * length ** 1.1, phase))
+
+
 def surface(sea, time):
     """The surface at a time: wave trains move it, and short ripples lie on it."""
     out = np.geomspace(0.15, FAR, 70)
@@ -64,7 +74,7 @@ def surface(sea, time):
     moved = orbits.GetOutput()
     places = vtk_to_numpy(moved.GetPoints().GetData()).astype(float)
     beyond = np.maximum(np.abs(places[:, 0]) - NEAR[0], np.abs(places[:, 1] - 10.0) - 20.0)
-    for k_x, k_y, amplitude, phase in water.ripples(time):
+    for k_x, k_y, amplitude, phase in ripples(time):
         amplitude = amplitude * np.clip(1.0 - beyond * np.hypot(k_x, k_y) / 30.0, 0.0, 1.0)  # cells grow
         places[:, 2] += amplitude * np.cos(k_x * places[:, 0] + k_y * places[:, 1] + phase)
     moved.GetPoints().SetData(numpy_to_vtk(places.astype(np.float32), deep=True))

@@ -57,13 +57,13 @@ FOREST = os.path.join(HERE, "forest.py")
 UNDERWATER = os.path.join(HERE, "underwater.py")
 FILM_SIZE = 768, 432
 EXAGGERATION = 3.0
-#: Space on disk that the pictures and data take, and that a frame of both films takes [bytes]; measured: 72 MB, 1.2 MB.
+#: Space on disk that the pictures and data take, and that a frame of both films takes [bytes]; measured: 46 MB, 1.2 MB.
 STILL_BYTES, FRAME_BYTES = 80e6, 1.3e6
 
 #: Time of each picture's step [s], measured with software rendering on two cores, for the progress.
-STEP_TIMES = 0.1, 0.5, 0.1, 0.5, 0.7, 2.5, 15.0, 9.0, 0.8, 20.0, 1.0
+STEP_TIMES = 0.1, 0.5, 0.1, 0.5, 0.7, 2.5, 18.0, 10.0, 0.8, 18.0, 1.0
 #: CPU time of each film before its first frame and of a frame [s].
-FILM_TIMES = (20.0, 4.7), (21.0, 5.6)
+FILM_TIMES = (16.0, 3.4), (13.0, 3.9)
 
 
 class Progress:

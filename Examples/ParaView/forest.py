@@ -11,8 +11,8 @@
 
 The terrain is a refined part of the elevation model of the Jacksboro fault. Meadows, woods and rock follow its drainage
 and its slopes, trees are in its woods, and brooks run where its water gathers.
-Levels of detail of terrain and trees follow the camera. Trees near the camera sway in a turbulent
-wind.
+Levels of detail of terrain and trees follow the camera. Trees near the camera sway in a turbulent wind. Sun, sky, clouds,
+shadows, grass and the water of the brooks are those of Landscape Light.
 """
 
 import os
@@ -20,13 +20,11 @@ import sys
 
 import numpy as np
 from paraview import simple
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import littoral
 from littoral.gallery import country as countries
-from littoral.gallery import landscape, sky, views
+from littoral.gallery import views
 from littoral.gallery.arguments import folder_size_frames
-from littoral.gallery.places import WOODS, jacksboro
 
 #: Start, end and focal point of the walk [m].
 FIRST, LAST, TARGET = (7000.0, 8250.0), (6968.0, 8218.0), (4200.0, 3200.0)
@@ -34,23 +32,21 @@ EYE_HEIGHT, VIEW_ANGLE = 7.0, 30.0
 #: Frames per second, and wind speed [m/s].
 RATE, WIND_SPEED = 12, 16.0
 SPECIES = (("Pine", 3), ("Oak", 5), ("Birch", 2), ("Shrub", 4))  # and seed of the prototype
-#: Radius of the crown of each species, and height of its center [m].
-CROWNS = np.array(((2.0, 4.5), (4.8, 6.5), (2.2, 7.0), (1.3, 0.9)))
 #: Trees along the walk: distance ahead and to the right [m], and species.
 NEAR_TREES = (
     (52, -21, 1), (78, -27, 2), (86, -34, 2), (70, 24, 2), (95, 33, 1), (118, 22, 0), (135, 30, 0),
     (150, 41, 0), (47, 17, 3), (60, -8, 3), (160, -50, 1), (185, -36, 0), (200, -44, 0),
     (170, 10, 3), (210, 62, 1), (235, 48, 2), (140, -16, 2), (240, -10, 1), (260, 2, 1))
-#: Distance of grass, of shadows and of brooks from the walk [m].
-GRASS_REACH, SHADOW_REACH, BROOK_REACH = 70.0, 900.0, 2500.0
+#: Distance of brooks from the walk [m].
+BROOK_REACH = 2500.0
+#: Visible blocks of scattered plants; the skeletons are lines.
+PLANT_PARTS = ("/Root/High/Skin", "/Root/High/Leaves", "/Root/Medium/Trunk", "/Root/Medium/Crown", "/Root/Low")
 #: Camera motion [m] and rotation [degrees] after which levels of detail are updated.
 STEADY = dict(MoveTolerance=10.0, TurnTolerance=2.0)
-#: A tuft of grass, as a shrub without wood.
-GRASS = dict(
-    Preset="Custom", Height=0.40, CrownRadius=0.30, CrownBase=0.0, TrunkRadius=0.004,
-    TrunkReach=0.3, Orders=1, MainBranches=2, BranchAngle=35.0, Lift=0.3, NumberOfLeaves=24,
-    LeafSize=0.34, LeafWidth=0.06, LeafForm="Blade", LeafColor=[0.56, 0.60, 0.30],
-    BarkColor=[0.55, 0.58, 0.30])
+#: A morning's sun from the side. The brooks are above the level of the water, at which an eye goes under.
+LIGHT = dict(SunElevation=18.0, SunAzimuth=106.0, Turbidity=2.0, VisibilityDistance=22000.0, CloudCover=0.3,
+             ExposureCompensation=0.65, ShadowDistance=400.0, CoverRadius=120.0, CoverHeight=0.6,
+             CoverColor=[0.50, 0.52, 0.25], WaterLevel=-100.0, WaterSlopeVariance=0.04)
 
 
 def eye_at(country, share):
@@ -76,28 +72,16 @@ def wind_center():
     return FIRST + 350.0 * ahead / np.hypot(*ahead)
 
 
-def shadows_near(country, woods):
-    """The shadows of the trees near the walk."""
-    places = vtk_to_numpy(woods.GetPoints().GetData()).astype(float)
-    species = vtk_to_numpy(woods.GetPointData().GetArray("Species"))
-    near = np.hypot(*(places[:, :2] - eye_at(country, 0.5)[:2]).T) < SHADOW_REACH
-    radius, height = CROWNS[species[near]].T
-    return countries.shadows(country, places[near], radius, height)
-
-
 def build(folder, view, quick=False):
     """Build the pipeline and show it in a view; quick: with coarse ground and few trees. Returns the country."""
     data = os.path.join(folder, "data")
     os.makedirs(data, exist_ok=True)
-    country = jacksboro(1 if quick else 3)
-    woods = countries.wood_sites(country, *WOODS, 80.0 if quick else 13.0, alone=near_trees(country, 4 if quick else None))
-    clouds = os.path.join(data, "sky.png")
-    sky.write_sky(clouds, *((384, 64) if quick else (6144, 1024)))
+    country = countries.jacksboro(1 if quick else 3)
+    woods = countries.wood_sites(
+        country, *countries.WOODS, 80.0 if quick else 13.0, alone=near_trees(country, 4 if quick else None))
 
     terrain = views.reader("Country", country.image, data)
     sites = views.reader("Sites", woods, data)
-    dome = views.reader("Sky", sky.sky_dome(eye_at(country, 0.5)), data)
-    shadows = views.reader("Shadows", shadows_near(country, woods), data)
     brooks = views.reader("Brooks", countries.brook_bands(country, eye_at(country, 0.5), BROOK_REACH), data)
     trees = [simple.ReevesTree(registrationName=name, Preset=name, Seed=seed)
              for name, seed in SPECIES]
@@ -112,33 +96,12 @@ def build(folder, view, quick=False):
     sway = simple.BeamTreeDeformation(
         registrationName="Forest in the wind", Input=forest, Wind=wind, Prototypes=trees)
 
-    size = np.abs(np.subtract(FIRST, LAST)) + 2.0 * GRASS_REACH
-    tufts = simple.QuadratPoints(
-        registrationName="Tufts", Origin=list(np.minimum(FIRST, LAST) - GRASS_REACH),
-        Size=list(size), Quadrats=[int(length / 2.0) for length in size], Law="Poisson Poisson",
-        MeanPerQuadrat=0.5 if quick else 5.0, ClusterMean=3.0)
-    # Of a near tuft only the blades, and of these what is seen: most of its memory is in wood and joints.
-    blades = simple.PassArrays(
-        registrationName="Blades", PointDataArrays=["Normals", "RGB", "TCoords"],
-        FieldDataArrays=["Texture", "TextureSize", "TextureMean"],
-        Input=simple.ExtractBlock(
-            Input=simple.ReevesTree(registrationName="Tuft", **GRASS),
-            Selectors=["/Root/High/Leaves", "/Root/Medium", "/Root/Low"]))
-    grass = simple.PlantScatter(
-        registrationName="Grass", Sites=tufts, Terrain=terrain, NearDistance=300.0,
-        Prototypes=[blades], FarDistance=300.0,
-        VisibleDistance=GRASS_REACH, ScaleVariation=0.35, TintVariation=0.04, **STEADY)
-
-    landscape.prepare_view(view)
+    views.light(view, Supersampling=int(not quick), **LIGHT)
     look(country, view, 0.0)
-    landscape.show_sky(dome, view, clouds)
-    landscape.show_ground(ground, view)
-    views.show_baked(brooks, view)
-    views.show_baked(shadows, view)
-    shown = landscape.show_plants(grass, view, ["/Root/High/Leaves"])
-    shown.Ambient, shown.Diffuse = 0.75, 0.45  # translucency
-    landscape.show_plants(sway, view, landscape.PLANT_PARTS[:-1])
-    landscape.show_plants(forest, view, landscape.PLANT_PARTS[-1:])  # what does not move is not made again for each frame
+    views.show_surface(ground, view)
+    views.show_surface(brooks, view)
+    views.show_surface(sway, view, PLANT_PARTS[:-1])
+    views.show_surface(forest, view, PLANT_PARTS[-1:])  # what does not move is not made again for each frame
     if hasattr(littoral, "vtkVDBVolumeWriter"):
         views.save_volume(os.path.join(folder, "wind.vdb"), wind)
     return country

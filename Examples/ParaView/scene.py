@@ -20,8 +20,8 @@ from paraview import servermanager, simple
 
 from littoral.elevation import array_from_image, image_from_array, read_elevation, write_vti
 from littoral.gallery import relief as reliefs
-from littoral.gallery.relief import BACKGROUND, row_camera, row_centers, width_of
-from littoral.gallery.views import look, show_baked
+from littoral.gallery.relief import light_of, row_camera, row_centers, width_of
+from littoral.gallery.views import light, look, show_colored
 from littoral.tables import model_names
 
 EXAGGERATION = 3.0
@@ -37,10 +37,8 @@ self.GetPolyDataOutput().ShallowCopy(block)
 """
 
 FLOOR = """
-from littoral.gallery.relief import floor_shadow
-blocks = [self.GetInputDataObject(0, k) for k in range(self.GetNumberOfInputConnections(0))]
-shadow = floor_shadow([block.GetBounds() for block in blocks])
-self.GetPolyDataOutput().ShallowCopy(shadow)
+from littoral.gallery.relief import floor
+self.GetPolyDataOutput().ShallowCopy(floor({width}, {count}))
 """
 
 
@@ -51,7 +49,7 @@ def polydata_filter(name, inputs, script):
 
 
 def relief(name, terrain, center):
-    """A terrain as a block with baked light and shadows."""
+    """A terrain as a block."""
     script = RELIEF.format(exaggeration=EXAGGERATION, center=tuple(float(c) for c in center[:2]))
     return polydata_filter(name, terrain, script)
 
@@ -88,14 +86,14 @@ def show_variogram(fit, view):
 
 
 def prepare_view(view, width, count):
-    """Set up a view for a row of blocks: camera, pale sky, and no lamps."""
-    look(view, *row_camera(width, count, view.ViewSize[0] / view.ViewSize[1]))
-    view.UseColorPaletteForBackground = 0
-    view.BackgroundColorMode = "Gradient"
-    view.Background, view.Background2 = BACKGROUND
-    view.OrientationAxesVisibility = 0
-    view.UseLight = 0
-    view.UseFXAA = 1
+    """Set up a view for a row of blocks: floor, camera and light."""
+    ground = simple.ProgrammableSource(registrationName="Floor", OutputDataSetType="vtkPolyData",
+                                       Script=FLOOR.format(width=width, count=count))
+    show_colored(ground, view)
+    eye, focus, angle = row_camera(width, count, view.ViewSize[0] / view.ViewSize[1])
+    settings = light_of(width, sum((a - b) ** 2 for a, b in zip(eye, focus)) ** 0.5)
+    light(view, VisibilityDistance=settings.pop("Visibility"), **settings)
+    look(view, eye, focus, angle)
 
 
 def build(folder, size, quick=False):
@@ -120,8 +118,7 @@ def build(folder, size, quick=False):
         relief("Relief of the place", reader, centers[0]),
         relief("Relief of the twin", twin, centers[1])]
     for block in blocks:
-        show_baked(block, view)
-    show_baked(polydata_filter("Floor", blocks, FLOOR), view)
+        show_colored(block, view)
 
     chart = simple.CreateView("XYChartView")
     simple.AssignViewToLayout(chart, layout, layout.SplitVertical(0, 0.6))

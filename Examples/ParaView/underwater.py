@@ -18,7 +18,7 @@ import sys
 from paraview import simple
 
 import littoral
-from littoral.gallery import bay, underwater, views
+from littoral.gallery import bay, views
 from littoral.gallery.arguments import folder_size_frames
 
 DEPTH = 9.5  # water depth [m]
@@ -32,6 +32,9 @@ GIANT_KELP = dict(
 TIME, FRAMES_A_SECOND = 7.3, 12
 CURRENT = 0.08  # [m/s]
 LEAD = 20.0  # time of kelp motion before the first frame [s]
+#: The light: sun before the eye in clear water. Ripples that are shorter than the mesh gather it.
+LIGHT = dict(SunElevation=56.0, SunAzimuth=10.0, CloudCover=0.1, ExposureCompensation=1.7, ShadowDistance=40.0,
+             WaterAbsorption=[0.31, 0.068, 0.035], WaterScattering=[0.02, 0.027, 0.03], WaterSlopeVariance=0.014)
 SEEN = ["/Root/Near", "/Root/MasterSlave"]  # levels of particles that are seen individually
 STIR = 25.0  # strength of plant wakes [m2 s], above nature, to be visible
 
@@ -58,16 +61,13 @@ def on_waves(name, particles, sea):
 
 
 def build(folder, view, quick=False):
-    """Build the pipeline and show it in a view; returns the representations with water shaders.
-
-    quick: with few plants and particles, and little motion.
-    """
+    """Build the pipeline and show it in a view; quick: with few plants and particles, and little motion."""
     data = os.path.join(folder, "data")
     os.makedirs(data, exist_ok=True)
     sea = simple.SeaState(registrationName="Sea", SeaBy="Height And Period", SignificantWaveHeight=0.6,
                           PeakPeriod=6.2, WaterDepth=DEPTH, MeanDirection=-70.0, NumberOfTrains=60)
-    level = views.reader("Level", bay.mesh(bay.fan(*((160.0, 0.3, 40, 60) if quick else ()))), data)
-    surface = simple.ParticleOrbits(registrationName="Surface", Input=level, SeaState=sea)
+    surface = simple.SeaSurface(registrationName="Surface", Input=sea, Radius=150.0, Sectors=60 if quick else 300,
+                                Spacing=0.5 if quick else 0.1, WaterColors=0)
     sand, height = bay.bed(DEPTH, EYE, samples=200 if quick else 900)
     floor = views.reader("Bed", sand, data)
     plants = bay.kelp_sites(height, count=8 if quick else 130)
@@ -82,10 +82,10 @@ def build(folder, view, quick=False):
         registrationName="Kelp in the swell", Input=kelp, SeaState=sea, Currents=[current], FollowCamera=0,
         GenerateMotion=1, TimeStep=1.0 / 24.0, StartTime=TIME - (0.5 if quick else LEAD))
     wake = simple.PlantWake(registrationName="Wake", Input=bending, Strength=STIR)
-    # Only particles around the kelp feel its wake; the others drift uniformly, without time steps.
-    everywhere = bay.particles((-17.0, 1.2, -DEPTH + 0.1, 17.0, 29.0, -0.5), 10000 if quick else 480000, 0.0042,
-                               (0.84, 0.93, 0.84), clumps=0.9, plants=plants)
-    about, beyond = bay.split_about(everywhere, plants)
+    # Only particles gathered around the kelp feel its wake; the others drift uniformly, without time steps.
+    box, look = (-17.0, 1.2, -DEPTH + 0.1, 17.0, 29.0, -0.5), (0.0042, (0.84, 0.93, 0.84))
+    about = bay.particles(box, 500 if quick else 24000, *look, plants=plants, share=1.0)
+    beyond = bay.particles(box, 9500 if quick else 456000, *look, seed=2, clumps=0.9)
     stirred = levels("StirredLevels", drifting("Stirred", views.reader("ParticlesAboutKelp", about, data),
                                                [current, wake]), sea)
     # The current alone moves the others, all by the same step: their levels are chosen before, and again only when the
@@ -96,27 +96,25 @@ def build(folder, view, quick=False):
     fog = simple.ParticleFog(registrationName="Fog", Input=carried, GridBy="Spacing",
                              Spacing=0.5, UseBounds=1, Bounds=[-17.0, 17.0, -1.0, 29.0, -DEPTH, 0.0])
 
-    underwater.prepare_view(view)
+    views.light(view, Supersampling=int(not quick), **LIGHT)
     views.look(view, EYE, FOCUS, VIEW_ANGLE)
     for animated in (surface, bending, *specks):
         simple.UpdatePipeline(TIME, animated)
     view.ViewTime = TIME
     # The color map editor of ParaView 5.11's window fails on the histogram of a fog that is still empty.
     simple.SetActiveSource(sea)
-    underwater.show_fog(fog, view)
+    views.show_fog(fog, view)
     for near in specks:
-        underwater.show_particles(near, view, EYE)
-    # From near to far, so that hidden fragments are not shaded.
-    return [underwater.show_seaweeds(bending, view, TIME), underwater.show_bed(floor, view, TIME),
-            underwater.show_surface(surface, view, TIME), underwater.show_beyond(view, TIME, EYE)]
+        views.show_particles(near, view)
+    views.show_colored(floor, view)
+    views.show_surface(bending, view, ["/Root/High/Skin", "/Root/High/Leaves"])
+    views.show_surface(surface, view)
 
 
-def film(shaded, view, folder, frames, told):
+def film(view, folder, frames, told):
     """Write the frames and the film; `told` is called before each frame."""
     def turn_to(frame):
         view.ViewTime = TIME + frame / FRAMES_A_SECOND
-        for shown in shaded:
-            underwater.set_time(shown, view.ViewTime)
 
     views.film_view(os.path.join(folder, "underwater.ogv"), view, frames, FRAMES_A_SECOND, turn_to, told)
 
@@ -127,12 +125,12 @@ def main(folder, size, frames=0, quick=False, told=lambda frame, frames: None):
     os.makedirs(folder, exist_ok=True)
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = list(size)
-    shaded = build(folder, view, quick)
+    build(folder, view, quick)
     views.save_view(os.path.join(folder, "underwater.png"), view)
     if hasattr(littoral, "vtkVDBVolumeWriter"):
         views.save_volume(os.path.join(folder, "fog.vdb"), simple.FindSource("Fog"))
     if frames > 0:
-        film(shaded, view, folder, frames, told)
+        film(view, folder, frames, told)
 
 
 if __name__ != "underwater":  # another script has run this one for its functions

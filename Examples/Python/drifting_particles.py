@@ -12,23 +12,22 @@ import os
 import sys
 import tempfile
 
-import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws everything
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTexture)
 
 from littoral import (
-    vtkCurrentDriftFilter, vtkFlowPrimitiveSource, vtkParticleOrbitFilter, vtkSeaStateSource,
-    vtkSuspendedParticleSource)
+    vtkCurrentDriftFilter, vtkFlowPrimitiveSource, vtkLandscapePass, vtkParticleOrbitFilter, vtkSeaStateSource,
+    vtkSeaSurfaceFilter, vtkSuspendedParticleSource)
 from littoral.picture import write_png
+from littoral.properties import set_properties
 
 DEPTH = 10.0  # water depth [m]
-WATER = (0.035, 0.23, 0.30)
 EYE = (0.0, -5.0, -5.0)
-HORIZON = 0.4  # height in the image, as a fraction
+#: Light in clear water.
+LIGHT = dict(SunElevation=52.0, SunAzimuth=8.0, CloudCover=0.2, ExposureCompensation=1.0, WaterSlopeVariance=0.02,
+             WaterAbsorption=(0.31, 0.07, 0.04), WaterScattering=(0.03, 0.035, 0.035), WaterTime=7.3)
 
 
 def flow(kind, strength, center, axis=(0.0, 0.0, 1.0)):
@@ -65,56 +64,37 @@ def scene(quick):
     return particles, drift, orbits, sea
 
 
-def faded(data, colors, sight):
-    """Set colors of points (0 to 1), attenuated to the water color; sight: attenuation length [m]."""
-    places = vtk_to_numpy(data.GetPoints().GetData())
-    share = np.exp(-np.linalg.norm(places - EYE, axis=1) / sight)[:, None]
-    colors = 255.0 * (share * colors + (1.0 - share) * np.array(WATER))
-    array = numpy_to_vtk(np.clip(colors, 0, 255).astype(np.uint8), deep=True,
-                         array_type=vtkUnsignedCharArray().GetDataType())
-    data.GetPointData().SetScalars(array)
-
-
-def unlit(data):
-    """An actor without lighting."""
+def actor_of(data):
+    """An actor of a surface."""
     mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.SetInputData(data)
     actor.SetMapper(mapper)
-    actor.GetProperty().LightingOff()
     return actor
 
 
 def particle_actor(orbits, particles):
     """Squares with the textures of their kinds, tinted by RGB."""
-    data = orbits.GetOutput()
-    faded(data, vtk_to_numpy(data.GetPointData().GetArray("RGB")) / 255.0, 6.0)
-    texture = vtkTexture()
+    actor, texture = actor_of(orbits.GetOutput()), vtkTexture()
     texture.SetInputConnection(particles.GetOutputPort(1))
     texture.InterpolateOn()
     texture.MipmapOn()
-    actor = unlit(data)
     actor.SetTexture(texture)
     actor.ForceTranslucentOn()
     return actor
 
 
 def surface_actor(sea, time, quick):
-    """The surface from below: bright where it converges and focuses light."""
-    plane = vtkPlaneSource()
-    plane.SetOrigin(-60.0, -12.0, 0.0)
-    plane.SetPoint1(60.0, -12.0, 0.0)
-    plane.SetPoint2(-60.0, 90.0, 0.0)
-    plane.SetResolution(*((150, 125) if quick else (600, 500)))
-    orbits = vtkParticleOrbitFilter()
-    orbits.SetInputConnection(0, plane.GetOutputPort())
-    orbits.SetSeaStateConnection(sea.GetOutputPort())
-    orbits.UpdateTimeStep(time)
-    data = orbits.GetOutput()
-    jacobian = vtk_to_numpy(data.GetPointData().GetArray("Jacobian"))
-    colors = np.column_stack([np.interp(jacobian, (0.75, 1.0, 1.25), shades) for shades in (
-        (0.80, 0.20, 0.08), (0.98, 0.58, 0.38), (0.94, 0.64, 0.46))])
-    faded(data, colors, 18.0)
-    return unlit(data)
+    """The surface, from below."""
+    surface = vtkSeaSurfaceFilter()
+    surface.SetInputConnection(sea.GetOutputPort())
+    surface.SetCenter(*EYE[:2])
+    surface.SetRadius(150.0)
+    surface.SetSpacing(0.5 if quick else 0.1)
+    surface.WaterColorsOff()
+    surface.UpdateTimeStep(time)
+    actor = actor_of(surface.GetOutput())
+    vtkLandscapePass.SetMaterial(actor, vtkLandscapePass.Water)
+    return actor
 
 
 def main(folder, quick=False):
@@ -127,20 +107,15 @@ def main(folder, quick=False):
     print(f"{particles.GetOutput().GetNumberOfPolys()} particles; largest drift along an axis: {way:.2f} m")
     assert 0.5 < way < 10.0, "no drift"
     renderer = vtkRenderer()
-    renderer.GradientBackgroundOn()
-    below = 0.5 * np.array(WATER)
-    renderer.SetBackground(*below)
-    renderer.SetBackground2(*(below + (WATER - below) / HORIZON))
-    renderer.UseDepthPeelingOn()
-    renderer.SetMaximumNumberOfPeels(8)
+    renderer.SetPass(set_properties(vtkLandscapePass(), LIGHT))
     renderer.AddActor(surface_actor(sea, 7.3, quick))
     renderer.AddActor(particle_actor(orbits, particles))
     camera = renderer.GetActiveCamera()
     camera.SetPosition(*EYE)
-    camera.SetFocalPoint(0.0, 3.0, -3.9)
+    camera.SetFocalPoint(0.0, 3.0, -1.6)
     camera.SetViewUp(0.0, 0.0, 1.0)
-    camera.SetViewAngle(42.0)
-    renderer.ResetCameraClippingRange()
+    camera.SetViewAngle(52.0)
+    camera.SetClippingRange(0.1, 400.0)
     window = vtkRenderWindow()
     window.SetAlphaBitPlanes(1)
     window.AddRenderer(renderer)

@@ -27,15 +27,12 @@ from vtkmodules.vtkRenderingContext2D import vtkContextActor
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 from littoral import stand, vtkPatternVerdictFilter, vtkPointProcessSource
-from littoral.gallery.floor import BROADLEAVED, HAZE, SAVANNA, Floor
-from littoral.gallery.pictures import lit_actor
+from littoral.gallery.floor import BROADLEAVED, SAVANNA, light, plant_actors
 from littoral.picture import FAINT, INK, label, write_jpg
-from littoral.plants import add_daylight, block, level_actors
 from littoral.tables import column, table_of
 from littoral.versions import set_plot_color
 
 PAPER = (0.97, 0.965, 0.95)
-SUN = (215.0, 42.0)  # azimuth and elevation [degrees]
 #: Left edges of the columns and lower edges of the rows, as parts of the picture.
 COLUMNS = (0.0, 0.185, 0.445, 0.63, 1.0)
 ROW, TOP = 0.192, 0.04
@@ -231,13 +228,8 @@ def spelled(name):
     return {"log gaussian cox": "log-Gaussian Cox"}.get(words, words.replace("matern", "Matérn").capitalize())
 
 
-def draw_stand(renderer, trees, side, colors, cover, rings):
-    """Plants on ground of colors, of which the cover is grass, in the shade of the crowns, seen from the southern edge.
-
-    rings: of the ground."""
-    renderer.SetBackground(*HAZE)
-    renderer.SetBackground2(0.45, 0.64, 0.86)
-    renderer.GradientBackgroundOn()
+def draw_stand(renderer, trees, side, colors):
+    """Plants on ground of colors, seen from the southern edge."""
     heights = stand.numbers(trees, "Height")
     eye = (0.5 * side, -0.50 * side, 0.20 * side + 1.1 * float(np.median(heights)))
     focus = (0.5 * side, 0.5 * side, 0.4 * float(np.median(heights)))
@@ -247,14 +239,10 @@ def draw_stand(renderer, trees, side, colors, cover, rings):
     forest.SetViewDirection(*(towards / np.linalg.norm(towards)))
     forest.SetViewAngle(36.0)
     forest.Update()
-    for path in (("High", "Leaves"), ("Medium", "Crown"), ("Low",)):
-        for actor in level_actors(forest, path[0]) if block(forest.GetOutput(), *path) else ():
-            renderer.AddActor(actor)
-    places = vtk_to_numpy(trees.GetPoints().GetData())[:, :2].astype(float)
-    floor = Floor(places, heights, stand.numbers(trees, "CrownDiameter"), eye, sun=SUN, colors=colors, cover=cover)
-    for part in (floor.ground(rings, 2 * rings), floor.woods()):
-        renderer.AddActor(lit_actor(part))
-    add_daylight(renderer, SUN)
+    for actor in plant_actors(forest):
+        renderer.AddActor(actor)
+    light(renderer, colors, SunAzimuth=255.0, SunElevation=24.0, CloudCover=0.25, Visibility=15000.0,
+          ExposureCompensation=0.9, ShadowDistance=2.5 * side, CoverRadius=60.0, CoverHeight=0.3)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(*eye)
     camera.SetFocalPoint(*focus)
@@ -289,8 +277,7 @@ def main(folder, quick):
         names = trees.GetPointData().GetAbstractArray("SpeciesName") if "species" in found else None
         species = [names.GetValue(k) for k in range(len(places))] if names else None
         draw_map(parts[2], *(places / side).T, (0.24, 0.42, 0.30), f"regrown: {len(places)}", species)
-        meadow = (BROADLEAVED, 0.3) if "species" in found else (SAVANNA, 0.85)
-        kept.append(draw_stand(parts[3], trees, ground, *meadow, 200 if quick else 900))
+        kept.append(draw_stand(parts[3], trees, ground, BROADLEAVED if "species" in found else SAVANNA))
         for part in parts:
             window.AddRenderer(part)
     head = vtkRenderer()

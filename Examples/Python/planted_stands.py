@@ -25,15 +25,11 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 from littoral import stand
-from littoral.gallery.floor import BROADLEAVED, HAZE, SAVANNA, Floor
-from littoral.gallery.pictures import lit_actor
+from littoral.gallery.floor import BROADLEAVED, SAVANNA, light, plant_actors, woods_beyond
 from littoral.picture import INK, label, write_jpg
-from littoral.plants import add_daylight, level_actors
 
 PICTURE = (1500, 700)  # pixels
 MAP = 0.42  # part of the width
-SKY = (0.45, 0.64, 0.86)
-SUN = (215.0, 38.0)  # azimuth and elevation [degrees]
 #: Colors of species on the map, in the order of their numbers.
 COLORS = ((0.30, 0.52, 0.30), (0.80, 0.56, 0.22), (0.42, 0.50, 0.62), (0.66, 0.34, 0.28), (0.56, 0.62, 0.24), (0.55, 0.45, 0.60))
 
@@ -43,11 +39,11 @@ LONGLEAF = ("write.csv(data.frame(x=longleaf$x, y=longleaf$y, dbh=longleaf$marks
 LANSING = "write.csv(data.frame(x=lansing$x, y=lansing$y, species=lansing$marks), file='{}', row.names=FALSE)"
 STANDS = (
     ("longleaf", LONGLEAF, {}, "Longleaf pines, 4 ha in Georgia", (88.0, -14.0, 3.2), (3.0, 6.0),
-     {"colors": SAVANNA, "cover": 0.92}, {"count": 160000, "reach": 90.0, "height": 0.65, "blades": 8}),
+     SAVANNA, {"SunAzimuth": 262.0, "SunElevation": 24.0, "CoverHeight": 0.55, "CoverRadius": 70.0}),
     # 924 feet scaled to 1; two trees have the same place.
     ("lansing", LANSING, {"CoordinateScale": 924.0, "units": {"place": "ft"}, "AllowCoincident": True},
      "Lansing Woods, 7.9 ha in Michigan", (140.0, -3.0, 1.9), (0.0, 6.0),
-     {"colors": BROADLEAVED, "cover": 0.30}, {"count": 60000, "reach": 60.0, "height": 0.35}),
+     BROADLEAVED, {"SunAzimuth": 118.0, "SunElevation": 38.0, "CoverHeight": 0.25, "CoverRadius": 50.0}),
 )
 
 
@@ -121,16 +117,13 @@ def draw_map(trees, title, window):
     renderer.ResetCameraClippingRange()
 
 
-def draw_wood(trees, eye, heading, ground, grass, window):
+def draw_wood(trees, eye, heading, colors, settings, window):
     """The planted trees, in the right part of a window. heading: from north to east, and up from level [degrees].
-    ground, grass: arguments of Floor and of its grass."""
+    colors: of ground and grass; settings: properties of the light."""
     renderer = vtkRenderer()
     renderer.SetViewport(MAP, 0.0, 1.0, 1.0)
-    renderer.SetBackground(*HAZE)
-    renderer.SetBackground2(*SKY)
-    renderer.GradientBackgroundOn()
     aspect = (1.0 - MAP) * PICTURE[0] / PICTURE[1]
-    forest = stand.plant(trees, UseLevels=True, UseCulling=True, NearDistance=90.0, FarDistance=200.0)
+    forest = stand.plant(trees, UseLevels=True, UseCulling=False, NearDistance=90.0, FarDistance=200.0)
     azimuth, up = np.radians(heading)
     towards = (np.sin(azimuth) * np.cos(up), np.cos(azimuth) * np.cos(up), np.sin(up))
     forest.SetViewPoint(*eye)
@@ -138,20 +131,15 @@ def draw_wood(trees, eye, heading, ground, grass, window):
     forest.SetViewAngle(58.0)
     forest.SetAspectRatio(aspect)
     forest.Update()
-    for level in ("High", "Medium", "Low"):
-        for actor in level_actors(forest, level):
-            renderer.AddActor(actor)
-    floor = Floor(vtk_to_numpy(trees.GetPoints().GetData()), stand.numbers(trees, "Height"),
-                  stand.numbers(trees, "CrownDiameter"), eye, sun=SUN, **ground)
-    for part in (floor.ground(), floor.litter(), floor.grass(**grass), floor.woods()):
-        renderer.AddActor(lit_actor(part))
-    add_daylight(renderer, SUN)
+    for actor in plant_actors(forest) + woods_beyond(trees, trees.GetBounds()[1]):
+        renderer.AddActor(actor)
+    light(renderer, colors, CloudCover=0.25, Visibility=3000.0, ExposureCompensation=1.0, **settings)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(*eye)
     camera.SetFocalPoint(*(e + t for e, t in zip(eye, towards)))
     camera.SetViewUp(0.0, 0.0, 1.0)
     camera.SetViewAngle(58.0)
-    camera.SetClippingRange(0.5, 4500.0)
+    camera.SetClippingRange(0.5, 9000.0)
     window.AddRenderer(renderer)
     return forest
 
@@ -171,7 +159,7 @@ def main(folder):
     """Both stands as pictures."""
     os.makedirs(folder, exist_ok=True)
     with tempfile.TemporaryDirectory() as work:
-        for name, command, settings, title, eye, heading, ground, grass in STANDS:
+        for name, command, settings, title, eye, heading, *look in STANDS:
             filename = os.path.join(work, name + ".csv")
             if not inventory(command, filename):
                 print("There are no inventories: R and its package spatstat.data are not installed.")
@@ -180,7 +168,7 @@ def main(folder):
             report(name, trees)
             window = vtkRenderWindow()
             draw_map(trees, title, window)
-            forest = draw_wood(trees, eye, heading, ground, grass, window)
+            forest = draw_wood(trees, eye, heading, *look, window)
             write_jpg(window, os.path.join(folder, f"stand-{name}.jpg"), PICTURE)
             del forest
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: python3 args=. args=--quick
 # run-with: python3 tier=all
-"""The surface of a wind sea: a plane displaced by wave trains, with foam where it nearly folds.
+"""The surface of a wind sea out to the horizon, by the light of sun and sky, with foam where it nearly folds.
 
     python3 sea_surface.py [FOLDER] [--quick]     writes sea_surface.png into FOLDER; --quick, for a test, small and coarse
 """
@@ -12,54 +12,51 @@ import sys
 import tempfile
 
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws everything
-from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkColorTransferFunction, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow)
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
-from littoral import vtkParticleOrbitFilter, vtkSeaStateSource
+from littoral import vtkLandscapePass, vtkSeaStateSource, vtkSeaSurfaceFilter
 from littoral.picture import write_png
 
-WIDTH = 240.0  # side of the rendered square of sea [m]
+EYE = (0.0, -10.0, 4.5)  # [m]
 
 
 def sea_surface(time, quick=False):
     """The surface at a time [s], with Normals and Jacobian."""
-    plane = vtkPlaneSource()
-    plane.SetOrigin(-0.5 * WIDTH, 0.0, 0.0)
-    plane.SetPoint1(0.5 * WIDTH, 0.0, 0.0)
-    plane.SetPoint2(-0.5 * WIDTH, 1.5 * WIDTH, 0.0)
-    plane.SetResolution(*((200, 300) if quick else (800, 1200)))
     sea = vtkSeaStateSource()
     sea.SetWindSpeed(10.0)
     sea.SetMeanDirection(-65.0)
     sea.SetNumberOfTrains(150)
     sea.SetFrequencyRange(0.5, 6.0)
-    orbits = vtkParticleOrbitFilter()
-    orbits.SetInputConnection(0, plane.GetOutputPort())
-    orbits.SetSeaStateConnection(sea.GetOutputPort())
-    orbits.SetChoppiness(1.0)
-    orbits.UpdateTimeStep(time)
-    return orbits.GetOutput()
+    surface = vtkSeaSurfaceFilter()
+    surface.SetInputConnection(sea.GetOutputPort())
+    surface.SetCenter(*EYE[:2])
+    surface.SetSpacing(1.0 if quick else 0.2)
+    surface.UpdateTimeStep(time)
+    return surface.GetOutput()
 
 
 def water_actor(surface):
-    """Water: dark where the surface diverges, pale and white where it converges."""
-    colors = vtkColorTransferFunction()
-    for jacobian, color in ((0.15, (0.93, 0.96, 0.96)), (0.35, (0.45, 0.66, 0.68)),
-                             (0.75, (0.10, 0.36, 0.42)), (1.5, (0.02, 0.19, 0.27))):
-        colors.AddRGBPoint(jacobian, *color)
+    """Water, of which vtkLandscapePass makes the color."""
     mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.SetInputData(surface)
-    mapper.SetScalarModeToUsePointFieldData()
-    mapper.SelectColorArray("Jacobian")
-    mapper.SetLookupTable(colors)
+    mapper.ScalarVisibilityOff()
     actor.SetMapper(mapper)
-    look = actor.GetProperty()
-    look.SetAmbient(0.55)
-    look.SetDiffuse(0.7)
-    look.SetSpecular(0.5)
-    look.SetSpecularPower(60.0)
+    vtkLandscapePass.SetMaterial(actor, vtkLandscapePass.Water)
     return actor
+
+
+def sun_and_sky():
+    """A low sun ahead, and the slopes of waves that the mesh does not have."""
+    light = vtkLandscapePass()
+    light.SetSunElevation(17.0)
+    light.SetSunAzimuth(12.0)
+    light.SetCloudCover(0.35)
+    light.SetExposureCompensation(-1.4)
+    light.SetWaterAbsorption(0.31, 0.065, 0.025)
+    light.SetWaterScattering(0.10, 0.12, 0.14)
+    light.SetWaterSlopeVariance(0.02)
+    light.SetFoamThreshold(0.72)
+    return light
 
 
 def main(folder, quick=False):
@@ -70,22 +67,14 @@ def main(folder, quick=False):
     print(f"Heights {low:.2f} to {high:.2f} m, Jacobian {jacobian[0]:.2f} to {jacobian[1]:.2f}")
     assert low < -0.5 and high > 0.5, "a calm sea"
     renderer = vtkRenderer()
-    renderer.GradientBackgroundOn()
-    renderer.SetBackground(0.88, 0.90, 0.89)
-    renderer.SetBackground2(0.45, 0.62, 0.76)
-    renderer.UseFXAAOn()
+    renderer.SetPass(sun_and_sky())
     renderer.AddActor(water_actor(surface))
-    sun = vtkLight()
-    sun.SetPosition(150.0, 900.0, 260.0)
-    sun.SetFocalPoint(0.0, 60.0, 0.0)
-    sun.SetColor(1.0, 0.95, 0.85)
-    renderer.AddLight(sun)
     camera = renderer.GetActiveCamera()
-    camera.SetPosition(0.0, -10.0, 9.0)
+    camera.SetPosition(*EYE)
     camera.SetFocalPoint(0.0, 90.0, -5.0)
     camera.SetViewUp(0.0, 0.0, 1.0)
     camera.SetViewAngle(38.0)
-    renderer.ResetCameraClippingRange()
+    camera.SetClippingRange(0.5, 8000.0)
     window = vtkRenderWindow()
     window.AddRenderer(renderer)
     os.makedirs(folder, exist_ok=True)

@@ -18,28 +18,27 @@ import tempfile
 import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws everything
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
-from vtkmodules.vtkFiltersGeneral import vtkWarpScalar
-from vtkmodules.vtkFiltersGeometry import vtkImageDataGeometryFilter
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTexture)
 
 from littoral import (
-    vtkCurrentDriftFilter, vtkFlowPrimitiveSource, vtkParticleOrbitFilter, vtkPlantScatterFilter,
-    vtkPlantWakeFilter, vtkQuadratPointSource, vtkSeaStateSource, vtkSeaweedDeformationFilter,
-    vtkSeaweedSource, vtkSuspendedParticleSource, vtkTurningBandsTerrainSource)
+    vtkCurrentDriftFilter, vtkFlowPrimitiveSource, vtkLandscapePass, vtkParticleOrbitFilter, vtkPlantScatterFilter,
+    vtkPlantWakeFilter, vtkQuadratPointSource, vtkSeaStateSource, vtkSeaSurfaceFilter, vtkSeaweedDeformationFilter,
+    vtkSeaweedSource, vtkSuspendedParticleSource, vtkTerrainLevelOfDetailFilter, vtkTurningBandsTerrainSource)
 from littoral.picture import write_png
 from littoral.plants import block
+from littoral.properties import set_properties
 
 DEPTH = 7.0  # of the water at the center of the bed [m]
 START, TIME, FRAME = -12.0, 9.0, 1.0 / 12.0  # kelp at rest, first frame, frame interval [s]
 SAMPLES = 24  # per period of the swell
 EYE, FOCUS, VIEW_ANGLE = (0.0, -4.3, 1.0), (0.0, 0.0, 1.35), 42.0
-HORIZON = 0.43  # height in the image, as a fraction
-WATER = np.array((0.06, 0.34, 0.41))
-SIGHT = 7.0  # attenuation length of light, to 1/e [m]
+#: Light in rather murky water.
+LIGHT = dict(SunElevation=55.0, SunAzimuth=330.0, CloudCover=0.2, ExposureCompensation=1.1, ShadowDistance=30.0,
+             WaterLevel=DEPTH, WaterAbsorption=(0.31, 0.07, 0.05), WaterScattering=(0.04, 0.05, 0.05),
+             WaterSlopeVariance=0.012)
 
 
 def make_bed():
@@ -198,53 +197,52 @@ def measure_wakes(scene, time):
     return np.linalg.norm(ways[0] - ways[1], axis=1), near
 
 
-def faded(data, colors):
-    """An actor with colors of points (0 to 1), attenuated to the water color with distance."""
-    share = np.exp(-np.linalg.norm(places(data) - EYE, axis=1) / SIGHT)[:, None]
-    colors = 255.0 * (share * colors + (1.0 - share) * WATER)
-    data.GetPointData().SetScalars(numpy_to_vtk(
-        np.clip(colors, 0, 255).astype(np.uint8), deep=True, array_type=vtkUnsignedCharArray().GetDataType()))
+def actor_of(data, color=None):
+    """An actor of a surface in a color, or in its own ones."""
     mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.SetInputData(data)
+    mapper.SetScalarVisibility(color is None)
     actor.SetMapper(mapper)
-    actor.GetProperty().LightingOff()
+    if color:
+        actor.GetProperty().SetColor(*color)
     return actor
-
-
-def lit(data, colors):
-    """An actor lit from above, with translucent blades."""
-    normals = vtk_to_numpy(data.GetPointData().GetNormals())
-    light = 0.40 + 0.75 * abs(normals @ np.array((0.25, -0.35, 0.90)))
-    return faded(data, np.array(colors) * light[:, None] * (0.75, 1.0, 0.95))
 
 
 def bed_actor(sand):
     """The bed as a surface."""
-    surface, warp, normals = vtkImageDataGeometryFilter(), vtkWarpScalar(), vtkPolyDataNormals()
-    surface.SetInputConnection(sand.GetOutputPort())
-    warp.SetInputConnection(surface.GetOutputPort())
-    normals.SetInputConnection(warp.GetOutputPort())
-    normals.SplittingOff()
-    normals.Update()
-    data = normals.GetOutput()
-    x, y, _ = places(data).T
-    marks = 1.0 + 0.05 * np.sin(9.0 * x + 1.5 * y + 1.5 * np.sin(0.8 * y))  # ripple marks
-    return lit(data, np.array((0.68, 0.62, 0.47)) * marks[:, None])
+    land = vtkTerrainLevelOfDetailFilter()
+    land.SetInputConnection(sand.GetOutputPort())
+    land.SetNumberOfLevels(1)
+    land.UseCullingOff()
+    land.Update()
+    return actor_of(land.GetOutput().GetBlock(0), (0.68, 0.62, 0.47))
+
+
+def water_actor(sea, time):
+    """The surface at a time [s], from below."""
+    surface = vtkSeaSurfaceFilter()
+    surface.SetInputConnection(sea.GetOutputPort())
+    surface.SetCenter(*EYE[:2])
+    surface.SetRadius(100.0)
+    surface.SetSpacing(0.1)
+    surface.SetSectors(240)
+    surface.UpdateTimeStep(time)
+    actor = actor_of(surface.GetOutput(), (1.0, 1.0, 1.0))
+    vtkLandscapePass.SetMaterial(actor, vtkLandscapePass.Water)
+    return actor
 
 
 def kelp_actors(kelp):
-    """Stipes and blades."""
+    """Stipes and blades, which let light through."""
     for name in ("Skin", "Leaves"):
-        part = vtkPolyData()
-        part.ShallowCopy(block(kelp.GetOutput(), "High", name))
-        yield lit(part, vtk_to_numpy(part.GetPointData().GetArray("RGB"))[:, :3] / 255.0)
+        actor = actor_of(block(kelp.GetOutput(), "High", name))
+        vtkLandscapePass.SetTransmittance(actor, 0.4 if name == "Leaves" else 0.0)
+        yield actor
 
 
 def particle_actor(scene):
     """Squares with the textures of their kinds."""
-    data, texture = vtkPolyData(), vtkTexture()
-    data.ShallowCopy(scene.riding.GetOutput())
-    actor = faded(data, vtk_to_numpy(data.GetPointData().GetArray("RGB")) / 255.0)
+    actor, texture = actor_of(scene.riding.GetOutput()), vtkTexture()
     texture.SetInputConnection(scene.particles.GetOutputPort(1))
     texture.InterpolateOn()
     texture.MipmapOn()
@@ -256,10 +254,8 @@ def particle_actor(scene):
 def draw(scene, folder, frames, size):
     """Write the frames."""
     renderer, window = vtkRenderer(), vtkRenderWindow()
-    renderer.GradientBackgroundOn()
-    renderer.SetBackground(*(0.6 * WATER))
-    renderer.SetBackground2(*(0.6 * WATER + 0.4 * WATER / HORIZON))
-    renderer.UseDepthPeelingOn()
+    light = set_properties(vtkLandscapePass(), LIGHT)
+    renderer.SetPass(light)
     window.SetAlphaBitPlanes(1)
     window.AddRenderer(renderer)
     renderer.AddActor(bed_actor(scene.sand))
@@ -272,10 +268,11 @@ def draw(scene, folder, frames, size):
         time = TIME + frame * FRAME
         scene.riding.UpdateTimeStep(time)
         scene.kelp.UpdateTimeStep(time)
-        actors = [*kelp_actors(scene.kelp), particle_actor(scene)]
+        light.SetWaterTime(time)
+        actors = [*kelp_actors(scene.kelp), particle_actor(scene), water_actor(scene.sea, time)]
         for actor in actors:
             renderer.AddActor(actor)
-        renderer.ResetCameraClippingRange()
+        camera.SetClippingRange(0.2, 300.0)
         write_png(window, os.path.join(folder, f"swaying_kelp.{frame:04d}.png"), size)
         for actor in actors:
             renderer.RemoveActor(actor)

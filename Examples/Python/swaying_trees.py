@@ -17,12 +17,12 @@ import tempfile
 import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws everything
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
-from littoral import vtkBeamTreeDeformationFilter, vtkReevesTreeSource, vtkWindFieldSource
+from littoral import vtkBeamTreeDeformationFilter, vtkLandscapePass, vtkReevesTreeSource, vtkWindFieldSource
+from littoral.gallery.floor import light
 from littoral.picture import write_png
-from littoral.plants import add_daylight, block, plant_actor
+from littoral.plants import block, plant_actor
 
 SPECIES = (("Oak", 5, -10.5), ("Pine", 3, 0.0), ("Birch", 2, 8.0))  # preset, seed, lateral position [m]
 PRESETS = {"Pine": 1, "Oak": 2, "Birch": 3}
@@ -90,24 +90,12 @@ def measure(sway, samples):
 def draw(trees, folder, frames, size):
     """Write the frames."""
     renderer, window = vtkRenderer(), vtkRenderWindow()
-    renderer.GradientBackgroundOn()
-    renderer.SetBackground(0.88, 0.91, 0.92)
-    renderer.SetBackground2(0.48, 0.64, 0.82)
-    renderer.UseFXAAOn()
-    add_daylight(renderer)
-    meadow, mapper, ground = vtkPlaneSource(), vtkPolyDataMapper(), vtkActor()
-    meadow.SetOrigin(-300.0, -300.0, 0.0)
-    meadow.SetPoint1(300.0, -300.0, 0.0)
-    meadow.SetPoint2(-300.0, 300.0, 0.0)
-    mapper.SetInputConnection(meadow.GetOutputPort())
-    ground.SetMapper(mapper)
-    ground.GetProperty().SetColor(0.50, 0.56, 0.33)
-    ground.GetProperty().SetAmbient(0.4)
-    renderer.AddActor(ground)
+    light(renderer, ((0.42, 0.46, 0.25), (0.46, 0.52, 0.23)), SunAzimuth=248.0, SunElevation=26.0, Visibility=20000.0,
+          ExposureCompensation=0.7, CoverRadius=90.0, CoverHeight=0.35)
     window.AddRenderer(renderer)
     camera = renderer.GetActiveCamera()
-    camera.SetPosition(-1.0, -40.0, 3.0)
-    camera.SetFocalPoint(-1.0, 0.0, 6.2)
+    camera.SetPosition(-1.0, -40.0, 2.0)
+    camera.SetFocalPoint(-1.0, 0.0, 6.4)
     camera.SetViewUp(0.0, 0.0, 1.0)
     camera.SetViewAngle(24.0)
     for frame in range(frames):
@@ -117,6 +105,7 @@ def draw(trees, folder, frames, size):
             for name in ("Skin", "Leaves"):
                 actors.append(plant_actor(block(sway.GetOutput(), "High", name)))
                 actors[-1].SetPosition(across, 0.0, 0.0)
+                vtkLandscapePass.SetTransmittance(actors[-1], 0.4 if name == "Leaves" else 0.0)
                 renderer.AddActor(actors[-1])
         renderer.ResetCameraClippingRange()
         write_png(window, os.path.join(folder, f"swaying.{frame:04d}.png"), size)

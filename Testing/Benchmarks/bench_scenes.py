@@ -108,12 +108,10 @@ def of_forest(functions, folder):
 def of_underwater(functions, folder):
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = EXAMPLE_SIZE
-    shaded = functions["build"](folder, view)
+    functions["build"](folder, view)
 
     def step(number):
         view.ViewTime = functions["TIME"] + number / RATE
-        for shown in shaded:
-            functions["underwater"].set_time(shown, view.ViewTime)
 
     return view, step
 

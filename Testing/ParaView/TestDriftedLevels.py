@@ -12,7 +12,7 @@ from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from window import colors
 
-from littoral.gallery import bay, underwater, views
+from littoral.gallery import bay, views
 
 DEPTH, EYE, SPEED = 9.5, (0.0, 0.0, -6.3), 0.08
 
@@ -33,8 +33,8 @@ def show(view, carried, sea):
         Input=simple.ParticleOrbits(Input=seen, SeaState=sea), Selectors=["/Root/Near", "/Root/MasterSlave"])
     fog = simple.ParticleFog(Input=carried, GridBy="Spacing", Spacing=0.5, UseBounds=1,
                              Bounds=[-17.0, 17.0, -7.0, 29.0, -DEPTH, 0.0])
-    underwater.show_fog(fog, view)
-    underwater.show_particles(riding, view, EYE)
+    views.show_fog(fog, view)
+    views.show_particles(riding, view)
     return fog
 
 
@@ -58,9 +58,8 @@ def main(folder):
         view = simple.CreateView("RenderView")
         view.ViewSize = [320, 180]
         simple.SetActiveView(view)
-        underwater.prepare_view(view)
-        view.CameraPosition, view.CameraFocalPoint = list(EYE), [0.0, 10.0, -5.2]
-        view.CameraViewUp, view.CameraViewAngle = [0.0, 0.0, 1.0], 66.0
+        views.light(view, ExposureCompensation=1.7, WaterRipples=0)
+        views.look(view, EYE, (0.0, 10.0, -5.2), 66.0)
         fog = show(view, make(), sea)
         simple.Render(view)
         for time in (6.0, 60.0):
@@ -74,9 +73,9 @@ def main(folder):
         changed = (difference > 1).mean()
         assert abs(turbid[0] / turbid[1] - 1.0) < (0.001 if time == 6.0 else 0.02), (time, turbid)
         if time == 6.0:
-            assert difference.mean() < 0.03 and changed < 0.002, (difference.max(), difference.mean(), changed)
+            assert difference.mean() < 0.06 and changed < 0.03, (difference.max(), difference.mean(), changed)
         else:
-            assert difference.mean() > 0.1 and changed > 0.004, (difference.max(), difference.mean(), changed)
+            assert difference.mean() > 0.15 and changed > 0.07, (difference.max(), difference.mean(), changed)
 
 
 with tempfile.TemporaryDirectory() as data:

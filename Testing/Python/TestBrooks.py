@@ -58,9 +58,8 @@ class Brooks(unittest.TestCase):
         def height(x, y):
             return 100.0 + 0.2 * np.abs(x - FLOOR) + 0.02 * y
 
-        points, triangles, colors = brooks.bands(self.water.courses, height, (FLOOR, 300.0), 1000.0)
-        self.assertLess(np.abs(points[:, 2] - height(points[:, 0], points[:, 1]) - 0.12).max(), 1e-9)
-        self.assertEqual(len(colors), len(points))
+        points, triangles = brooks.bands(self.water.courses, height, (FLOOR, 300.0), 1000.0)
+        self.assertLess(np.abs(points[:, 2] - height(points[:, 0], points[:, 1]) - 0.25).max(), 1e-9)
         self.assertEqual(triangles.max(), len(points) - 1)
         a, b, c = (points[triangles[:, k], :2] for k in range(3))
         turn = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The helpers that read elevation models and bake light, against what is known of them."""
+"""The helpers that read elevation models and make blocks of them, against what is known of them."""
 
 import os
 import tempfile
@@ -13,7 +13,7 @@ from littoral.elevation import (
     array_from_image, image_from_array, metres_per_degree, read_elevation, write_vti)
 from littoral.gallery import relief
 from littoral.gallery.heights import blur, normals, openness, subdivide, sunlight
-from littoral.gallery.relief import floor_shadow, relief_block, row_camera
+from littoral.gallery.relief import floor, relief_block, row_camera
 from littoral.glb import direction
 from littoral.tables import column, model_names, one_model, table_of
 
@@ -70,15 +70,31 @@ for terrain in (plane, np.full((4, 5), 7.0), plane[:2, :2], holed):
     assert low[2] == 0.0 and abs(low[0] + high[0] - 200.0) < 1e-3 and np.isfinite(high).all()
     rgb = vtk_to_numpy(block.GetPointData().GetArray("RGB"))
     assert rgb.shape == (block.GetNumberOfPoints(), 3) and rgb.max() > 50
-assert floor_shadow([block.GetBounds()]).GetNumberOfPoints() > 0
-assert floor_shadow([(1.0, -1.0) * 3]).GetNumberOfPoints() == 0
+# A face's normal is on the side from which its corners turn to the left: outside.
+block.GetPointData().SetActiveNormals("Normals")
+normal = vtk_to_numpy(block.GetPointData().GetNormals())
+corners = vtk_to_numpy(block.GetPolys().GetConnectivityArray()).reshape(-1, 4)
+places = vtk_to_numpy(block.GetPoints().GetData()).astype(float)
+across = np.cross(places[corners[:, 2]] - places[corners[:, 0]], places[corners[:, 3]] - places[corners[:, 1]])
+assert ((across * normal[corners[:, 0]]).sum(axis=1) > -1e-6).all()
+sides = places[np.abs(normal[:, 2]) < 1e-6], normal[np.abs(normal[:, 2]) < 1e-6]
+assert (((sides[0] - (100.0, 0.0, 0.0)) * sides[1]).sum(axis=1) > 0.0).all()
 empty = image_from_array(plane, (1.0, 1.0))
 empty.GetPointData().Initialize()
 assert raises(ValueError, relief_block, empty)
 
-# The camera of a row sees all blocks from above.
+# The camera of a row sees all blocks from above, and nothing but the floor behind them.
 eye, focus, angle = row_camera(1000.0, 2, 2.0)
 assert eye[2] > 0.0 and np.linalg.norm(eye - focus) > 1000.0 and 0.0 < angle < 90.0
+sight = (focus - eye) / np.linalg.norm(focus - eye)
+right = np.cross(sight, (0.0, 0.0, 1.0))
+right /= np.linalg.norm(right)
+ground = vtk_to_numpy(floor(1000.0, 2).GetPoints().GetData()).astype(float)
+for aside, up in ((-2.0, -1.0), (2.0, -1.0), (2.0, 1.0), (-2.0, 1.0)):
+    ray = sight + np.tan(np.radians(0.5 * angle)) * (aside * right + up * np.cross(right, sight))
+    foot = eye - eye[2] / ray[2] * ray
+    sides = np.roll(ground, -1, axis=0) - ground, foot - ground
+    assert (sides[0][:, 0] * sides[1][:, 1] > sides[0][:, 1] * sides[1][:, 0]).all(), "a corner beyond the floor"
 
 # One row of a table of fits.
 fits, names = table_of({"Variance": [4.0, 9.0]}), vtkStringArray()

@@ -16,7 +16,7 @@ import sys
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from littoral.gallery import places
+from littoral.gallery.country import jacksboro
 
 EXAMPLES = os.path.join(os.environ["LITTORAL_SOURCE_DIR"], "Examples", "Blender")
 
@@ -47,7 +47,7 @@ def check_forest():
     forest, told = example("forest")
     forest.scattered = lambda *sites, **options: None
     forest.ground = lambda country: None
-    country = places.jacksboro()
+    country = jacksboro()
     forest.jacksboro = lambda: country  # made once for all frames
     image = country.image
     eyes = []

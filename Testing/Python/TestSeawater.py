@@ -1,10 +1,9 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The table of sea water is possible and as published, and what draws water has its numbers."""
+"""The table of sea water is possible and as published."""
 
 import numpy as np
 from littoral import seawater
-from littoral.gallery import water
 
 WAVELENGTHS = np.array((620.0, 550.0, 480.0))  # [nm]
 #: Absorption of pure water there [1/m]: R. M. Pope and E. S. Fry (Applied Optics 36, 1997).
@@ -17,10 +16,3 @@ assert (PURE < a).all() and (a < K).all() and (K < c).all(), (PURE, a, K, c)
 np.testing.assert_allclose(b, 16.06 * 4.72e-4 * (400.0 / WAVELENGTHS) ** 4.32, atol=6e-5)
 # The K of Smith and Baker's clearest sea, to their digits: molecules send half of what they scatter backwards.
 np.testing.assert_allclose(K, (0.310, 0.0648, 0.0194), rtol=0.006)
-assert round(seawater.GREY_EXTINCTION, 3) == 0.066
-assert abs(np.exp(-60.0 * seawater.GREY_EXTINCTION) - 0.02) < 1e-3
-
-shader = water.water_shader(water.THROUGH)
-for values in (c, K):
-    text = "vec3({:.5f}, {:.5f}, {:.5f})".format(*values)
-    assert text in shader, text

@@ -215,9 +215,9 @@ void TexturedBlocks::Split(vtkDataObject* data)
     part.Prototype = vtkPolyData::SafeDownCast(block);
     part.Instances = BatchOf(pair);
     part.Transmittance = transmittances[pair.Prototype];
-    for (vtkPolyData* full : MediumPlantOf(instanced, pair))
+    for (vtkPolyData* near : MediumPlantOf(instanced, pair))
     {
-      part.Plant.push_back({ vtkPolyData::SafeDownCast(WithCoordinates(full)), transmittances[full] });
+      part.Plant.push_back({ vtkPolyData::SafeDownCast(WithCoordinates(near)), transmittances[near] });
     }
     part.FadeRange = FadeRangeOf(pair);
     part.Places = part.Plant.empty() ? nullptr : PlacesOf(pair);

@@ -56,6 +56,7 @@ def _write(writer, window, filename, size, oversampling):
     grab, shrink = vtkWindowToImageFilter(), vtkImageResize()
     grab.SetInput(window)
     grab.ReadFrontBufferOff()
+    grab.ShouldRerenderOff()
     shrink.SetInputConnection(grab.GetOutputPort())
     shrink.SetOutputDimensions(size[0], size[1], 1)
     writer.SetInputConnection(shrink.GetOutputPort())

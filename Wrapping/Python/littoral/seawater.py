@@ -12,5 +12,3 @@ ABSORPTION, SCATTERING = (0.309, 0.0638, 0.0176), (0.0012, 0.0019, 0.0034)
 DOWNWARD = tuple(a + 0.5 * b for a, b in zip(ABSORPTION, SCATTERING))
 #: Extinction of a ray, c = a + b.
 EXTINCTION = tuple(a + b for a, b in zip(ABSORPTION, SCATTERING))
-#: Extinction of green, which the eye sees best, where one number stands for all colors; at 60 m 2 % of a contrast are left.
-GREY_EXTINCTION = EXTINCTION[1]

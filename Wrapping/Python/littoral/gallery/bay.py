@@ -8,15 +8,6 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from .meshes import polygons, quads, vertices
 
 
-def fan(reach=160.0, nearest=0.3, rings=260, spokes=420, angle=130.0, height=0.0):
-    """A horizontal fan-shaped mesh from the origin to the north, with cells that grow with distance."""
-    radius = np.concatenate(([0.0], np.geomspace(nearest, reach, rings)))
-    turn = np.radians(np.linspace(-0.5 * angle, 0.5 * angle, spokes))
-    x, y = np.outer(radius, np.sin(turn)), np.outer(radius, np.cos(turn))
-    points = np.stack((x, y, np.full_like(x, height)), axis=-1)
-    return points
-
-
 def mesh(points, normals=None, colors=None):
     """Quadrilaterals between rows of points [row, column, 3]; colors from 0 to 1."""
     flat = None if colors is None else colors.reshape(-1, 3)
@@ -127,20 +118,3 @@ def particles(box, count, radius, color, seed=1, clumps=0.0, plants=None, share=
     sizes = radius * np.exp(np.clip(0.5 * random.standard_normal(count), -1.5, 1.0))
     shade = np.clip(np.array(color) * random.uniform(0.75, 1.1, (count, 1)), 0.0, 1.0)
     return vertices(places, Radius=sizes.astype(np.float32), RGB=np.round(255.0 * shade).astype(np.uint8))
-
-
-def split_about(points, sites, reach=1.0, top=-0.5):
-    """Particles around plants, within a horizontal reach [m] and up to a height, and the other particles."""
-    places, feet = (vtk_to_numpy(data.GetPoints().GetData()).astype(float) for data in (points, sites))
-    about = np.zeros(len(places), dtype=bool)
-    for foot, giant in zip(feet, vtk_to_numpy(sites.GetPointData().GetArray("Species"))):
-        across = np.hypot(places[:, 0] - foot[0], places[:, 1] - foot[1])
-        about |= (across < (1.4 if giant else 1.0) * reach) & (places[:, 2] < (top if giant else foot[2] + 2.0 * reach))
-    return _selected(points, about), _selected(points, ~about)
-
-
-def _selected(points, chosen):
-    """The points selected by a mask, with their arrays."""
-    arrays = points.GetPointData()
-    return vertices(vtk_to_numpy(points.GetPoints().GetData())[chosen], **{
-        arrays.GetArrayName(k): vtk_to_numpy(arrays.GetArray(k))[chosen] for k in range(arrays.GetNumberOfArrays())})

@@ -16,10 +16,8 @@ from .heights import blur, steepness
 LEAST_AREA, METRE_AREA, WIDTH_EXPONENT = 4e4, 1e5, 0.45
 #: Least slope in the wetness of the ground.
 LEAST_SLOPE = 0.005
-#: Across a brook: half widths, what is added to them [m], and color with opacity.
-PROFILE = ((-0.5, -1.6, (70, 84, 46, 0)), (-0.5, -0.3, (52, 58, 36, 190)), (-0.4, 0.0, (104, 132, 158, 245)),
-           (0.0, 0.0, (128, 156, 184, 255)), (0.4, 0.0, (104, 132, 158, 245)), (0.5, 0.3, (52, 58, 36, 190)),
-           (0.5, 1.6, (70, 84, 46, 0)))
+#: Places across a brook, in widths, and how uneven its banks are.
+ACROSS, RAGGED = np.array((-0.5, -0.25, 0.0, 0.25, 0.5)), 0.3
 
 
 def width_of(area):
@@ -82,30 +80,25 @@ def _smooth(places, areas, times=6, parts=3):
     return np.column_stack([np.interp(at, steps, axis) for axis in places.T]), np.interp(at, steps, areas)
 
 
-def bands(courses, height, near, reach, above=0.12):
-    """Brooks within a distance of a place as translucent bands on the ground: points, triangles and colors.
+def bands(courses, height, near, reach, above=0.25):
+    """Brooks within a distance of a place as bands on the ground: points and triangles.
 
     height: of the ground at x, y; near: x and y [m]; above: of the bands over the ground [m].
     """
-    points, triangles, colors, first = [], [], [], 0
-    lanes = len(PROFILE)
+    random = np.random.default_rng(1)
+    points, triangles, first = [np.zeros((0, 3))], [np.zeros((0, 3), int)], 0
     for places, areas in courses:
         if np.hypot(*(places - near).T).min() > reach:
             continue
         along = np.gradient(places, axis=0)
         along /= np.maximum(np.hypot(*along.T), 1e-9)[:, None]
         across = np.column_stack((along[:, 1], -along[:, 0]))
-        width = width_of(areas)
-        half, more, color = zip(*PROFILE)
-        aside = width[:, None] * np.array(half) + np.array(more)
-        at = places[:, None] + aside[..., None] * across[:, None]
+        ragged = 1.0 + random.uniform(-RAGGED, RAGGED, (len(places), len(ACROSS)))
+        at = places[:, None] + (width_of(areas)[:, None] * ACROSS * ragged)[..., None] * across[:, None]
         z = height(at[..., 0], at[..., 1]) + above
         points.append(np.concatenate((at, z[..., None]), axis=-1).reshape(-1, 3))
-        colors.append(np.tile(np.array(color, np.uint8), (len(places), 1)))
-        k = first + np.arange(len(places) * lanes).reshape(-1, lanes)
+        k = first + np.arange(z.size).reshape(z.shape)
         a, b, c, d = k[:-1, :-1], k[:-1, 1:], k[1:, 1:], k[1:, :-1]
         triangles.append(np.stack((a, b, c, a, c, d), axis=-1).reshape(-1, 3))
         first += k.size
-    if not points:
-        return np.zeros((0, 3)), np.zeros((0, 3), int), np.zeros((0, 4), np.uint8)
-    return np.concatenate(points), np.concatenate(triangles), np.concatenate(colors)
+    return np.concatenate(points), np.concatenate(triangles)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Colors of land, and the light on it: linear until `to_bytes` encodes them.
+"""Colors of land: linear until `to_bytes` encodes them.
 
 Height fields are as in `heights`.
 """
@@ -9,21 +9,16 @@ import numpy as np
 
 from .heights import blur, smoothstep, steepness
 
-SUN_LIGHT = 3.1 * np.array((1.00, 0.83, 0.60))
-SKY_LIGHT = 0.85 * np.array((0.50, 0.68, 1.00))
-GROUND_LIGHT = 0.16 * np.array((0.95, 0.80, 0.60))
-
 MEADOW = np.array((0.150, 0.168, 0.060))
 PASTURE = np.array((0.238, 0.215, 0.104))
-LUSH = np.array((0.098, 0.150, 0.044))
 FOREST = np.array((0.050, 0.080, 0.034))
 UPLAND = np.array((0.095, 0.105, 0.042))
 ROCK = np.array((0.260, 0.225, 0.185))
 #: Colors from low to high land.
 ATLAS = np.array((
-    (0.115, 0.190, 0.140), (0.210, 0.265, 0.150), (0.360, 0.320, 0.170), (0.330, 0.205, 0.105),
-    (0.420, 0.360, 0.310)))
-LAKE = np.array((0.020, 0.062, 0.120))
+    (0.095, 0.160, 0.120), (0.175, 0.220, 0.125), (0.300, 0.265, 0.140), (0.275, 0.170, 0.088),
+    (0.350, 0.300, 0.260)))
+LAKE = np.array((0.024, 0.085, 0.180))
 SOIL = np.array((0.075, 0.052, 0.034))
 BEDS = np.array(
     ((0.300, 0.235, 0.165), (0.200, 0.165, 0.130), (0.245, 0.170, 0.110), (0.260, 0.235, 0.200)))
@@ -34,17 +29,12 @@ def natural_color(z, spacing, reflectance=None):
 
     `reflectance` [0..1] decides between wood and meadow; default: random.
     """
-    return colored(*site_factors(z, spacing, reflectance))
-
-
-def colored(slope, height, hollow, patches, grain, wet):
-    """The natural color, by the factors of plant cover."""
-    dry = smoothstep(patches + 0.4 * grain - 0.3 * hollow - 0.8 * wet, -0.5, 1.8)
+    slope, height, hollow, patches, grain, wet = site_factors(z, spacing, reflectance)
+    dry = smoothstep(patches + 0.4 * grain - 0.3 * hollow, -0.5, 1.8)
     high = smoothstep(height + 0.4 * patches, 0.2, 2.2)
     steep = slope + 4.0 * np.maximum(height - 1.0, 0.0) + 2.0 * patches + grain
     wood = mix(FOREST, UPLAND, high) * (1.0 + 0.14 * grain[..., None])
-    open_land = mix(mix(MEADOW, PASTURE, dry), LUSH, 0.8 * smoothstep(wet, 0.8, 2.4))
-    color = mix(open_land, wood, wooded(slope, height, hollow, patches, grain, wet))
+    color = mix(mix(MEADOW, PASTURE, dry), wood, wooded(slope, height, hollow, patches, grain, wet))
     return mix(color, ROCK * (1.0 + 0.08 * grain[..., None]), 0.9 * smoothstep(steep, 24.0, 36.0))
 
 
@@ -100,19 +90,7 @@ def mix(a, b, share):
     return a + (b - a) * share[..., None]
 
 
-def lit(color, normal, towards_sun, sun, sky):
-    """Reflected light of a surface, by the visible fractions of sun and sky."""
-    facing = np.maximum(normal @ towards_sun, 0.0) * sun
-    above = (0.5 + 0.5 * normal[..., 2]) * sky
-    below = 1.0 - 0.6 * sky
-    light = [share[..., None] * lamp for share, lamp in
-             ((facing, SUN_LIGHT), (above, SKY_LIGHT), (below, GROUND_LIGHT))]
-    return color * sum(light)
-
-
-def to_bytes(light):
-    """Linear light to sRGB; highlights are rolled off as on film."""
-    x = 0.92 * light
-    x = np.clip(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0)
-    srgb = np.where(x < 0.0031308, 12.92 * x, 1.055 * x ** (1.0 / 2.4) - 0.055)
-    return np.round(255.0 * srgb).astype(np.uint8)
+def to_bytes(color):
+    """Linear colors as bytes in the code of sRGB."""
+    x = np.clip(color, 0.0, 1.0)
+    return np.round(255.0 * np.where(x < 0.0031308, 12.92 * x, 1.055 * x ** (1.0 / 2.4) - 0.055)).astype(np.uint8)

@@ -1,25 +1,24 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Countries of the pictures: ground with small relief, light, brooks and woods, and the trees on it.
+"""Countries of the pictures: ground with small relief, brooks and woods, and the trees on it.
 
-Lengths are in metres, x is east, y north, z up; azimuths are measured from north to east.
+Lengths are in metres, x is east, y north, z up.
 """
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from ..elevation import array_from_image, image_from_array
-from ..glb import direction
+from ..elevation import array_from_image, image_from_array, read_elevation
 from ..LittoralFilters import vtkSitePreferenceFilter
 from ..LittoralSources import vtkQuadratPointSource, vtkTurningBandsTerrainSource
 from ..stand import table_of_words
 from . import brooks
-from .colors import colored, lit, natural_color, site_factors, to_bytes, wooded
-from .heights import normals, openness, sampled, steepness, subdivide, sunlight
+from .colors import site_factors, wooded
+from .heights import sampled, steepness, subdivide
 from .meshes import add_array, polygons, vertices
 
-#: Azimuth and elevation of the sun [degrees].
-SUN = (120.0, 34.0)
+#: Lower left corner and size of the part of `jacksboro` with trees [m].
+WOODS = (2500.0, 2500.0), (5600.0, 6200.0)
 #: Fraction of a cell under water from which no tree grows there.
 WET_CELL = 0.12
 #: Preferences of the species of woods, as vtkSitePreferenceFilter reads them: pines on ridges and warm slopes, oaks on
@@ -33,11 +32,11 @@ PREFERENCES = {
 
 
 class Country:
-    """A refined part of an elevation model, with synthetic small relief, lit colors and woods.
+    """A refined part of an elevation model, with synthetic small relief, brooks and woods.
 
-    image: the terrain, with the point arrays Elevation [m] and RGB; wood: fraction of the ground
-    covered by trees, by row and column; water: where it runs, a `brooks.Water`. Meadows are along it, woods on
-    what is drier and steeper, rock where it is too steep for both.
+    image: the terrain, with the point arrays Elevation [m], Reflectance and DrainageArea [m2], which color it; wood:
+    fraction of the ground covered by trees, by row and column; water: where it runs, a `brooks.Water`. Meadows are along
+    it, woods on what is drier and steeper.
     """
 
     def __init__(self, model, corner, size, refinements=3, seed=1):
@@ -51,33 +50,20 @@ class Country:
         relief, reflectance = _small_relief(z.shape, spacing, seed)
         self.z = z + relief * np.clip(steepness(z, spacing) / 12.0, 0.15, 1.5)
         self.spacing = spacing
-        self.image = image_from_array(self.z.astype(np.float32), (*spacing, 1.0))
-        self.water = brooks.Water(self.image)
+        self.water = brooks.Water(image_from_array(self.z.astype(np.float32), (*spacing, 1.0)))
+        self.image = self.water.image
+        add_array(self.image, "Reflectance", reflectance.ravel())
         cover = site_factors(self.z, spacing, reflectance, self.water.wetness)
         self.wood = wooded(*cover) * (self.water.cover < WET_CELL)
-        self._paint(colored(*cover))
-
-    @classmethod
-    def from_heights(cls, z, spacing, reflectance=None, wood=None):
-        """A country from given heights [m], by row and column; wood: as the attribute, default none."""
-        country = cls.__new__(cls)
-        country.z, country.spacing = z, spacing
-        country.wood = np.zeros(z.shape) if wood is None else wood
-        country.water = None
-        country.image = image_from_array(z.astype(np.float32), (*spacing, 1.0))
-        country._paint(natural_color(z, spacing, reflectance))
-        return country
 
     def height(self, x, y):
         """Height of the ground at positions x, y [m]."""
         return sampled(self.z, self.spacing, x, y)
 
-    def _paint(self, color):
-        """Lit colors of the ground as the array RGB."""
-        seen = (sunlight(self.z, self.spacing, *SUN), openness(self.z, self.spacing))
-        color = color * (1.0 - 0.35 * self.wood[..., None])  # little light passes the canopy
-        light = lit(color, normals(self.z, self.spacing), direction(*SUN), *seen)
-        add_array(self.image, "RGB", to_bytes(light).reshape(-1, 3))
+
+def jacksboro(refinements=3):
+    """The country of the forests: a part of the Jacksboro fault, Tennessee, in which brooks gather."""
+    return Country(read_elevation(), (10500.0, 6500.0), 10000.0, refinements)
 
 
 def _small_relief(shape, spacing, seed):
@@ -146,35 +132,9 @@ def wood_sites(country, origin, size, mean_distance=13.0, seed=1, alone=None):
     return vertices(np.column_stack((x, y, z))[stays], Species=species[stays].astype(np.int32))
 
 
-def shadows(country, places, radius, height, sun=SUN):
-    """Soft shadows of crowns on the ground: translucent disks with four components in `RGB`.
-
-    places: feet of the plants [n, 3]; radius: of the crowns, height: of their centers [m].
-    """
-    towards = direction(*sun)
-    steep = towards[2] / np.hypot(*towards[:2])
-    angles = np.arange(12) * 2.0 * np.pi / 12.0
-    ring = np.concatenate(([[0.0, 0.0]], *(
-        share * np.column_stack((np.cos(angles), np.sin(angles))) for share in (0.75, 1.15))))
-    along = -towards[:2] / np.hypot(*towards[:2])
-    across = np.array((-along[1], along[0]))
-    offset = ring[:, :1] * along * (0.5 + 0.5 / steep) + ring[:, 1:] * across
-    center = places[:, None, :2] + (along / steep) * height[:, None, None]
-    ground = center + radius[:, None, None] * offset
-    z = country.height(ground[..., 0], ground[..., 1]) + 0.12
-    points = np.concatenate((ground, z[..., None]), axis=-1).reshape(-1, 3)
-    k, after = np.arange(12), (np.arange(12) + 1) % 12
-    one = np.concatenate((
-        np.column_stack((np.zeros(12, int), 1 + k, 1 + after)),
-        np.column_stack((1 + k, 13 + k, 13 + after)),
-        np.column_stack((1 + k, 13 + after, 1 + after))))
-    triangles = one[None] + len(ring) * np.arange(len(places))[:, None, None]
-    rgba = np.zeros((len(ring), 4), np.uint8)
-    rgba[:, :3] = (30, 38, 34)
-    rgba[:, 3] = np.repeat((135, 120, 0), (1, 12, 12))
-    return polygons(points, triangles.reshape(-1, 3), np.tile(rgba, (len(places), 1)))
-
-
 def brook_bands(country, near, reach):
-    """Brooks within a distance [m] of a place as translucent bands on the ground, as `shadows`."""
-    return polygons(*brooks.bands(country.water.courses, country.height, np.asarray(near)[:2], reach))
+    """Brooks within a distance [m] of a place as bands of water on the ground, with a Jacobian of 1: without foam."""
+    places, triangles = brooks.bands(country.water.courses, country.height, np.asarray(near)[:2], reach)
+    data = polygons(places, triangles)
+    add_array(data, "Jacobian", np.ones(len(places), np.float32))
+    return data

@@ -45,13 +45,15 @@ def quads(rows, columns):
 
 
 def grids(*parts):
-    """Quadrilaterals between rows of positions [row, column, 3], for each pair of these and their colors as bytes."""
+    """Quadrilaterals between rows of positions [row, column, 3], for each triple of these, their colors and normals."""
     corners, first = [], 0
-    for places, _ in parts:
+    for places, *_ in parts:
         corners.append(first + quads(*places.shape[:2]))
         first += places[..., 0].size
-    return polygons(np.concatenate([places.reshape(-1, 3) for places, _ in parts]), np.concatenate(corners),
-                    np.concatenate([colors.reshape(-1, colors.shape[-1]) for _, colors in parts]))
+    places, colors, normals = (np.concatenate([part[k].reshape(-1, 3) for part in parts]) for k in range(3))
+    data = polygons(places, np.concatenate(corners), colors)
+    data.GetPointData().SetNormals(add_array(data, "Normals", normals.astype(np.float32)))
+    return data
 
 
 def vertices(places, **arrays):

@@ -10,9 +10,14 @@ from vtkmodules.vtkCommonDataModel import vtkRectf
 from vtkmodules.vtkRenderingContext2D import vtkContextActor
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
+from ..LittoralRendering import vtkLandscapePass
 from ..picture import FAINT, INK, label, write_png
+from ..properties import set_properties
 from . import relief
 from .colors import natural_color
+
+#: The floor before blocks, in their light; and a pale sky, at the lower and the upper edge of a picture.
+PAPER, SKY = (0.955, 0.950, 0.940), ((0.96, 0.955, 0.945), (0.74, 0.80, 0.86))
 
 
 def save_block(filename, image, exaggeration=1.0, size=(1200, 800)):
@@ -38,21 +43,18 @@ def save_grounds(filename, grounds, rivers, titles, notes, rows, chart=None, exa
     share = 0.42  # of the height, for the table
     width, count, aspect = relief.width_of(grounds[0]), len(grounds), size[0] / (size[1] * (1.0 - share))
     eye, focus, angle = relief.row_camera(width, count, aspect)
-    distance = np.linalg.norm(eye - focus)
-    window, above, below = vtkRenderWindow(), pale_renderer(), vtkRenderer()
+    window, above, below = vtkRenderWindow(), vtkRenderer(), vtkRenderer()
     above.SetViewport(0.0, share, 1.0, 1.0)
     below.SetViewport(0.0, 0.0, 1.0, share)
-    below.SetBackground(*relief.BACKGROUND[0])
-    blocks = []
+    below.SetBackground(*PAPER)
     for ground, lines, center in zip(grounds, rivers, relief.row_centers(width, count)):
-        block = relief.lake_block(ground, exaggeration, center)
-        blocks.append(relief.add_haze(block, eye, distance - 0.5 * width, distance + 0.9 * width))
+        above.AddActor(actor_of(relief.lake_block(ground, exaggeration, center)))
         for line, order in relief.river_lines(lines, ground, exaggeration, center):
-            actor = lit_actor(line)
+            actor = actor_of(line)
+            actor.GetProperty().LightingOff()
             actor.GetProperty().SetLineWidth((0.5 + 0.7 * order) * 1.6)
             above.AddActor(actor)
-    for surface in [*blocks, relief.floor_shadow([block.GetBounds() for block in blocks])]:
-        above.AddActor(lit_actor(surface))
+    _light(above, width, count, np.linalg.norm(eye - focus))
     look(above, eye, focus, angle)
     for k, (title, note) in enumerate(zip(titles, notes)):
         place = (k + 0.5) / count
@@ -85,7 +87,7 @@ def _chart_renderer(chart, viewport, size):
     """A renderer of a chart in a part of a picture, oversampled by two."""
     renderer, actor = vtkRenderer(), vtkContextActor()
     renderer.SetViewport(*viewport)
-    renderer.SetBackground(*relief.BACKGROUND[0])
+    renderer.SetBackground(*PAPER)
     chart.SetAutoSize(False)
     chart.SetSize(vtkRectf(
         0.0, 30.0, 2.0 * size[0] * (viewport[2] - viewport[0]), 2.0 * size[1] * (viewport[3] - viewport[1]) - 60.0))
@@ -98,8 +100,8 @@ def pale_renderer():
     """A renderer before a pale sky."""
     renderer = vtkRenderer()
     renderer.GradientBackgroundOn()
-    renderer.SetBackground(*relief.BACKGROUND[0])
-    renderer.SetBackground2(*relief.BACKGROUND[1])
+    renderer.SetBackground(*SKY[0])
+    renderer.SetBackground2(*SKY[1])
     renderer.UseFXAAOn()
     return renderer
 
@@ -114,43 +116,32 @@ def look(renderer, eye, focus, view_angle):
     renderer.ResetCameraClippingRange()
 
 
-def save_picture(filename, surfaces, eye, focus, view_angle, labels=(), size=(1600, 760),
-                 oversampling=2):
-    """Render surfaces before a pale sky.
-
-    eye, focus: camera [m]; view_angle: vertical [degrees]; labels: arguments of `label`.
-    """
-    renderer = pale_renderer()
-    for surface in surfaces:
-        renderer.AddActor(lit_actor(surface))
-    for text, place, height, color in labels:
-        renderer.AddActor(label(text, place, height * oversampling, color))
-    look(renderer, eye, focus, view_angle)
-    window = vtkRenderWindow()
-    window.AddRenderer(renderer)
-    write_png(window, filename, size, oversampling)
-
-
-def lit_actor(data):
-    """Actor with the colors of the array `RGB`, without lighting."""
+def actor_of(data):
+    """Actor of data with the colors of the array `RGB`."""
     mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.SetInputData(data)
     actor.SetMapper(mapper)
-    actor.GetProperty().LightingOff()
     return actor
 
 
+def _light(renderer, width, count, distance):
+    """The light on a row of blocks, and the floor under them."""
+    renderer.AddActor(actor_of(relief.floor(width, count)))
+    renderer.SetPass(set_properties(vtkLandscapePass(), relief.light_of(width, distance)))
+
+
 def _save_blocks(filename, images, exaggeration, coloring, texts, size):
-    """Render blocks in a row, in haze, with texts below them."""
+    """Render blocks in a row with texts below them."""
     width = relief.width_of(images[0])
     eye, focus, angle = relief.row_camera(width, len(images), size[0] / size[1])
-    distance = np.linalg.norm(eye - focus)
-    blocks, labels = [], []
+    renderer, window = vtkRenderer(), vtkRenderWindow()
     for image, center in zip(images, relief.row_centers(width, len(images))):
-        block = relief.relief_block(image, exaggeration, coloring=coloring, center=center)
-        blocks.append(relief.add_haze(block, eye, distance - 0.5 * width, distance + 0.9 * width))
-    floor = relief.floor_shadow([block.GetBounds() for block in blocks])
+        renderer.AddActor(actor_of(relief.relief_block(image, exaggeration, coloring, center)))
     for k, (title, note) in enumerate(texts):
         place = (k + 0.48) / len(texts)
-        labels += [(title, (place, 0.125), 25, INK), (note, (place, 0.078), 17, FAINT)]
-    save_picture(filename, blocks + [floor], eye, focus, angle, labels, size)
+        renderer.AddActor(label(title, (place, 0.125), 50, INK))
+        renderer.AddActor(label(note, (place, 0.078), 34, FAINT))
+    _light(renderer, width, len(images), np.linalg.norm(eye - focus))
+    look(renderer, eye, focus, angle)
+    window.AddRenderer(renderer)
+    write_png(window, filename, size)

@@ -1,9 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Relief models: a terrain as a block with natural colors, sunlight, cast shadows and haze.
-
-The light is computed here and baked into the point array `RGB` of a `vtkPolyData`, so a picture
-needs no lamp, no texture and no ray tracing, and looks the same in VTK and in ParaView.
+"""Relief models: a terrain as a block on a floor, in natural colors, for vtkLandscapePass.
 
 Lengths are in metres, angles in degrees. x is east, y north, z up; an azimuth counts from north to the east. Height
 fields and colors are as in `heights` and `colors`.
@@ -16,24 +13,24 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from ..elevation import array_from_image, image_from_array
 from ..glb import direction
-from .colors import LAKE, lit, mix, natural_color, section_color, to_bytes
-from .heights import blur, normals, openness, refined, smoothstep, sunlight
-from .meshes import grids
+from .colors import LAKE, mix, natural_color, section_color, to_bytes
+from .heights import normals, refined, smoothstep
+from .meshes import grids, polygons
 
-#: Azimuth and elevation of the sun.
-SUN = (248.0, 25.0)
+#: Albedo of a model over that of the land.
+PAINT = 1.55
 #: Cells along the longer side of a block, at least.
 CELLS = 600
 #: Angle by which blocks are turned from facing the camera, and elevation of the camera above them [degrees].
 TURN, LIFT = 32.0, 39.0
-#: The pale sky behind a relief model, sRGB at the lower and the upper edge of the picture.
-BACKGROUND = (0.96, 0.955, 0.945), (0.74, 0.80, 0.86)
+#: Albedos of the floor, sRGB, before and behind the blocks.
+FLOOR = (0.97, 0.945, 0.935), (0.66, 0.73, 0.82)
 
 
-def relief_block(image, exaggeration=1.0, sun=SUN, coloring=natural_color, center=(0.0, 0.0)):
-    """The terrain of an image as a block with cut sides that stands on z = 0, lit colors in `RGB`.
+def relief_block(image, exaggeration=1.0, coloring=natural_color, center=(0.0, 0.0)):
+    """The terrain of an image as a block with cut sides that stands on z = 0, with albedos in `RGB`.
 
-    exaggeration: of the heights; sun: azimuth and elevation [degrees]; center: of the block [m].
+    exaggeration: of the heights; center: of the block [m].
     An optional array `Reflectance` controls the colors. Missing heights become the lowest.
     """
     ground = array_from_image(image)
@@ -49,15 +46,12 @@ def relief_block(image, exaggeration=1.0, sun=SUN, coloring=natural_color, cente
     y = (np.arange(rows) - 0.5 * (rows - 1)) * spacing[1] + center[1]
     thickness = 0.07 * np.ptp(x)
     z = thickness + (ground - ground.min()) * exaggeration
-    seen = sunlight(z, spacing, *sun), openness(z, spacing)
-    color = coloring(ground, spacing, reflectance)
-    light = lit(color, normals(z, spacing), direction(*sun), *seen)
     top = np.stack(np.broadcast_arrays(x, y[:, None], z), axis=-1)
     sides = (
-        (top[0], (0.0, -1.0, 0.0)), (top[:, -1], (1.0, 0.0, 0.0)),
-        (top[-1, ::-1], (0.0, 1.0, 0.0)), (top[::-1, 0], (-1.0, 0.0, 0.0)))
-    walls = [_wall(edge, normal, direction(*sun), thickness) for edge, normal in sides]
-    return grids((top, to_bytes(light)), *walls)
+        (top[0, ::-1], (0.0, -1.0, 0.0)), (top[::-1, -1], (1.0, 0.0, 0.0)),
+        (top[-1], (0.0, 1.0, 0.0)), (top[:, 0], (-1.0, 0.0, 0.0)))
+    walls = [_wall(*side, thickness) for side in sides]
+    return grids((top, to_bytes(PAINT * coloring(ground, spacing, reflectance)), normals(z, spacing)), *walls)
 
 
 def lake_block(ground, exaggeration=1.0, center=(0.0, 0.0)):
@@ -105,51 +99,14 @@ def river_lines(rivers, ground, exaggeration=1.0, center=(0.0, 0.0)):
         yield lines, int(order)
 
 
-def floor_shadow(bounds, sun=SUN, cells=400):
-    """Shadows of blocks on a floor at z = 0: translucent, four components in `RGB`.
-
-    bounds: of each block [m]; empty blocks are skipped.
-    """
-    b = np.array([b for b in bounds if b[0] < b[1]])
-    if not len(b):
-        return vtkPolyData()
-    height, margin = 0.8 * b[:, 5].mean(), 4.0 * b[:, 5].max()
-    x = np.linspace(b[:, 0].min() - margin, b[:, 1].max() + margin, cells)
-    y = np.linspace(b[:, 2].min() - margin, b[:, 3].max() + margin, cells)
-    inside = np.zeros((cells, cells), bool)
-    for west, east, south, north in b[:, :4]:
-        inside |= ((x > west) & (x < east)) & ((y > south) & (y < north))[:, None]
-    z, spacing = np.where(inside, height, 0.0), (x[1] - x[0], y[1] - y[0])
-    direct = blur(sunlight(z, spacing, *sun, softness=0.2), 2)
-    sky = openness(z, spacing, farthest=4.0 * height, directions=16)
-    shade = np.where(inside, 0.6, 1.0 - (0.55 + 0.45 * direct) * (0.35 + 0.65 * sky))
-    border = np.minimum(np.arange(cells), np.arange(cells)[::-1]) * spacing[0] / margin
-    shade *= smoothstep(np.minimum(border, border[:, None]), 0.0, 0.5)
-    rgba = np.full(z.shape + (4,), (38, 44, 58, 0), np.uint8)
-    rgba[..., 3] = np.round(255.0 * np.clip(blur(shade, 1), 0.0, 1.0))
-    points = np.stack(np.broadcast_arrays(x, y[:, None], 0.0), axis=-1)
-    return grids((points, rgba))
-
-
-def add_haze(data, eye, near, far, strength=0.3, color=(0.70, 0.78, 0.86)):
-    """Blend `RGB` into haze with the distance [m] from the eye: none at near, `strength` at far."""
-    rgb = vtk_to_numpy(data.GetPointData().GetArray("RGB"))
-    away = np.linalg.norm(vtk_to_numpy(data.GetPoints().GetData()) - eye, axis=1)
-    share = strength * np.clip((away - near) / (far - near), 0.0, 1.0)
-    rgb[:] = np.round(mix(rgb, 255.0 * np.array(color), share))
-    return data
-
-
-def _wall(edge, normal, towards_sun, thickness):
+def _wall(edge, normal, thickness):
     """A cut from an edge [n, 3] of the terrain down to z = 0."""
     points = np.repeat(edge[None], 120, axis=0)
     points[..., 2] *= np.linspace(1.0, 0.0, 120)[:, None]
     height = points[..., 2]
     along = np.hypot(*(points - edge[0])[..., :2].transpose(2, 0, 1))
     color = section_color(along, height, edge[:, 2] - height, thickness)
-    facing = np.broadcast_to(normal, points.shape)
-    sky = 0.5 + 0.5 * np.minimum(height / thickness, 1.0)
-    return points, to_bytes(lit(color, facing, towards_sun, np.ones_like(sky), sky))
+    return points, to_bytes(PAINT * color), np.broadcast_to(normal, points.shape)
 
 
 # Blocks in a row ----------------------------------------------------------------------------------
@@ -176,3 +133,18 @@ def row_camera(width, count, aspect):
     focus = 0.05 * width * direction(90.0 - TURN, 0.0) - (0.0, 0.0, 0.01 * width)
     distance = reach / min(aspect, 0.2 + 1.2 * count) / np.tan(np.radians(0.5 * angle))
     return focus + distance * direction(180.0 - TURN, LIFT), focus, angle
+
+
+def floor(width, count):
+    """The floor under a row of blocks, pale before them and bluish behind."""
+    ahead, aside = direction(-TURN, 0.0), direction(90.0 - TURN, 0.0)
+    reach = 3.0 * width * (1.0 + count)
+    corners = np.array([v * reach * ahead + u * reach * aside for u, v in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
+    shade = np.array(FLOOR)[[0, 0, 1, 1]]
+    return polygons(corners, np.array(((0, 1, 2, 3),)), shade)
+
+
+def light_of(width, distance):
+    """Properties of vtkLandscapePass for blocks of a width, seen from a distance [m]."""
+    return dict(SunAzimuth=248.0, SunElevation=27.0, Turbidity=5.0, Visibility=1e4 * distance, CloudCover=0.0,
+                FilmCurve=False, ExposureCompensation=0.42, ShadowDistance=2.0 * distance, OcclusionRadius=0.06 * width)

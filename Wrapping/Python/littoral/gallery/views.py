@@ -3,7 +3,7 @@
 """Views of ParaView: what is shown in them, and pictures, films and volumes of it."""
 
 import errno
-import json
+import math
 import os
 
 from paraview import simple
@@ -66,24 +66,45 @@ def show_colored(source, view):
     return shown
 
 
-def bake(shown):
-    """Take the light off a representation, whose colors have theirs."""
-    shown.Ambient, shown.Diffuse, shown.Specular = 1.0, 0.0, 0.0
-
-
-def show_baked(source, view):
-    """Show data with the colors of the array `RGB`, in which the light is."""
+def show_surface(source, view, blocks=()):
+    """Show a surface, or some blocks of one, with the colors and textures that it carries."""
     shown = show_colored(source, view)
-    bake(shown)
+    shown.SetRepresentationType("Full Surface")
+    if blocks:
+        shown.BlockSelectors = list(blocks)
     return shown
 
 
-def shade(shown, changes, fragment):
-    """Replace parts of the shaders of a representation; fragment: what sets the color of one, at the end."""
-    shown.CoordinateShiftScaleMethod = "Disable"  # positions in metres
-    last = {"type": "fragment", "original": "//VTK::TCoord::Impl", "replacement": fragment}
-    shown.UseShaderReplacements = 1
-    shown.ShaderReplacements = json.dumps([*changes, last])
+def show_particles(source, view):
+    """Show particles as spheres of their Radius."""
+    shown = show_colored(source, view)
+    shown.SetRepresentationType("Point Gaussian")
+    shown.ShaderPreset, shown.GaussianRadius = "Sphere", 1.0
+    shown.ScaleByArray, shown.SetScaleArray, shown.UseScaleFunction = 1, ["POINTS", "Radius"], 0
+
+
+def show_fog(source, view, color=(0.28, 0.62, 0.70)):
+    """Show the image of Particle Fog as a volume of one color."""
+    extinctions = (0.0, 0.005, 0.01, 0.02, 0.04, 0.08, 0.15, 0.3, 0.6, 1.2, 2.5, 5.0)
+    shown = simple.Show(source, view, "UniformGridRepresentation")
+    shown.SetRepresentationType("Fog")
+    shown.SampleDistance = 2.0
+    shown.ColorArrayName = ["POINTS", "Extinction"]
+    shown.LookupTable = simple.CreateLookupTable(
+        ColorSpace="RGB", RGBPoints=[0.0, *color, extinctions[-1], *color], AutomaticRescaleRangeMode="Never")
+    shown.ScalarOpacityFunction = simple.CreatePiecewiseFunction(
+        Points=[number for each in extinctions for number in (each, 1.0 - math.exp(-each), 0.5, 0.0)])
+    shown.ScalarOpacityUnitDistance = 1.0
+    shown.Shade = 0
+
+
+def light(view, **settings):
+    """Light a view by sun and sky, without widgets; settings: properties of the display of Landscape Light."""
+    view.OrientationAxesVisibility = 0
+    shown = simple.Show(simple.LandscapeLight(registrationName="Light"), view)
+    for name, value in settings.items():
+        shown.SetPropertyWithName(name, value)
+    return shown
 
 
 def reader(name, data, folder):
