@@ -7,6 +7,7 @@ import re
 from typing import NamedTuple
 
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+from vtkmodules.vtkRenderingCore import vtkAbstractMapper
 
 import littoral
 
@@ -34,8 +35,8 @@ def is_concrete(kind):
 
 def all_classes():
     """Names of the classes of sources, filters, readers and writers that can be made."""
-    return [name for name in littoral.__all__
-            if issubclass(getattr(littoral, name), vtkAlgorithm) and is_concrete(getattr(littoral, name))]
+    return [name for name in littoral.__all__ for kind in (getattr(littoral, name),)
+            if issubclass(kind, vtkAlgorithm) and not issubclass(kind, vtkAbstractMapper) and is_concrete(kind)]
 
 
 def type_of(argument):
