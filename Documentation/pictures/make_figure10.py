@@ -137,7 +137,7 @@ def draw(folder):
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = list(SIZE)
     views.light(view, SunElevation=17.0, SunAzimuth=262.0, VisibilityDistance=15000.0, CloudCover=0.2, Turbidity=2.0,
-                ExposureCompensation=0.4, ShadowDistance=400.0, CoverRadius=120.0, CoverHeight=0.5, Supersampling=1)
+                ExposureCompensation=0.4, ShadowDistance=400.0, CoverRadius=120.0, CoverHeight=0.5, Quality="Best")
     views.look(view, eye, (*FOCUS, height(terrain, *FOCUS) + 6.0), VIEW_ANGLE)
     view.ViewTime = TIME
     views.show_surface(simple.TerrainLevelOfDetail(Input=country), view)

@@ -72,7 +72,7 @@ def main(folder):
     view.ViewSize = list(SIZE)
     views.light(view, SunElevation=60.0, SunAzimuth=330.0, CloudCover=0.1, ExposureCompensation=1.4, ShadowDistance=40.0,
                 WaterAbsorption=[0.31, 0.068, 0.035], WaterScattering=[0.02, 0.027, 0.03], WaterSlopeVariance=0.014,
-                Supersampling=1)
+                Quality="Best")
     views.look(view, EYE, FOCUS, VIEW_ANGLE)
     with tempfile.TemporaryDirectory() as data:
         build(data, view)

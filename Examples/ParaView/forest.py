@@ -96,7 +96,7 @@ def build(folder, view, quick=False):
     sway = simple.BeamTreeDeformation(
         registrationName="Forest in the wind", Input=forest, Wind=wind, Prototypes=trees)
 
-    views.light(view, Supersampling=int(not quick), **LIGHT)
+    views.light(view, Quality="Good" if quick else "Best", **LIGHT)
     look(country, view, 0.0)
     views.show_surface(ground, view)
     views.show_surface(brooks, view)

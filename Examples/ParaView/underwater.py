@@ -96,7 +96,7 @@ def build(folder, view, quick=False):
     fog = simple.ParticleFog(registrationName="Fog", Input=carried, GridBy="Spacing",
                              Spacing=0.5, UseBounds=1, Bounds=[-17.0, 17.0, -1.0, 29.0, -DEPTH, 0.0])
 
-    views.light(view, Supersampling=int(not quick), **LIGHT)
+    views.light(view, Quality="Good" if quick else "Best", **LIGHT)
     views.look(view, EYE, FOCUS, VIEW_ANGLE)
     for animated in (surface, bending, *specks):
         simple.UpdatePipeline(TIME, animated)
