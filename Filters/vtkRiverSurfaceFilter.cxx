@@ -205,7 +205,9 @@ int vtkRiverSurfaceFilter::RequestData(
     "the surface of the rivers", "lower Subdivision.");
   littoral::RiverNetwork network = NetworkOf(lines);
   littoral::SmoothCourses(network, shape.Smoothing);
+  const littoral::Poll poll = littoral::PollOf(this);
   this->UpdateProgress(0.3);
+  poll();
   if (terrain)
   {
     PutOnGround(network, terrain);
@@ -213,12 +215,13 @@ int vtkRiverSurfaceFilter::RequestData(
   littoral::LetFlow(network);
   const auto rivers = littoral::RiverSections(network, shape);
   this->UpdateProgress(0.6);
+  poll();
   vtkIdType sections = 0;
   for (const auto& river : rivers)
   {
     sections += static_cast<vtkIdType>(river.size());
   }
-  WriteBands(rivers, sections, this->Lift, littoral::PollOf(this), vtkPolyData::GetData(outputVector));
+  WriteBands(rivers, sections, this->Lift, poll, vtkPolyData::GetData(outputVector));
   return 1;
 }
 

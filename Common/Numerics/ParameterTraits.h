@@ -45,8 +45,8 @@ constexpr ParameterTraits<Parameters> MakeParameter(const char* name, const char
 template <typename Parameters>
 struct ParameterList
 {
-  static constexpr int MaximumCount = 8;
-  const ParameterTraits<Parameters>* Items[MaximumCount + 1] = {}; ///< the rest is null
+  static constexpr int MaximumCount = 12;
+  const ParameterTraits<Parameters>* Items[MaximumCount] = {}; ///< the rest is null
 
   const ParameterTraits<Parameters>* const* begin() const { return this->Items; }
   const ParameterTraits<Parameters>* const* end() const { return this->Items + this->Size(); }
@@ -54,7 +54,7 @@ struct ParameterList
   int Size() const
   {
     int size = 0;
-    while (this->Items[size])
+    while (size < MaximumCount && this->Items[size])
     {
       ++size;
     }

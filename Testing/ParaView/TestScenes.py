@@ -17,8 +17,8 @@ from window import apart, picture, small_view
 SIZE = (150, 100)
 #: Parts by name, those that are shown, the end of the times [s], and a change of a part.
 SCENES = {
-    "Forest": (["Hills", "Valleys", "Pine", "Oak", "Birch", "Shrub", "Sites", "Trees", "Ground", "Light"],
-               ["Valleys", "Trees", "Ground", "Light"], 1.0, ("Hills", "StandardDeviation", 30.0)),
+    "Forest": (["Hills", "Valleys", "Brooks", "Pine", "Oak", "Birch", "Shrub", "Sites", "Trees", "Ground", "Light"],
+               ["Brooks", "Trees", "Ground", "Light"], 1.0, ("Hills", "StandardDeviation", 30.0)),
     "SwayingForest": (["Hill", "Sites", "Birch", "Pine", "Wood", "Trees", "Ground", "Light"],
                       ["Trees", "Ground", "Light"], 59.9,
                       ("Sites", "MeanPerQuadrat", 1.5)),
@@ -26,7 +26,8 @@ SCENES = {
     "Underwater": (["Relief", "Sites", "Sugar Kelp", "Eelgrass", "Plants", "Kelp", "Bed", "Water", "Particles", "Surface",
                     "Light"],
                    ["Kelp", "Bed", "Particles", "Surface", "Light"], 60.0, ("Water", "Density", 20.0)),
-    "TwinOfAPlace": (["Valleys", "Ground", "Light"], ["Valleys", "Ground", "Light"], 1.0, ("TwinOfAPlace1", "Seed", 7)),
+    "TwinOfAPlace": (["Valleys", "Rivers", "Ground", "Light"], ["Rivers", "Ground", "Light"], 1.0,
+                     ("TwinOfAPlace1", "Seed", 7)),
 }
 
 
