@@ -332,7 +332,8 @@ void BlockActor::TakeImpostors(const PartOfTree& part, vtkActor* like, vtkMapper
     this->Plant.clear();
   }
   const auto isSame = [](const PlantPart& a, const PlantPart& b) {
-    return a.Block->GetPoints() == b.Block->GetPoints() && a.Transmittance == b.Transmittance;
+    return a.Block->GetPoints()->GetData() == b.Block->GetPoints()->GetData() &&
+      a.Block->GetPolys() == b.Block->GetPolys() && a.Transmittance == b.Transmittance;
   };
   if (!std::equal(this->Plant.begin(), this->Plant.end(), part.Plant.begin(), part.Plant.end(), isSame))
   {

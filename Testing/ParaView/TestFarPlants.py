@@ -1,0 +1,65 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+# run-with: pvpython together=plants
+"""Far plants of a forest of instances under Landscape Light are impostors: as bright and as large as in the level before,
+also where they are exchanged for each other pixel by pixel. Without the light they are as before.
+"""
+
+import quick
+import TestInstances
+from paraview import simple
+from window import apart, picture, small_view
+
+SIZE = (240, 150)
+
+
+def scene():
+    """A view of a row of trees before the sky."""
+    view = small_view(SIZE)
+    sites = simple.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=TestInstances.SITES)
+    tree = simple.ReevesTree(Preset="Custom", NumberOfLeaves=2500, LeafSize=0.6, MainBranches=12, Orders=1)
+    forest = simple.PlantScatter(Sites=sites, Prototypes=[tree], OutputForm="Instances", FollowCamera=0,
+                                 ViewPoint=[45.0, -60.0, 10.0], ViewDirection=[0.0, 1.0, -0.05], UseLevels=0)
+    simple.Show(forest, view)
+    simple.Render(view)  # sets the camera
+    view.CameraPosition, view.CameraFocalPoint = [45.0, -60.0, 10.0], [45.0, 40.0, 5.0]
+    view.CameraViewUp = [0.0, 0.0, 1.0]
+    return view, forest
+
+
+def look_of(shown):
+    """Where there are trees, darker than the sky, and their mean color."""
+    trees = shown.sum(axis=2) < 330
+    return trees, shown[trees].mean()
+
+
+def at_level(view, forest, near, far):
+    """The picture with the far level from a distance on."""
+    forest.UseLevels, forest.NearDistance, forest.FarDistance = 1, near, far
+    return picture(view)
+
+
+def check_far(view, forest):
+    trees, color = look_of(at_level(view, forest, 10.0, 1000.0))
+    assert 0.1 < trees.mean() < 0.7, trees.mean()
+    for distances in ((10.0, 30.0), (10.0, 130.0)):  # all far, and most of them being exchanged
+        far, far_color = look_of(at_level(view, forest, *distances))
+        overlap = (far & trees).sum() / (far | trees).sum()
+        print(distances, "overlap", overlap, "color", far_color / color)
+        assert overlap > 0.8, f"{distances}: {overlap}"
+        assert abs(far_color / color - 1.0) < 0.08, f"{distances}: {far_color / color}"
+
+
+def main():
+    view, forest = scene()
+    dark = at_level(view, forest, 10.0, 30.0)
+    forest.UseLevels = 0
+    light = simple.LandscapeLight()
+    simple.Show(light, view)
+    check_far(view, forest)
+    simple.Hide(light, view)
+    assert apart(at_level(view, forest, 10.0, 30.0), dark, 16) < 0.002, "without the light"
+
+
+if __name__ == "__main__":
+    main()
