@@ -4,6 +4,7 @@
 #include "Check.h"
 #include "ErrorCounter.h"
 #include "GroundImage.h"
+#include "Sanitizer.h"
 #include "vtkGroundStatisticsFilter.h"
 #include "vtkTurningBandsTerrainSource.h"
 
@@ -138,7 +139,7 @@ bool MemoryIsAsked()
   getrlimit(RLIMIT_DATA, &before);
   rlimit limit = before;
   limit.rlim_cur = static_cast<rlim_t>(1) << 20; // less than what is used
-  if (before.rlim_max == RLIM_INFINITY && setrlimit(RLIMIT_DATA, &limit) == 0)
+  if (!IsSanitized && before.rlim_max == RLIM_INFINITY && setrlimit(RLIMIT_DATA, &limit) == 0)
   {
     good &= errors->ExpectOneNaming("of memory");
     setrlimit(RLIMIT_DATA, &before);
