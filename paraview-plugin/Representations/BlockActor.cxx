@@ -326,7 +326,7 @@ void BlockActor::TakeImpostors(const PartOfTree& part, vtkActor* like, vtkMapper
   if (!own)
   {
     const auto made = vtkSmartPointer<vtkImpostorMapper>::New();
-    made->SetFrames(9); // two or three seconds of software rendering for the plants of a forest
+    made->SetFrames(7); // a second or two of software rendering for the plants of a forest
     this->Mapper = own = made;
     this->Actor->SetMapper(own);
     this->Plant.clear();
