@@ -253,7 +253,8 @@ void vtkLandscapePass::SetMaterial(vtkProp* prop, int material)
   KeysOf(prop)->Set(MATERIAL(), material);
   auto* actor = vtkActor::SafeDownCast(prop);
   auto* mapper = actor ? vtkPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
-  if (material == Water && mapper)
+  // Those of composites have no such arrays, and since VTK 9.3 say so.
+  if (material == Water && mapper && !mapper->IsA("vtkCompositePolyDataMapper"))
   {
     MapStretch(mapper);
   }
