@@ -436,6 +436,13 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
 }
 
 //----------------------------------------------------------------------------
+/// Levels go by the distance from the eye.
+bool vtkPlantScatterFilter::DependsOnDirection() const
+{
+  return this->UseCulling || this->ParallelProjection || (this->OutputForm == Merged && this->FaceCamera);
+}
+
+//----------------------------------------------------------------------------
 void vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* output)
 {
   const std::vector<littoral::PlantPlace>& places =

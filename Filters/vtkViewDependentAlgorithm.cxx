@@ -80,7 +80,14 @@ littoral::View vtkViewDependentAlgorithm::UnroundedView() const
 //----------------------------------------------------------------------------
 littoral::View vtkViewDependentAlgorithm::RoundedView() const
 {
-  const littoral::View view = this->UnroundedView();
+  littoral::View view = this->UnroundedView();
+  if (!this->DependsOnDirection() && littoral::WhyInvalid(view).empty())
+  {
+    const littoral::View any;
+    view.Direction = any.Direction;
+    view.Up = any.Up;
+    view.AspectRatio = any.AspectRatio;
+  }
   const bool rounds = this->MoveTolerance > 0.0 || this->TurnTolerance > 0.0;
   return rounds && littoral::WhyInvalid(view).empty()
     ? littoral::Rounded(view, std::max(0.0, this->MoveTolerance), std::max(0.0, this->TurnTolerance) * Degree)

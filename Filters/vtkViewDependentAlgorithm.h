@@ -165,6 +165,10 @@ protected:
   /// View of the request, rounded by the tolerances. Throws InvalidInput if a property of it is out of range.
   littoral::View GetView();
 
+  /// Whether the output depends on where the view looks, beside from where; default true. Where it does not, a turn of
+  /// the camera does not execute the filter.
+  virtual bool DependsOnDirection() const { return true; }
+
   double ViewPoint[3];
   double ViewDirection[3];
   double ViewUp[3];
