@@ -149,9 +149,43 @@ bool DetailFactor()
   return good;
 }
 
+/// Instances without culling are the same from any direction, so that a turn executes nothing; a step does, and so does
+/// a turn where the direction counts.
+bool Turns()
+{
+  Forest forest;
+  forest.Filter->SetOutputFormToInstances();
+  forest.Filter->UseCullingOff();
+  const auto turnedTime = [&](double x) {
+    const vtkMTimeType before = forest.Filter->GetMTime();
+    forest.Filter->SetViewDirection(x, 1.0, 0.0);
+    return forest.Filter->GetMTime() - before;
+  };
+  const auto levels = [&] {
+    forest.Filter->Update();
+    return std::array<double, 3>{ forest.Counter("PlantsHigh"), forest.Counter("PlantsMedium"),
+      forest.Counter("PlantsLow") };
+  };
+  const auto before = levels();
+  bool good = Check(turnedTime(0.5) == 0, "a turn counts as a change, without culling");
+  forest.Filter->Modified();
+  good &= Check(levels() == before, "levels of another direction differ, without culling");
+  const vtkMTimeType standing = forest.Filter->GetMTime();
+  forest.Filter->SetViewPoint(0.0, -30.0, 5.0);
+  good &= Check(forest.Filter->GetMTime() > standing && levels() != before, "a step changes no level");
+  forest.Filter->ParallelProjectionOn();
+  good &= Check(turnedTime(1.0) > 0, "a turn in parallel projection counts as none");
+  forest.Filter->ParallelProjectionOff();
+  forest.Filter->UseCullingOn();
+  good &= Check(turnedTime(1.5) > 0, "a turn counts as none, with culling");
+  forest.Filter->UseCullingOff();
+  forest.Filter->SetOutputFormToMerged();
+  return good & Check(turnedTime(2.0) > 0, "a turn counts as none for plants that face the camera");
+}
+
 }
 
 int TestPlantScatterView(int, char*[])
 {
-  return Culling() && LevelsInParallel() && DetailFactor() ? EXIT_SUCCESS : EXIT_FAILURE;
+  return Culling() && LevelsInParallel() && DetailFactor() && Turns() ? EXIT_SUCCESS : EXIT_FAILURE;
 }
