@@ -73,15 +73,20 @@ vtkBoundingBox Joint(const vtkBoundingBox& own, vtkMultiProcessController* proce
   return joint;
 }
 
-/// The latest change of what casts shadows.
-vtkMTimeType ChangeOf(const std::vector<vtkProp*>& props)
+/// A number that changes with what casts shadows: of the props that have a shape and the times of their last changes.
+std::uint64_t StateOf(const std::vector<vtkProp*>& props)
 {
-  vtkMTimeType time = static_cast<vtkMTimeType>(props.size());
+  std::uint64_t state = 14695981039346656037ULL; // FNV-1a
   for (vtkProp* prop : props)
   {
-    time = std::max(time, prop->GetRedrawMTime());
+    const double* bounds = prop->GetBounds();
+    if (bounds && vtkBoundingBox::IsValid(bounds))
+    {
+      state = (state ^ reinterpret_cast<std::uintptr_t>(prop)) * 1099511628211ULL;
+      state = (state ^ prop->GetRedrawMTime()) * 1099511628211ULL;
+    }
   }
-  return time;
+  return state;
 }
 
 /// The least sphere around a part of the view's cone, from one distance to another, on the line of sight.
@@ -160,7 +165,7 @@ void DepthMaps::Allocate(vtkOpenGLRenderWindow* window, int size)
 DepthMaps::Place DepthMaps::PlaceOf(int map, vtkRenderer* renderer, const Whole& whole, const Wish& wish) const
 {
   Place place;
-  place.Time = whole.Time;
+  place.State = whole.State;
   place.Depth = 1.001 * whole.Radius;
   place.Towards = map >= Zenith ? glm::dvec3(0.0, 0.0, 1.0) : wish.Sun;
   const double near = std::min(MiddleShare * wish.Distance, whole.Radius);
@@ -215,7 +220,7 @@ void DepthMaps::Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& casters
     this->Allocate(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), wish.Size);
     box.GetCenter(&whole.Center.x);
     whole.Radius = 0.5 * box.GetDiagonalLength();
-    whole.Time = ChangeOf(casters);
+    whole.State = StateOf(casters);
   }
   std::array<int, Count> areOld{};
   for (int map = 0; map < Count; ++map)
@@ -232,7 +237,7 @@ void DepthMaps::Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& casters
       continue;
     }
     const Place place = this->PlaceOf(map, renderer, whole, wish);
-    areOld[map] = last.Time != place.Time || last.Center != place.Center || last.Towards != place.Towards ||
+    areOld[map] = last.State != place.State || last.Center != place.Center || last.Towards != place.Towards ||
       last.Radius != place.Radius || last.Depth != place.Depth;
     last = place;
   }

@@ -5,13 +5,13 @@
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
-#include "vtkType.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -88,7 +88,7 @@ private:
     glm::dvec3 Center = glm::dvec3(0.0);
     double Radius = -1.0; ///< below 0: there is no map
     double Depth = 0.0;   ///< from the center to the ends along the light
-    vtkMTimeType Time = 0;
+    std::uint64_t State = 0;
     glm::dmat4 ToMap = glm::dmat4(1.0);
   };
   /// All that is shown.
@@ -96,7 +96,7 @@ private:
   {
     glm::dvec3 Center;
     double Radius;
-    vtkMTimeType Time; ///< of its latest change
+    std::uint64_t State; ///< a number that changes with it
   };
 
   Place PlaceOf(int map, vtkRenderer* renderer, const Whole& whole, const Wish& wish) const;

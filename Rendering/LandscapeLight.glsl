@@ -7,6 +7,7 @@ uniform vec3 landscapeSunLight;         // at right angles to it [klx]
 uniform sampler2D landscapeDome;        // luminance of the sky (SkyTables)
 uniform sampler2D landscapeSkyLight;    // light of the sky on planes (SkyTables)
 uniform float landscapeExtinction;      // of the air [1/m]
+uniform vec3 landscapeFog;              // its extinction [1/m], its scale height and that of the eye above its level [m]
 uniform int landscapeIsParallel;        // 1: the camera is
 uniform float landscapeExposure;        // [m2/kcd]
 uniform int landscapeFilmCurve;         // 1: luminances go through a film's curve
@@ -142,6 +143,36 @@ float landscapeSkySeen(vec3 placeV, vec3 normalV)
   return mix(1.0, seen, share);
 }
 
+// Fog from far below its level up to a height above it, as the length of dense fog [m]: it is even below the level, and
+// thins out by exp(-z / H) above.
+float landscapeFogBelow(float z)
+{
+  return z < 0.0 ? z : landscapeFog.y * (1.0 - exp(-z / landscapeFog.y));
+}
+
+// Part of light that fog lets through along a line from a height above its level, of a length and a rise [m].
+float landscapeThroughFog(float z, float way, float rise)
+{
+#ifdef LandscapeNoFog
+  return 1.0;
+#endif
+  float even = exp(-max(z + 0.5 * rise, 0.0) / landscapeFog.y); // where the line hardly rises
+  float mean = abs(rise) < 0.01 * landscapeFog.y ? even : (landscapeFogBelow(z + rise) - landscapeFogBelow(z)) / rise;
+  return exp(-landscapeFog.x * mean * way);
+}
+
+// Luminance behind all the fog in a direction.
+vec3 landscapeBehindFog(vec3 luminance, vec3 d)
+{
+#ifdef LandscapeNoFog
+  return luminance;
+#endif
+  float above = landscapeFog.y - landscapeFogBelow(landscapeFog.z);
+  float through = d.z > 0.0 ? exp(-landscapeFog.x * above / max(d.z, 1e-6)) : landscapeThroughFog(
+    landscapeFog.z, landscapeEyeHeight / max(-d.z, 1e-6), -landscapeEyeHeight);
+  return mix(landscapeSkyAt(normalize(vec3(d.xy, 1e-3))), luminance, through);
+}
+
 // Luminance of the sky in a direction, or of the earth behind the air before it.
 vec3 landscapeBeyond(vec3 d)
 {
@@ -210,11 +241,13 @@ vec3 landscapeEyeOf(vec3 placeV)
   return landscapeIsParallel == 1 ? vec3(placeV.xy, 0.0) : vec3(0.0);
 }
 
-// Luminance behind air: L exp(-k d) + L_h (1 - exp(-k d)), with the sky at the horizon L_h  (Koschmieder)
-vec3 landscapeBehindAir(vec3 luminance, vec3 lineV)
+// Luminance of a place behind air and fog: L exp(-k d) + L_h (1 - exp(-k d)), with the sky at the horizon L_h  (Koschmieder)
+vec3 landscapeBehindAir(vec3 luminance, vec3 eyeV, vec3 placeV)
 {
-  vec3 d = landscapeToWorld * lineV;
-  float through = exp(-landscapeExtinction * length(lineV));
+  vec3 d = landscapeToWorld * (placeV - eyeV);
+  float way = length(d);
+  float through = exp(-landscapeExtinction * way) *
+    landscapeThroughFog(landscapeFog.z + (landscapeToWorld * eyeV).z, way, d.z);
   vec3 horizon = landscapeSkyAt(normalize(vec3(d.xy, 1e-3 * length(d.xy) + 1e-6)));
   return mix(horizon, luminance, through);
 }
@@ -244,5 +277,5 @@ vec3 landscapeLuminance(vec3 albedo, vec3 placeV, vec3 normalV, float transmitta
 vec3 landscapeLit(vec3 albedo, vec3 eyeV, vec3 placeV, vec3 normalV, float transmittance)
 {
   return landscapeDisplayed(
-    landscapeBehindAir(landscapeLuminance(albedo, placeV, normalV, transmittance, 1.0), placeV - eyeV));
+    landscapeBehindAir(landscapeLuminance(albedo, placeV, normalV, transmittance, 1.0), eyeV, placeV));
 }

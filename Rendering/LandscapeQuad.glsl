@@ -52,7 +52,7 @@ vec3 landscapeBehindAll(vec3 d)
   float fromSun = acos(clamp(dot(d, landscapeSun), -1.0, 1.0));
   luminance += d.z > 0.0 ? smoothstep(0.00475, 0.00455, fromSun) * landscapeSunLight / 6.8e-5 : vec3(0.0);
   vec4 clouds = landscapeCloudsIn(d, 0.0);
-  return mix(luminance, clouds.rgb, clouds.w);
+  return landscapeBehindFog(mix(luminance, clouds.rgb, clouds.w), d);
 }
 
 // Albedo of a ground, whose normal gets its relief, or of grass.
@@ -134,11 +134,11 @@ void main()
   luminance = landscapeBehindAll(d);
 #elif LandscapePart == LandscapeSurface
   luminance = landscapeLuminance(landscapeLinear(code), place, normal, surface.z, 2.0 * texel.a - 1.0);
-  luminance = landscapeBehindAir(luminance, place - eye);
+  luminance = landscapeBehindAir(luminance, eye, place);
 #elif LandscapePart == LandscapeGround
   bool isGrass = surface.z > 2.5;
   vec3 albedo = landscapeGrown(isGrass, landscapeLinear(code), place, normal);
-  luminance = landscapeBehindAir(landscapeLuminance(albedo, place, normal, isGrass ? 0.4 : 0.0, 1.0), place - eye);
+  luminance = landscapeBehindAir(landscapeLuminance(albedo, place, normal, isGrass ? 0.4 : 0.0, 1.0), eye, place);
 #else
   vec3 wetPlace = landscapePlaceOf(wetDepth, wet.w, sight);
   vec3 wetNormal = landscapeToWorld * landscapeUnfolded(wet.xy);
@@ -169,7 +169,7 @@ void main()
   luminance = looks * landscapeWaterAbove(d, wetNormal, ripples.z, wetPlace, below / (landscapeIndex * landscapeIndex));
   float foam = landscapeFoam(texture(landscapeWetColor, texCoord).a, (landscapeEye + landscapeToWorld * wetPlace).xy);
   luminance = mix(luminance, landscapeLuminance(vec3(0.6), wetPlace, wetNormal * landscapeToWorld, 0.0, 1.0), foam);
-  luminance = landscapeBehindAir(luminance, wetPlace - eye);
+  luminance = landscapeBehindAir(luminance, eye, wetPlace);
 #endif
 #endif
   bool isPaint = isThere && !isLit && !hasSurface; // which no light changes

@@ -57,6 +57,8 @@ void Lighting::SetUniforms(vtkShaderProgram* program) const
   SetUniform(program, "landscapeSun", sky.Sun);
   SetUniform(program, "landscapeSunLight", sky.SunLight);
   SetUniform(program, "landscapeExtinction", this->Extinction);
+  SetUniform(
+    program, "landscapeFog", glm::dvec3(this->FogExtinction, this->FogScaleHeight, this->Eye.z - this->FogLevel));
   SetUniform(program, "landscapeExposure", this->Exposure);
   SetUniform(program, "landscapeBackground", this->Background ? 1 : 0);
   SetUniform(program, "landscapeFilmCurve", this->FilmCurve ? 1 : 0);

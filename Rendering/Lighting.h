@@ -39,6 +39,9 @@ public:
   glm::dvec3 CoverColor = glm::dvec3(0.0);      ///< albedo of grass, linear
   double WoodCover = 0.0;                       ///< part of the ground, from 0 to 1
   double CloudCover = 0.0;                      ///< part of the sky, from 0 to 1
+  double FogExtinction = 0.0;                   ///< up to its level [1/m]
+  double FogLevel = 0.0;                        ///< [m]
+  double FogScaleHeight = 10.0;                 ///< above its level [m]
   double CloudHeight = 1500.0;                  ///< [m]
   glm::dvec2 CloudDrift = glm::dvec2(0.0);      ///< [m]
   double OcclusionRadius = 0.0;                 ///< distance of what hides the sky [m]

@@ -249,6 +249,7 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   defined += this->Wet.Albedo ? "1\n" : "0\n";
   defined += light.HasShadows() ? "" : "#define LandscapeNoShadows\n";
   defined += light.HasOcclusion() ? "" : "#define LandscapeNoOcclusion\n";
+  defined += light.FogExtinction > 0.0 ? "" : "#define LandscapeNoFog\n";
   defined += light.CloudCover > 0.0 ? "" : "#define LandscapeNoClouds\n";
   vtkShaderProgram* program = Ready(this->Parts[defined], window, defined);
   if (!program)

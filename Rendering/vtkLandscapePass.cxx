@@ -179,6 +179,9 @@ vtkLandscapePass::vtkLandscapePass()
   , Longitude(8.0)
   , Turbidity(2.5)
   , Visibility(30000.0)
+  , FogVisibility(0.0)
+  , FogLevel(0.0)
+  , FogScaleHeight(10.0)
   , CloudCover(0.3)
   , CloudHeight(1500.0)
   , CloudDrift{ 0.0, 0.0 }
@@ -285,6 +288,9 @@ std::string vtkLandscapePass::WhyInvalid() const
   check.Finite("SunAzimuth", this->SunAzimuth, "degrees");
   check.Range("Turbidity", this->Turbidity, 1.0, 10.0);
   check.Positive("Visibility", this->Visibility, "m");
+  check.NotNegative("FogVisibility", this->FogVisibility, "m");
+  check.Finite("FogLevel", this->FogLevel, "m");
+  check.Positive("FogScaleHeight", this->FogScaleHeight, "m");
   check.Finite("CloudHeight", this->CloudHeight, "m");
   check.Finite("CloudDrift, x", this->CloudDrift[0], "m");
   check.Finite("CloudDrift, y", this->CloudDrift[1], "m");
@@ -387,6 +393,10 @@ void vtkLandscapePass::TakeLight()
   }
   // L exp(-k V) = 0.02 L at the visibility V  (Koschmieder)
   lighting.Extinction = this->Sky == Even ? 0.0 : std::log(50.0) / this->Visibility;
+  const bool hasFog = this->Sky == Clear && this->FogVisibility > 0.0;
+  lighting.FogExtinction = hasFog ? std::log(50.0) / this->FogVisibility : 0.0;
+  lighting.FogLevel = this->FogLevel;
+  lighting.FogScaleHeight = this->FogScaleHeight;
   lighting.CloudCover = this->Sky == Even ? 0.0 : this->CloudCover;
   lighting.CloudHeight = this->CloudHeight;
   lighting.CloudDrift = { this->CloudDrift[0], this->CloudDrift[1] };
@@ -548,6 +558,9 @@ void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Turbidity: " << this->Turbidity << "\n";
   os << indent << "Visibility: " << this->Visibility << "\n";
   os << indent << "CloudCover: " << this->CloudCover << "\n";
+  os << indent << "FogVisibility: " << this->FogVisibility << "\n";
+  os << indent << "FogLevel: " << this->FogLevel << "\n";
+  os << indent << "FogScaleHeight: " << this->FogScaleHeight << "\n";
   os << indent << "CloudHeight: " << this->CloudHeight << "\n";
   os << indent << "CloudDrift: " << this->CloudDrift[0] << " " << this->CloudDrift[1] << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";

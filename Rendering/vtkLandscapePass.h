@@ -106,6 +106,22 @@ public:
   ///@}
 
   ///@{
+  /** Visibility in dense fog [m]; default 0: there is none. */
+  vtkSetMacro(FogVisibility, double);
+  vtkGetMacro(FogVisibility, double);
+  ///@}
+  ///@{
+  /** Height up to which fog is dense [m]; default 0. */
+  vtkSetMacro(FogLevel, double);
+  vtkGetMacro(FogLevel, double);
+  ///@}
+  ///@{
+  /** Scale height of fog above FogLevel, where it thins out by exp(-z / FogScaleHeight) [m], above 0; default 10. */
+  vtkSetMacro(FogScaleHeight, double);
+  vtkGetMacro(FogScaleHeight, double);
+  ///@}
+
+  ///@{
   /** Part of the sky that clouds cover, 0 to 1; their shadows are on the ground. Default 0.3. */
   vtkSetClampMacro(CloudCover, double, 0.0, 1.0);
   vtkGetMacro(CloudCover, double);
@@ -358,6 +374,9 @@ private:
   double Longitude;
   double Turbidity;
   double Visibility;
+  double FogVisibility;
+  double FogLevel;
+  double FogScaleHeight;
   double CloudCover;
   double CloudHeight;
   double CloudDrift[2];

@@ -181,6 +181,83 @@ bool TestAir()
   return good;
 }
 
+/// Length of dense fog along a line of sight [m]: its density, 1 up to the level 0 and exp(-z / 8 m) above, by
+/// Simpson's rule.
+double LengthOfFog(double z, double rise, double way)
+{
+  constexpr int parts = 20000;
+  double sum = 0.0;
+  for (int k = 0; k <= parts; ++k)
+  {
+    const double density = std::exp(-std::max(z + rise * k / parts, 0.0) / 8.0);
+    sum += (k == 0 || k == parts ? 1.0 : k % 2 == 1 ? 4.0 : 2.0) * density;
+  }
+  return sum * way / (3.0 * parts);
+}
+
+/// A black board in fog, from an eye in it, at its level and above, and the sky behind it: L_h (1 - T) + L T,
+/// T = exp(-k length of fog). In parallel projection each line of sight begins at its own height.
+bool TestFog(bool isParallel)
+{
+  bool good = true;
+  constexpr double level = 300.0;
+  for (const double eye : { -12.0, 0.0, 30.0 })
+  {
+    Picture picture;
+    picture.Pass->SetVisibility(1e9);
+    picture.Pass->SetFogLevel(level);
+    picture.Pass->SetFogScaleHeight(8.0);
+    picture.Pass->SetCloudCover(0.0);
+    picture.Pass->ShadowsOff();
+    picture.Pass->SetOcclusionRadius(0.0);
+    picture.Pass->SetExposureCompensation(-1.0);
+    const double z = level + eye;
+    picture.Add(Plane({ -300.0, 200.0, z - 300.0 }, { 300.0, 200.0, z - 300.0 }, { -300.0, 200.0, z + 20.0 }), 0.0);
+    picture.Look({ 0.0, 0.0, z }, { 0.0, 1.0, z }, { 0.0, 0.0, 1.0 });
+    vtkCamera* camera = picture.Renderer->GetActiveCamera();
+    camera->SetViewAngle(50.0);
+    camera->SetParallelProjection(isParallel);
+    camera->SetParallelScale(40.0);
+    picture.Draw();
+    const std::array<Color, 2> clear{ picture.LinearAt(Width / 2, Height - 5),
+      picture.LinearAt(Width / 2, Height - 40) };
+    picture.Pass->SetFogVisibility(400.0);
+    picture.Draw();
+    Color horizon;
+    picture.Pass->GetSkyLuminance(0.0, 1.0, 1e-3, horizon.data());
+    const auto through = [](double length) { return std::pow(50.0, -length / 400.0); };
+    const auto check = [&](int row, double left, const Color& behind, const char* what) {
+      Color expected;
+      for (int c = 0; c < 3; ++c)
+      {
+        expected[c] = CodeOf(behind[c] * left + picture.Pass->GetExposureFactor() * horizon[c] * (1.0 - left));
+      }
+      return Near(picture.At(Width / 2, row), expected, 0.0, 1.01 / 255.0, std::string(what) + std::to_string(eye));
+    };
+    for (const int row : { 4, Height / 4, Height / 2 + 3 })
+    {
+      const double up = (row + 0.5 - 0.5 * Height) / (0.5 * Height);
+      const double slope = up * std::tan(vtkMath::RadiansFromDegrees(25.0));
+      const double length = isParallel ? LengthOfFog(eye + 40.0 * up, 0.0, 200.0)
+                                       : LengthOfFog(eye, 200.0 * slope, 200.0 * std::hypot(1.0, slope));
+      good &= check(row, through(length), { 0.0, 0.0, 0.0 }, "Board in fog, from an eye at ");
+    }
+    if (isParallel)
+    {
+      continue;
+    }
+    for (const int k : { 0, 1 })
+    {
+      const int row = k == 0 ? Height - 5 : Height - 40;
+      const double slope = (row + 0.5 - 0.5 * Height) / (0.5 * Height) * std::tan(vtkMath::RadiansFromDegrees(25.0));
+      const double rise = 400.0; // 50 scale heights above the level
+      const double length = LengthOfFog(eye, rise, rise / slope * std::hypot(1.0, slope));
+      good &= check(row, through(length), clear[static_cast<std::size_t>(k)], "Sky behind fog, from an eye at ");
+    }
+  }
+  return good;
+}
+
 /// A card that its texture cuts out on one side casts the shadow of the other.
 bool TestCutOut()
 {
@@ -298,6 +375,13 @@ bool TestHaste()
   picture.Pass->DraftOff();
   picture.Draw();
   good &= Check(!shadowAt(0.0) && shadowAt(5.0), "After haste, a shadow stays.");
+  picture.Add(Box({ -40.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }), 0.5); // the last that changed
+  picture.Draw();
+  box->VisibilityOff();
+  picture.Draw();
+  good &= Check(!shadowAt(5.0), "What is hidden casts a shadow.");
+  box->VisibilityOn();
+  picture.Draw();
   picture.Pass->SetQualityToFast();
   box->SetPosition(0.0, 0.0, 0.0);
   picture.Draw();
@@ -442,6 +526,8 @@ int TestLandscapePass(int, char*[])
   good &= TestFurnace();
   good &= TestShadowOfPole();
   good &= TestAir();
+  good &= TestFog(false);
+  good &= TestFog(true);
   good &= TestCutOut();
   good &= TestLeaf();
   good &= TestRoof();
