@@ -118,6 +118,12 @@ void main()
   vec4 drawn = texture(landscapeDrawn, texCoord);
   if (drawn.a <= 0.0) discard; // nothing, and no background
   gl_FragData[0] = vec4(drawn.rgb / drawn.a, 1.0);
+#if LandscapeHasWater
+  // The depth of a river is that of the ground that it just hides, also of another process's: z = (f - f n / w) / (f - n)
+  float near = -landscapePlace(0.0).z;
+  float far = -landscapePlace(1.0).z;
+  shown -= hasSurface && isRiver && landscapeIsParallel == 0 ? landscapeRiverSlack * near * far / ((far - near) * wet.w) : 0.0;
+#endif
   gl_FragDepth = isThere || hasSurface ? shown : 0.9999999; // drawn, for who composes pictures by their depths
 #else
   // The line of sight, from the middle of its part that is shown

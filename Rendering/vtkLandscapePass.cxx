@@ -16,6 +16,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
+#include "vtkCommunicator.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleKey.h"
@@ -40,6 +41,7 @@
 #include "vtkVolumetricPass.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -355,7 +357,7 @@ double vtkLandscapePass::GetExposureFactor()
 }
 
 //----------------------------------------------------------------------------
-void vtkLandscapePass::TakeShown(vtkRenderer* renderer)
+void vtkLandscapePass::TakeShown(vtkRenderer* renderer, vtkMultiProcessController* processes)
 {
   Internals& own = *this->Own;
   own.Shown.clear();
@@ -370,9 +372,19 @@ void vtkLandscapePass::TakeShown(vtkRenderer* renderer)
     }
   }
   renderer->GetActiveCamera()->GetPosition(&own.Light.Eye.x);
-  own.Light.HasGround = std::any_of(own.Shown.begin(), own.Shown.end(), IsGround);
-  own.Light.HasWater = std::any_of(own.Shown.begin(), own.Shown.end(), IsWater);
-  own.Light.IsInWater = own.Light.Eye.z < this->WaterLevel && std::any_of(own.Shown.begin(), own.Shown.end(), IsSea);
+  // A process may have no part of the ground or the sea that others show.
+  std::array<int, 3> are{};
+  bool (*const kinds[])(vtkProp*) = { IsGround, IsWater, IsSea };
+  std::transform(std::begin(kinds), std::end(kinds), are.begin(),
+    [&own](bool (*isOne)(vtkProp*)) { return std::any_of(own.Shown.begin(), own.Shown.end(), isOne) ? 1 : 0; });
+  if (processes && processes->GetNumberOfProcesses() > 1)
+  {
+    const std::array<int, 3> here = are;
+    processes->AllReduce(here.data(), are.data(), 3, vtkCommunicator::MAX_OP);
+  }
+  own.Light.HasGround = are[0] > 0;
+  own.Light.HasWater = are[1] > 0;
+  own.Light.IsInWater = own.Light.Eye.z < this->WaterLevel && are[2] > 0;
 }
 
 //----------------------------------------------------------------------------
@@ -490,7 +502,7 @@ void vtkLandscapePass::DrawMaps(vtkRenderer* renderer)
   Internals& own = *this->Own;
   if (!renderer->GetSelector() && this->WhyInvalid().empty())
   {
-    this->TakeShown(renderer);
+    this->TakeShown(renderer, own.Controller);
     this->TakeLight();
     this->RenderMaps(renderer, own.Controller);
     own.HasMaps = true;
@@ -514,10 +526,10 @@ void vtkLandscapePass::Render(const vtkRenderState* state)
     this->NumberOfRenderedProps = own.Plain->GetNumberOfRenderedProps();
     return;
   }
-  this->TakeShown(renderer);
-  this->TakeLight();
   if (!own.HasMaps)
   {
+    this->TakeShown(renderer, nullptr);
+    this->TakeLight();
     this->RenderMaps(renderer, nullptr);
   }
   own.HasMaps = false;

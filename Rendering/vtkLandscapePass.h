@@ -357,7 +357,7 @@ private:
 
   std::string WhyInvalid() const;
   int GetQualityNow() const { return this->Draft ? Fast : this->Quality; }
-  void TakeShown(vtkRenderer* renderer);
+  void TakeShown(vtkRenderer* renderer, vtkMultiProcessController* processes);
   void TakeLight();
   void RenderMaps(vtkRenderer* renderer, vtkMultiProcessController* processes);
 

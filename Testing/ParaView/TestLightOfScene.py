@@ -9,7 +9,7 @@ from TestScenes import SIZE, lights
 from window import small_view
 
 #: What is in the view before, and the elevations of the suns in it after.
-VIEWS = (("nothing", lambda view: None, [13.0]),
+VIEWS = (("nothing", lambda view: None, [14.0]),
          ("data", lambda view: simple.Show(simple.Sphere(), view), []),
          ("a light", lambda view: simple.Show(simple.LandscapeLight(), view), [35.0]),
          ("a background", lambda view: setattr(view, "BackgroundColorMode", "Gradient"), []))

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvbatch mpi=1,2,3 tier=all
 """Landscape Light has the same picture of surfaces on one rank and spread over ranks, where those of one rank shade
-those of another; the sky is there where nothing is, and where pictures are composed in order."""
+those of another, and of a sea, its bed and a river on 1, 2 and 3 ranks; the sky is there where nothing is, and where
+pictures are composed in order."""
 
 import numpy as np
 import quick
@@ -85,10 +86,36 @@ def check_sky(view, light):
     assert np.array_equal(seen[corners], empty[corners]), "another sky beside glass"
 
 
+def check_water(view, light):
+    """A sea over its bed and a river in its valley, from above and in the water, are those of one rank, on which this
+    test runs first."""
+    bed = simple.TurningBandsTerrain(WholeExtent=[0, 40, 0, 40, 0, 0], Spacing=[2.0, 2.0, 1.0], Origin=[-40.0, -40.0, 0.0],
+                                     Mean=-3.0, StandardDeviation=1.2, Range=40.0)
+    sea = simple.SeaSurface(Input=simple.SeaState(NumberOfTrains=20, WindSpeed=4.0, WaterDepth=6.0), Radius=40.0)
+    drained = simple.Drainage(Input=bed, StreamThreshold=30)
+    rivers = simple.RiverSurface(Input=simple.OutputPort(drained, 1), Terrain=drained, WidthOfUnitArea=60.0)
+    simple.Show(drained, view)
+    simple.Render(view)
+    simple.Show(light, view, MapSize="512", WaterRipples=0)
+    for name, shown, eye in (("sea", sea, [3.0, -14.0, 2.0]), ("in the sea", sea, [14.0, -24.0, -1.0]),
+                             ("river", rivers, [3.0, -30.0, 60.0])):
+        simple.Show(shown, view)
+        look(view, eye)
+        seen = picture_of(view)
+        if rank == 0:
+            np.save(f"{name}-{ranks}.npy", seen)
+            one = np.load(f"{name}-1.npy")
+            apart = np.abs(seen - one).max(axis=-1)
+            print(f"{name}, {ranks} ranks: {(apart > 1).mean():.2%} of the picture are another, by {apart.max()}", flush=True)
+            assert (apart > 1).mean() < 0.0005, f"{name}: another picture on {ranks} ranks"
+        simple.Hide(shown, view)
+
+
 def main():
     view, light = small_view(SIZE), simple.LandscapeLight()
     wanted, seen = (pictures(view, light, spread) for spread in (0, 1))
     check_sky(view, light)
+    check_water(small_view(SIZE), light)
     for name in wanted:
         apart = np.abs(seen[name] - wanted[name]).max(axis=-1)
         print(f"{name}, {ranks} ranks: {(apart > 1).mean():.2%} of the picture are another, by {apart.max()}", flush=True)

@@ -135,7 +135,7 @@ def lights(view):
 def check_light(view):
     """A scene lights a view by one part, whose eye takes the light away; its terrain is ground, on which grass grows."""
     lit = picture(view)
-    assert [one.SunElevation for one in lights(view)] == [28.0], f"lights of a scene: {lights(view)}"
+    assert [one.SunElevation for one in lights(view)] == [40.0], f"lights of a scene: {lights(view)}"
     lights(view)[0].CoverRadius = 0.0
     bare = apart(picture(view), lit)
     assert bare > 0.02, f"grass covers {bare:.1%}"
