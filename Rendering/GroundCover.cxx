@@ -213,6 +213,7 @@ void GroundCover::SetUniforms(vtkShaderProgram* program, const Tile& tile, const
   SetUniform(program, "coverFrom", tile.From * this->Radius);
   SetUniform(program, "coverReach", tile.Reach * this->Radius);
   SetUniform(program, "coverHeight", this->Height);
+  SetUniform(program, "coverLevel", this->SeaLevel - this->Anchor.z);
 }
 
 //----------------------------------------------------------------------------

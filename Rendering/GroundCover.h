@@ -36,6 +36,9 @@ public:
   /// Height of blades [m], distance to which they are drawn [m].
   void SetSize(double height, double radius);
 
+  /// Height of a sea, in which none grow [m].
+  void SetSeaLevel(double level) { this->SeaLevel = level; }
+
   /// Draws the blades around the camera with the map of the ground, whose texture is bound.
   void Draw(vtkRenderer* renderer, const DepthMaps& maps);
 
@@ -51,6 +54,7 @@ private:
   std::array<vtkNew<vtkActor>, Densities> Blades;
   double Height = 0.0;
   double Radius = 0.0;
+  double SeaLevel = -1e9;
   glm::dvec3 Eye = glm::dvec3(0.0);    ///< of the picture that is drawn
   glm::dvec3 Anchor = glm::dvec3(0.0); ///< place to which the tile that is drawn is relative
 };

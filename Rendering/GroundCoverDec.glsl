@@ -10,3 +10,4 @@ uniform float coverSide;       // of the tile [m]
 uniform float coverFrom;       // distances of the first and the last blades [m]
 uniform float coverReach;
 uniform float coverHeight;     // [m]
+uniform float coverLevel;      // of the sea above the anchor [m]; far below without one

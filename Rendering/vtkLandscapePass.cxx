@@ -384,7 +384,8 @@ void vtkLandscapePass::TakeShown(vtkRenderer* renderer, vtkMultiProcessControlle
   }
   own.Light.HasGround = are[0] > 0;
   own.Light.HasWater = are[1] > 0;
-  own.Light.IsInWater = own.Light.Eye.z < this->WaterLevel && are[2] > 0;
+  own.Light.HasSea = are[2] > 0;
+  own.Light.IsInWater = own.Light.HasSea && own.Light.Eye.z < this->WaterLevel;
 }
 
 //----------------------------------------------------------------------------
@@ -462,6 +463,7 @@ void vtkLandscapePass::RenderMaps(vtkRenderer* renderer, vtkMultiProcessControll
     ? this->CoverRadius
     : 0.0;
   own.Cover.SetSize(this->CoverHeight, this->CoverRadius);
+  own.Cover.SetSeaLevel(own.Light.HasSea ? this->WaterLevel : -1e9);
   // The same shaders as for the picture: none is built anew.
   vtkRenderState all(renderer);
   all.SetPropArrayAndCount(own.Shown.data(), static_cast<int>(own.Shown.size()));

@@ -68,6 +68,32 @@ bool TestGrass()
       "Ground is " + std::to_string(mean[1]) + " on average for " + std::to_string(mean[0]));
 }
 
+/// Grass on a beach, seen from above through clear water: none is in the sea.
+bool TestGrassAtSea()
+{
+  Water picture({ 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 });
+  vtkActor* ground = picture.Add(Plane({ -30.0, -30.0, -6.0 }, { 30.0, -30.0, 6.0 }, { -30.0, 30.0, -6.0 }), 0.3);
+  vtkLandscapePass::SetMaterial(ground, vtkLandscapePass::Ground);
+  picture.Pass->SetSkyToEven();
+  picture.Pass->SetCoverHeight(0.3);
+  picture.Look({ 0.0, 0.0, 20.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
+  picture.Draw();
+  vtkNew<vtkUnsignedCharArray> grown;
+  grown->DeepCopy(picture.Pixels);
+  picture.Pass->SetCoverRadius(0.0);
+  picture.Draw();
+  int pixels[2] = { 0, 0 };
+  for (int k = 0; k < Width * Height; ++k)
+  {
+    const int column = k % Width;
+    const bool isLand = column > Width / 2;
+    pixels[isLand] += grown->GetValue(4 * k) != picture.Pixels->GetValue(4 * k);
+  }
+  return Check(pixels[0] == 0 && pixels[1] > Width * Height / 20,
+    "Grass in the sea and on its shore: " + std::to_string(pixels[0]) + " and " + std::to_string(pixels[1]) +
+      " pixels");
+}
+
 /// Woods cover the part of a level ground that they shall, and none of other surfaces.
 bool TestWoods()
 {
@@ -101,6 +127,7 @@ bool TestWoods()
 int TestLandscapeGround(int, char*[])
 {
   bool good = TestGrass();
+  good &= TestGrassAtSea();
   good &= TestWoods();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }
