@@ -39,7 +39,7 @@ void GlassPass::End(const vtkRenderState* state)
 bool GlassPass::PreReplaceShaderValues(
   std::string&, std::string&, std::string& fragment, vtkAbstractMapper* mapper, vtkProp* prop)
 {
-  if (vtkOpenGLPolyDataMapper::SafeDownCast(mapper) && SurfacePass::IsLit(prop))
+  if (vtkOpenGLPolyDataMapper::SafeDownCast(mapper) && SurfacePass::IsLit(prop, this->Light->LightsColorMaps))
   {
     vtkShaderProgram::Substitute(fragment, "//VTK::Light::Dec",
       std::string("//VTK::Light::Dec\n#define LandscapeLight\n") + LandscapeNoise + LandscapeLight +

@@ -47,6 +47,7 @@ public:
   double OcclusionRadius = 0.0;                 ///< distance of what hides the sky [m]
   bool HasGround = false;                       ///< whether surfaces of the material Ground are shown
   bool HasWater = false;                        ///< whether surfaces of water are shown
+  bool LightsColorMaps = false;                 ///< whether surfaces with a color map are lit
   bool HasSea = false;                          ///< whether there is water at WaterLevel
   bool IsInWater = false;                       ///< whether the eye is below that of a sea
   double WaterLevel = 0.0;                      ///< mean height of them [m]

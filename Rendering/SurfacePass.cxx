@@ -66,10 +66,10 @@ constexpr const char* UnlitOutput = R"(
 }
 
 //----------------------------------------------------------------------------
-bool SurfacePass::IsLit(vtkProp* prop)
+bool SurfacePass::IsLit(vtkProp* prop, bool lightsColorMaps)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
-  return !actor || actor->GetProperty()->GetLighting();
+  return !actor || (actor->GetProperty()->GetLighting() && (lightsColorMaps || !vtkLandscapePass::HasColorMap(prop)));
 }
 
 //----------------------------------------------------------------------------
@@ -101,7 +101,7 @@ bool SurfacePass::PreReplaceShaderValues(
   {
     return true;
   }
-  if (IsLit(prop))
+  if (IsLit(prop, this->LightsColorMaps))
   {
     // The color without light, which a texture then multiplies
     vtkShaderProgram::Substitute(
@@ -128,9 +128,10 @@ bool SurfacePass::PostReplaceShaderValues(
   std::string&, std::string&, std::string& fragment, vtkAbstractMapper*, vtkProp* prop)
 {
   const bool hasNormal = fragment.find("normalVCVSOutput") != std::string::npos;
-  const bool isSprite = !hasNormal && IsLit(prop) && fragment.find("offsetVCVSOutput") != std::string::npos;
+  const bool isLit = IsLit(prop, this->LightsColorMaps);
+  const bool isSprite = !hasNormal && isLit && fragment.find("offsetVCVSOutput") != std::string::npos;
   std::string output = std::string(CutOut) + (isSprite ? Sprite : Solid);
-  output += isSprite || (hasNormal && IsLit(prop)) ? LitOutput : UnlitOutput;
+  output += isSprite || (hasNormal && isLit) ? LitOutput : UnlitOutput;
   vtkShaderProgram::Substitute(fragment, "//VTK::Landscape::Impl", output, false);
   if (isSprite)
   {

@@ -32,8 +32,13 @@ public:
 
   /// Transmittance of a prop, or Unlit where lights do not change its color: with ambient light alone.
   static double TransmittanceOf(vtkProp* prop);
-  /// Whether lights change the look of a prop.
-  static bool IsLit(vtkProp* prop);
+  /// Whether sun and sky light a prop: one with Lighting, and with a color map if these are lit.
+  static bool IsLit(vtkProp* prop, bool lightsColorMaps);
+
+  /// Whether surfaces with a color map are lit by sun and sky, not by the renderer's lights; default on.
+  vtkSetMacro(LightsColorMaps, bool);
+  vtkGetMacro(LightsColorMaps, bool);
+  vtkMTimeType GetShaderStageMTime() override { return this->GetMTime(); }
 
   /// Between them, the props of a state are drawn by their shaders of this pass.
   void Begin(const vtkRenderState* state);
@@ -54,6 +59,8 @@ protected:
 private:
   SurfacePass(const SurfacePass&) = delete;
   void operator=(const SurfacePass&) = delete;
+
+  bool LightsColorMaps = true;
 };
 
 }

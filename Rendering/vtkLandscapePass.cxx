@@ -21,6 +21,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationDoubleKey.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkLightsPass.h"
 #include "vtkMapper.h"
@@ -191,6 +192,7 @@ vtkLandscapePass::vtkLandscapePass()
   , ExposureValue(15.0)
   , ExposureCompensation(0.5)
   , FilmCurve(true)
+  , LightsColorMaps(false)
   , Shadows(true)
   , ShadowDistance(150.0)
   , MapSize(2048)
@@ -276,10 +278,15 @@ void vtkLandscapePass::MapStretch(vtkPolyDataMapper* mapper)
 int vtkLandscapePass::GetMaterial(vtkProp* prop)
 {
   vtkInformation* keys = prop->GetPropertyKeys();
+  return keys && keys->Has(MATERIAL()) && !HasColorMap(prop) ? keys->Get(MATERIAL()) : Surface;
+}
+
+//----------------------------------------------------------------------------
+bool vtkLandscapePass::HasColorMap(vtkProp* prop)
+{
   auto* actor = vtkActor::SafeDownCast(prop);
   vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
-  const bool isMapped = mapper && mapper->GetScalarVisibility() && mapper->GetColorMode() == VTK_COLOR_MODE_MAP_SCALARS;
-  return keys && keys->Has(MATERIAL()) && !isMapped ? keys->Get(MATERIAL()) : Surface;
+  return mapper && mapper->GetScalarVisibility() && mapper->GetColorMode() == VTK_COLOR_MODE_MAP_SCALARS;
 }
 
 //----------------------------------------------------------------------------
@@ -426,6 +433,8 @@ void vtkLandscapePass::TakeLight()
   std::copy_n(this->WaterScattering, 3, &lighting.WaterScattering.x);
   lighting.WaterSlopeVariance = this->WaterSlopeVariance;
   lighting.Ripples.Take(this->WaterTime, lighting.HasWater && this->WaterRipples ? this->WaterSlopeVariance : 0.0);
+  lighting.LightsColorMaps = this->LightsColorMaps;
+  this->Own->Surfaces->SetLightsColorMaps(this->LightsColorMaps);
   lighting.HasShafts = this->GetQualityNow() != Fast;
   lighting.FoamBegins = this->FoamThreshold;
   // White on level ground is white, or luminances of 1.2 cd/m2 2^EV are.
@@ -479,6 +488,13 @@ void vtkLandscapePass::RenderMaps(vtkRenderer* renderer, vtkMultiProcessControll
     }
   };
   own.Light.Maps.Draw(renderer, own.Shown, wish, drawCasters, processes);
+  // VTK keeps the lights' directions, seen by a map, in its shaders until lights or camera change.
+  vtkCollectionSimpleIterator next;
+  renderer->GetLights()->InitTraversal(next);
+  while (vtkLight* light = renderer->GetLights()->GetNextLight(next))
+  {
+    light->Modified();
+  }
   own.Surfaces->End(&all);
 }
 
@@ -581,6 +597,7 @@ void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ExposureValue: " << this->ExposureValue << "\n";
   os << indent << "ExposureCompensation: " << this->ExposureCompensation << "\n";
   os << indent << "FilmCurve: " << (this->FilmCurve ? "on" : "off") << "\n";
+  os << indent << "LightsColorMaps: " << this->LightsColorMaps << "\n";
   os << indent << "Shadows: " << (this->Shadows ? "on" : "off") << "\n";
   os << indent << "ShadowDistance: " << this->ShadowDistance << "\n";
   os << indent << "MapSize: " << this->MapSize << "\n";

@@ -168,6 +168,15 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Whether surfaces with a color map are lit by sun and sky, through air. Default off: the lights of the renderer are
+   * theirs, so that they look as without this pass, beside a legend; they cast shadows.
+   */
+  vtkSetMacro(LightsColorMaps, bool);
+  vtkGetMacro(LightsColorMaps, bool);
+  vtkBooleanMacro(LightsColorMaps, bool);
+  ///@}
+  ///@{
   /** Shadows of the sun; default on. */
   vtkSetMacro(Shadows, bool);
   vtkGetMacro(Shadows, bool);
@@ -310,6 +319,8 @@ public:
   static vtkInformationIntegerKey* MATERIAL();
   static void SetMaterial(vtkProp* prop, int material);
   static int GetMaterial(vtkProp* prop);
+  /** Whether a prop maps scalars to colors. */
+  static bool HasColorMap(vtkProp* prop);
   /** Lets a mapper of water tell its shaders of the point array "Jacobian", as SetMaterial() does. */
   static void MapStretch(vtkPolyDataMapper* mapper);
   ///@}
@@ -384,6 +395,7 @@ private:
   double ExposureValue;
   double ExposureCompensation;
   bool FilmCurve;
+  bool LightsColorMaps;
   bool Shadows;
   double ShadowDistance;
   int MapSize;

@@ -4,8 +4,10 @@
 // how a scene is placed.
 #include "LandscapePicture.h"
 
+#include "vtkFloatArray.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
+#include "vtkLight.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -15,6 +17,7 @@
 #include "vtkTexture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -349,6 +352,37 @@ bool TestRoof()
     Near(open, { 0.5, 0.5, 0.5 }, 0.02, 0.0, "Light beside a roof");
 }
 
+/// A surface with a color map has the renderer's lights, as without the pass, beside maps of shadows; lit if asked for.
+bool TestColorMap()
+{
+  Picture picture;
+  vtkActor* board = picture.Add(Level(20.0), 0.5);
+  vtkPolyData* data = vtkPolyData::SafeDownCast(board->GetMapper()->GetInputDataObject(0, 0));
+  vtkNew<vtkFloatArray> heights;
+  heights->SetNumberOfTuples(data->GetNumberOfPoints());
+  heights->Fill(0.3);
+  data->GetPointData()->SetScalars(heights);
+  board->GetMapper()->SetColorModeToMapScalars();
+  board->GetMapper()->ScalarVisibilityOn();
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToCameraLight();
+  light->SetPosition(0.8, 0.3, 1.0);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  picture.Renderer->AddLight(light);
+  picture.Add(Box({ 4.0, 0.0, 6.0 }, { 2.0, 2.0, 2.0 }), 0.5);
+  picture.Look({ 0.0, -20.0, 20.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
+  std::array<Color, 3> colors;
+  for (std::size_t k = 0; k < colors.size(); ++k)
+  {
+    picture.Renderer->SetPass(k == 0 ? nullptr : picture.Pass.Get());
+    picture.Pass->SetLightsColorMaps(k == 2);
+    picture.Draw();
+    colors[k] = picture.At(Width / 4, Height / 2);
+  }
+  return Near(colors[1], colors[0], 0.0, 0.01 / 255.0, "Surface with a color map") &&
+    Check(std::abs(colors[2][0] - colors[0][0]) > 0.1, "A color map that is to be lit is not.");
+}
+
 /// In haste, shadows are those of the picture before; without it, and in a fast picture, those of what is there.
 bool TestHaste()
 {
@@ -532,6 +566,7 @@ int TestLandscapePass(int, char*[])
   good &= TestLeaf();
   good &= TestRoof();
   good &= TestHaste();
+  good &= TestColorMap();
   good &= TestPlacement();
   good &= TestBadInput();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -144,7 +144,6 @@ def check_others(view, light):
     shown = simple.Show(colored, view)
     simple.ColorBy(shown, ("POINTS", "Elevation"))
     shown.SetScalarBarVisibility(view, True)
-    shown.Ambient, shown.Diffuse = 1.0, 0.0
     words = simple.Text(Text="West wind")
     simple.Show(words, view).WindowLocation = "Upper Left Corner"
     simple.Render(view)
@@ -154,7 +153,11 @@ def check_others(view, light):
     lit = picture(view)
     column, row = pixel_of(view, (0.0, 0.0, 0.0))
     middle = np.s_[row - 20:row + 20, column - 20:column + 20]
-    assert np.abs(lit[middle] - before[middle]).max() <= 1, "a color map by ambient light alone has other colors"
+    assert np.abs(lit[middle] - before[middle]).max() <= 1, "a color map has other colors"
+    display.LightsColorMaps = 1
+    assert np.abs(picture(view)[middle] - before[middle]).max() > 12, "a color map that is to be lit is not"
+    display.LightsColorMaps = 0
+    assert np.array_equal(picture(view), lit), "a color map stays lit"
     corner = np.s_[:SIZE[1] // 4, :SIZE[0] // 5]
     assert (lit[corner][..., 1] - lit[corner][..., ::2].max(axis=-1) > 80).sum() > 5, "no cross of the axes"
     simple.HideAll(view)
