@@ -20,8 +20,8 @@ if not hasattr(vtkAlgorithm, "__rshift__"):
 
 from vtkmodules.util.execution_model import select_ports  # noqa: E402, not there before
 
-#: Methods with another argument: the position in a list, or of a connection.
-NO_PROPERTIES = {"Weight", "SourceKind", "SourceName"}
+#: Methods with another argument: the position in a list, of a connection, or a prop.
+NO_PROPERTIES = {"Weight", "SourceKind", "SourceName", "Material", "Transmittance"}
 #: Properties that are objects, or None.
 OBJECTS = {"Controller"}
 ABSTRACT = {"vtkPlantSource", "vtkRandomFieldAlgorithm", "vtkLeafyTreeSource", "vtkViewDependentAlgorithm"}
