@@ -35,10 +35,15 @@ constexpr const char* LitOutput = R"(
   gl_FragData[1] = vec4(landscapeO, landscapeMaterial, landscapeW);
 )";
 
-/// Stretch of a surface of water by its Jacobian (vtkLandscapePass::SetMaterial), up to 1; 0 for one without.
+/// Stretch of a surface of water by its Jacobian (vtkLandscapePass::SetMaterial), up to 1, and by the foam that is left
+/// of former ones; 0 for one without.
 constexpr const char* Stretch = R"(
 in float landscapeStretchVS;
-float landscapeStretched() { return landscapeStretchVS == 0.0 ? 0.0 : clamp(landscapeStretchVS, 0.004, 1.0); }
+in float landscapeFoamVS;
+float landscapeStretched()
+{
+  return landscapeStretchVS == 0.0 ? 0.0 : clamp(min(landscapeStretchVS, 1.0 - landscapeFoamVS), 0.004, 1.0);
+}
 )";
 constexpr const char* NoStretch = "float landscapeStretched() { return 0.0; }\n";
 
@@ -116,9 +121,11 @@ bool SurfacePass::PreReplaceShaderValues(
   if (isWater)
   {
     vtkShaderProgram::Substitute(vertex, "//VTK::Normal::Dec",
-      "//VTK::Normal::Dec\nin float landscapeStretch;\nout float landscapeStretchVS;\n", false);
-    vtkShaderProgram::Substitute(
-      vertex, "//VTK::Normal::Impl", "//VTK::Normal::Impl\n  landscapeStretchVS = landscapeStretch;\n", false);
+      "//VTK::Normal::Dec\nin float landscapeStretch;\nout float landscapeStretchVS;\nin float landscapeLeft;\n"
+      "out float landscapeFoamVS;\n",
+      false);
+    vtkShaderProgram::Substitute(vertex, "//VTK::Normal::Impl",
+      "//VTK::Normal::Impl\n  landscapeStretchVS = landscapeStretch;\n  landscapeFoamVS = landscapeLeft;\n", false);
   }
   return true;
 }

@@ -265,6 +265,7 @@ void vtkLandscapePass::SetMaterial(vtkProp* prop, int material)
 void vtkLandscapePass::MapStretch(vtkPolyDataMapper* mapper)
 {
   mapper->MapDataArrayToVertexAttribute("landscapeStretch", "Jacobian", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+  mapper->MapDataArrayToVertexAttribute("landscapeLeft", "Foam", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
 }
 
 //----------------------------------------------------------------------------

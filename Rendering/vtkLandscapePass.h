@@ -261,7 +261,8 @@ public:
   ///@}
 
   ///@{
-  /** Stretch of the surface of water below which it has foam, by the point array "Jacobian"; default 0.42. */
+  /** Stretch of the surface of water below which it has foam, by the point array "Jacobian", or 1 - "Foam"; default
+   * 0.42. */
   vtkSetMacro(FoamThreshold, double);
   vtkGetMacro(FoamThreshold, double);
   ///@}
@@ -289,12 +290,13 @@ public:
   ///@{
   /**
    * Material of a prop; Surface for one without this key, and for one with a color map. Water has foam by the point
-   * array "Jacobian" of its data, the stretch of its surface, if the prop has its mapper.
+   * array "Jacobian" of its data, the stretch of its surface, and "Foam", what is left of former ones, if there is one,
+   * if the prop has its mapper.
    */
   static vtkInformationIntegerKey* MATERIAL();
   static void SetMaterial(vtkProp* prop, int material);
   static int GetMaterial(vtkProp* prop);
-  /** Lets a mapper of water tell its shaders of the point array "Jacobian", as SetMaterial() does. */
+  /** Lets a mapper of water tell its shaders of the point arrays "Jacobian" and "Foam", as SetMaterial() does. */
   static void MapStretch(vtkPolyDataMapper* mapper);
   ///@}
   ///@{

@@ -4,6 +4,7 @@
 // through, from above and from below, and what is seen in it.
 #include "LandscapePicture.h"
 
+#include "vtkActorCollection.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
 
@@ -184,8 +185,19 @@ bool TestCard()
   return good;
 }
 
-/// Water has foam, of the albedo 0.6, where its surface nearly folds.
-bool TestFoam()
+vtkSmartPointer<vtkFloatArray> ByX(const char* name, float left, float right)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName(name);
+  for (const float value : { left, right, left, right })
+  {
+    array->InsertNextValue(value);
+  }
+  return array;
+}
+
+/// Water has foam, of the albedo 0.6, where its surface nearly folds, or did some time before.
+bool TestFoam(float jacobian, float left)
 {
   Picture picture;
   picture.Pass->SetSkyToEven();
@@ -193,13 +205,11 @@ bool TestFoam()
   const double black[3] = { 100.0, 100.0, 100.0 };
   picture.Pass->SetWaterAbsorption(black);
   vtkSmartPointer<vtkPolyData> surface = Level(10.0);
-  vtkNew<vtkFloatArray> stretch;
-  stretch->SetName("Jacobian");
-  for (const float value : { 0.01F, 1.0F, 0.01F, 1.0F }) // by x
+  surface->GetPointData()->AddArray(ByX("Jacobian", jacobian, 1.0F));
+  if (left > 0.0F)
   {
-    stretch->InsertNextValue(value);
+    surface->GetPointData()->AddArray(ByX("Foam", left, 0.0F));
   }
-  surface->GetPointData()->AddArray(stretch);
   vtkLandscapePass::SetMaterial(picture.Add(surface, 0.2), vtkLandscapePass::Water);
   picture.Look({ 0.0, 0.0, 35.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
   picture.Draw();
@@ -207,6 +217,34 @@ bool TestFoam()
   const double water = picture.LinearAt(Width / 2 + 70, Height / 2)[1];
   return Check(foam > 0.5 && foam < 0.62 && water < 0.05,
     "Foam is " + std::to_string(foam) + " and water " + std::to_string(water));
+}
+
+/// Strings of foam cover the part of the water that its stretch tells, 0.5 halfway between none and all.
+bool TestLace()
+{
+  bool good = true;
+  for (const double t : { 0.3, 0.5, 0.7 })
+  {
+    Water picture({ 100.0, 100.0, 100.0 }, { 0.0, 0.0, 0.0 });
+    picture.Pass->SetSkyToEven();
+    picture.Pass->SetFoamThreshold(0.6);
+    auto* water = vtkActor::SafeDownCast(picture.Renderer->GetActors()->GetLastActor());
+    const auto stretch = static_cast<float>(0.35 + 0.25 * t);
+    vtkPolyData::SafeDownCast(water->GetMapper()->GetInput())
+      ->GetPointData()
+      ->AddArray(ByX("Jacobian", stretch, stretch));
+    picture.Look({ 0.0, 0.0, 15.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
+    picture.Draw();
+    double mean = 0.0;
+    for (int pixel = 0; pixel < Width * Height; ++pixel)
+    {
+      mean += picture.LinearAt(pixel % Width, pixel / Width)[1] / (Width * Height);
+    }
+    const double part = 1.0 - t * t * (3.0 - 2.0 * t);
+    good &= Near({ mean, mean, mean }, { 0.02 + 0.58 * part, 0.02 + 0.58 * part, 0.02 + 0.58 * part }, 0.0, 0.03,
+      "Water of a stretch of " + std::to_string(stretch));
+  }
+  return good;
 }
 
 /// The sun's glitter against facets of random slopes, which send its light into a cone around the line of sight.
@@ -294,7 +332,9 @@ int TestLandscapeWater(int, char*[])
   good &= TestBed();
   good &= TestRiver();
   good &= TestCard();
-  good &= TestFoam();
+  good &= TestFoam(0.01F, 0.0F);
+  good &= TestFoam(1.0F, 0.99F);
+  good &= TestLace();
   good &= TestGlitter();
   return good ? 0 : 1;
 }
