@@ -203,6 +203,7 @@ vtkLandscapePass::vtkLandscapePass()
   , WaterRipples(true)
   , WaterTime(0.0)
   , FoamThreshold(0.42)
+  , ShoreRunUp(0.0)
   , Background(true)
 {
   Internals& own = *this->Own;
@@ -367,7 +368,8 @@ void vtkLandscapePass::TakeShown(vtkRenderer* renderer)
   renderer->GetActiveCamera()->GetPosition(&own.Light.Eye.x);
   own.Light.HasGround = std::any_of(own.Shown.begin(), own.Shown.end(), IsGround);
   own.Light.HasWater = std::any_of(own.Shown.begin(), own.Shown.end(), IsWater);
-  own.Light.IsInWater = own.Light.Eye.z < this->WaterLevel && std::any_of(own.Shown.begin(), own.Shown.end(), IsSea);
+  own.Light.HasSea = std::any_of(own.Shown.begin(), own.Shown.end(), IsSea);
+  own.Light.IsInWater = own.Light.Eye.z < this->WaterLevel && own.Light.HasSea;
 }
 
 //----------------------------------------------------------------------------
@@ -405,6 +407,8 @@ void vtkLandscapePass::TakeLight()
   lighting.WaterSlopeVariance = this->WaterSlopeVariance;
   lighting.Ripples.Take(this->WaterTime, lighting.HasWater && this->WaterRipples ? this->WaterSlopeVariance : 0.0);
   lighting.HasShafts = this->GetQualityNow() != Fast;
+  lighting.ShoreRunUp = this->ShoreRunUp;
+  lighting.WaterTime = this->WaterTime;
   lighting.FoamBegins = this->FoamThreshold;
   // White on level ground is white, or luminances of 1.2 cd/m2 2^EV are.
   const littoral::SkyTables& sky = lighting.Sky.GetTables();
@@ -575,6 +579,7 @@ void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WaterRipples: " << (this->WaterRipples ? "on" : "off") << "\n";
   os << indent << "WaterTime: " << this->WaterTime << "\n";
   os << indent << "FoamThreshold: " << this->FoamThreshold << "\n";
+  os << indent << "ShoreRunUp: " << this->ShoreRunUp << "\n";
   os << indent << "Background: " << (this->Background ? "on" : "off") << "\n";
   os << indent << "Controller: " << this->Own->Controller.Get() << "\n";
 }

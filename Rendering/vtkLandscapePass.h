@@ -268,6 +268,15 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Height over WaterLevel to which waves run up the ground of a shore, and depth at which they begin to foam there
+   * [m], 0 to 10; default 0: no shore is drawn. Ground below it is wet; fronts of foam run up at WaterTime every 5 s.
+   */
+  vtkSetClampMacro(ShoreRunUp, double, 0.0, 10.0);
+  vtkGetMacro(ShoreRunUp, double);
+  ///@}
+
+  ///@{
   /** Part of the light on the far side of a prop that leaves it on the near side, as of leaves, 0 to 1. */
   static vtkInformationDoubleKey* TRANSMITTANCE();
   static void SetTransmittance(vtkProp* prop, double transmittance);
@@ -384,6 +393,7 @@ private:
   bool WaterRipples;
   double WaterTime;
   double FoamThreshold;
+  double ShoreRunUp;
   bool Background;
 };
 
