@@ -196,6 +196,7 @@ vtkLandscapePass::vtkLandscapePass()
   , CoverHeight(0.3)
   , CoverColor{ 0.46, 0.52, 0.23 }
   , WoodCover(0.0)
+  , Wetness(0.0)
   , WaterLevel(0.0)
   , WaterAbsorption{ 0.32, 0.08, 0.06 }
   , WaterScattering{ 0.06, 0.07, 0.07 }
@@ -401,6 +402,7 @@ void vtkLandscapePass::TakeLight()
     lighting.CoverColor[c] = littoral::LinearOfSrgb(this->CoverColor[c]);
   }
   lighting.WoodCover = this->WoodCover;
+  lighting.Wetness = this->Wetness;
   lighting.WaterLevel = this->WaterLevel;
   std::copy_n(this->WaterAbsorption, 3, &lighting.WaterAbsorption.x);
   std::copy_n(this->WaterScattering, 3, &lighting.WaterScattering.x);
@@ -570,6 +572,7 @@ void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CoverColor: " << this->CoverColor[0] << " " << this->CoverColor[1] << " " << this->CoverColor[2]
      << "\n";
   os << indent << "WoodCover: " << this->WoodCover << "\n";
+  os << indent << "Wetness: " << this->Wetness << "\n";
   os << indent << "WaterLevel: " << this->WaterLevel << "\n";
   os << indent << "WaterAbsorption: " << this->WaterAbsorption[0] << " " << this->WaterAbsorption[1] << " "
      << this->WaterAbsorption[2] << "\n";

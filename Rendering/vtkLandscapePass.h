@@ -223,6 +223,15 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Part of all surfaces that is wet, as after rain, 0 to 1; default 0. A film of water mirrors the sky and the sun
+   * there, and ground is darker below it.
+   */
+  vtkSetClampMacro(Wetness, double, 0.0, 1.0);
+  vtkGetMacro(Wetness, double);
+  ///@}
+
+  ///@{
   /** Mean height of the surfaces of water [m], at which the eye goes under water; default 0. */
   vtkSetMacro(WaterLevel, double);
   vtkGetMacro(WaterLevel, double);
@@ -386,6 +395,7 @@ private:
   double CoverHeight;
   double CoverColor[3];
   double WoodCover;
+  double Wetness;
   double WaterLevel;
   double WaterAbsorption[3];
   double WaterScattering[3];
