@@ -133,8 +133,9 @@ void main()
   luminance = landscapeBehindAll(d);
 #elif LandscapePart == LandscapeSurface
 #if LandscapeIsWet
-  luminance = landscapeMoist(landscapeWetness, false, landscapeLinear(code), d, place, normal, landscapeToWorld * normal,
-    surface.z, 2.0 * texel.a - 1.0);
+  float film = surface.z > 0.0 ? 0.5 * landscapeWetness : landscapeWetness; // in drops on leaves
+  luminance = landscapeMoist(landscapeWetness, film, false, landscapeLinear(code), d, place, normal,
+    landscapeToWorld * normal, surface.z, 2.0 * texel.a - 1.0);
 #else
   luminance = landscapeLuminance(landscapeLinear(code), place, normal, surface.z, 2.0 * texel.a - 1.0);
 #endif
@@ -145,16 +146,19 @@ void main()
   vec3 albedo = landscapeGrown(isGrass, landscapeLinear(code), place, normal);
 #if LandscapeIsWet || LandscapeHasShore
   vec2 at = (landscapeEye + landscapeToWorld * place).xy;
+  float away = landscapePixel * (landscapeIsParallel == 1 ? 1.0 : -place.z);
   float wetness = landscapeWetness;
+  float film = isGrass ? 0.1 * wetness : landscapePuddles(wetness, at, away, landscapeToWorld * smoothed);
 #if LandscapeHasShore
   float height = (landscapeToWorld * place).z - landscapeEyeDepth;
-  wetness = isGrass ? wetness : max(wetness, landscapeShoreWet(height, at));
+  float washed = isGrass ? 0.0 : landscapeShoreWet(height, at);
+  wetness = max(wetness, washed);
+  film = max(film, washed);
 #endif
-  luminance = landscapeMoist(wetness, !isGrass, albedo, d, place, normal, landscapeFilm(smoothed, normal),
+  luminance = landscapeMoist(wetness, film, !isGrass, albedo, d, place, normal, landscapeFilm(smoothed, normal),
     isGrass ? 0.4 : 0.0, 1.0);
 #if LandscapeHasShore
-  float surf = landscapeLace(isGrass ? 0.0 : landscapeShoreFoam(height, at), at,
-    landscapePixel * (landscapeIsParallel == 1 ? 1.0 : -place.z));
+  float surf = landscapeLace(isGrass ? 0.0 : landscapeShoreFoam(height, at), at, away);
   luminance = mix(luminance, landscapeLuminance(vec3(0.6), place, smoothed, 0.0, 1.0), surf);
 #endif
 #else
@@ -194,7 +198,7 @@ void main()
   float shallow = isShore ? 1.0 - smoothstep(2.0 * landscapeRunUp, 5.0 * landscapeRunUp, depthBelow) : 0.0;
   vec3 relief = normal;
   vec3 grown = landscapeGrown(false, albedo, place, relief);
-  vec3 beside = landscapeMoist(1.0, true, grown, d, place, relief, landscapeFilm(normal, relief), 0.0, 1.0);
+  vec3 beside = landscapeMoist(1.0, 1.0, true, grown, d, place, relief, landscapeFilm(normal, relief), 0.0, 1.0);
   albedo = mix(albedo, grown, shallow);
   normal = shallow > 0.0 ? normalize(mix(normal, relief, shallow)) : normal;
 #endif

@@ -39,9 +39,19 @@ vec3 landscapeSoaked(vec3 albedo)
   return leaves * albedo / (1.0 - (1.0 - leaves) * albedo);
 }
 
-// Luminance along d of a surface of which a part is wet, as landscapeLuminance of a dry one; the film has a normal of its
-// own. What is mirrored is not lit below: L = (1 - F) L' + F L_sky
-vec3 landscapeMoist(float wet, bool isGround, vec3 albedo, vec3 d, vec3 placeV, vec3 normalV, vec3 film,
+// Part of a ground that is below water which stands on it, of one of which a part is wet: hollows, as a noise that is about
+// normal has them, of level ground. A footprint [m] above their size has the part alone.
+float landscapePuddles(float wet, vec2 place, float footprint, vec3 up)
+{
+  float z = (landscapeNoise(place, 2.0, 36u).x - 0.5) / 0.226;
+  float least = log((1.0 - wet + 1e-4) / (wet + 1e-4)) / 1.702;
+  float stands = mix(smoothstep(least - 0.3, least + 0.3, z), wet, smoothstep(0.5, 2.0, footprint));
+  return stands * (1.0 - smoothstep(0.03, 0.12, length(up.xy) / max(up.z, 0.1)));
+}
+
+// Luminance along d of a surface of which a part is wet, and a part below a film with a normal, as landscapeLuminance of a
+// dry one. What is mirrored is not lit below: L = (1 - F) L' + F L_sky
+vec3 landscapeMoist(float wet, float film, bool isGround, vec3 albedo, vec3 d, vec3 placeV, vec3 normalV, vec3 up,
   float transmittance, float agreed)
 {
   vec3 sky;
@@ -49,14 +59,14 @@ vec3 landscapeMoist(float wet, bool isGround, vec3 albedo, vec3 d, vec3 placeV, 
   float facing;
   float open = landscapeSkySeen(placeV, normalV);
   landscapeLightOn(albedo, open, placeV, normalV, transmittance, agreed, sky, sun, facing);
-  vec3 dry = albedo / landscapePi * (sky + facing * sun);
-  float back = agreed * landscapeFresnel(-dot(d, film), landscapeIndex);
-  float enters = 1.0 - agreed * landscapeFresnel(abs(dot(landscapeSun, film)), landscapeIndex);
-  vec3 below = isGround ? landscapeSoaked(albedo) : albedo;
-  enters /= isGround ? landscapeFilmEnters : 1.0;
-  below *= (sky + enters * facing * sun) / landscapePi;
-  vec3 mirrored = mix(below, landscapeMirrored(d, film), open);
-  return mix(dry, mix(below, mirrored, back) + agreed * landscapeGlint(d, film) * sun, wet);
+  film *= agreed;
+  float back = film * landscapeFresnel(-dot(d, up), landscapeIndex);
+  float enters = (1.0 - landscapeFresnel(abs(dot(landscapeSun, up)), landscapeIndex)) /
+    (isGround ? landscapeFilmEnters : 1.0);
+  vec3 below = isGround ? mix(albedo, landscapeSoaked(albedo), wet) : albedo;
+  below *= (sky + mix(1.0, enters, film) * facing * sun) / landscapePi;
+  vec3 mirrored = mix(below, landscapeMirrored(d, up), open);
+  return mix(below, mirrored, back) + film * landscapeGlint(d, up) * sun;
 }
 
 // Part of a shore that waves wet, by its height over the water's level [m]: up to the run of waves, at places more.

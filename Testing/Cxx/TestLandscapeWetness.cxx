@@ -105,7 +105,7 @@ bool TestHalfWet()
   for (int c = 0; c < 3; ++c)
   {
     const double albedo = 0.5 * plain.Dry[c];
-    expected[c] = 2.0 * (0.5 * albedo + 0.5 * ((1.0 - back) * Soaked(albedo) + back));
+    expected[c] = (1.0 - 0.5 * back) * (albedo + Soaked(albedo)) + back;
   }
   return Near(plain.Wet, expected, 0.0, 0.004, "Ground that is half wet");
 }
