@@ -157,11 +157,10 @@ double FoamOf(const double* jacobians)
   double most = std::max(left[0], left[MostAges - 1]);
   for (int k = 1; k + 1 < MostAges; ++k)
   {
-    // f(u) = f0 + b u - c u2, largest at u = b / 2c
+    // f(u) = f0 + b u - c u2, largest at u = b / 2c, between the two beside
     const double b = 0.5 * (left[k + 1] - left[k - 1]);
     const double c = left[k] - 0.5 * (left[k + 1] + left[k - 1]);
-    const double u = c > 0.0 ? std::clamp(0.5 * b / c, -1.0, 1.0) : 0.0;
-    most = std::max(most, left[k] + (b - c * u) * u);
+    most = std::max(most, 2.0 * c > std::abs(b) ? left[k] + 0.25 * b * b / c : left[k]);
   }
   return most;
 }
