@@ -50,6 +50,7 @@ struct Arrays
   vtkSmartPointer<vtkFloatArray> Normals;
   vtkSmartPointer<vtkFloatArray> Jacobians;
   vtkSmartPointer<vtkFloatArray> Foam;
+  vtkSmartPointer<vtkFloatArray> Ways;
   vtkSmartPointer<vtkUnsignedCharArray> Colors;
 
   Arrays(vtkIdType count, bool hasFoam, bool hasColors)
@@ -57,6 +58,7 @@ struct Arrays
     , Normals(littoral::NewArray<vtkFloatArray>("Normals", 3, count))
     , Jacobians(littoral::NewArray<vtkFloatArray>("Jacobian", 1, count))
     , Foam(littoral::NewArray<vtkFloatArray>("Foam", 1, hasFoam ? count : 0))
+    , Ways(littoral::NewArray<vtkFloatArray>("Displacement", 2, hasFoam ? count : 0))
     , Colors(littoral::NewArray<vtkUnsignedCharArray>("RGB", 3, hasColors ? count : 0))
   {
   }
@@ -67,6 +69,7 @@ struct Arrays
     std::copy(points.Normals.begin(), points.Normals.end(), this->Normals->GetPointer(3 * begin));
     std::copy(points.Jacobians.begin(), points.Jacobians.end(), this->Jacobians->GetPointer(begin));
     std::copy(points.Foam.begin(), points.Foam.end(), this->Foam->GetPointer(begin));
+    std::copy(points.Ways.begin(), points.Ways.end(), this->Ways->GetPointer(2 * begin));
     double* place = this->Places->GetPointer(3 * begin);
     for (std::size_t k = 0; k < points.Places.size(); ++k)
     {
@@ -228,6 +231,7 @@ void vtkSeaSurfaceFilter::MakeSurface(const littoral::SeaState& sea, double time
   if (hasFoam)
   {
     output->GetPointData()->AddArray(arrays.Foam);
+    output->GetPointData()->AddArray(arrays.Ways);
   }
   if (this->WaterColors)
   {

@@ -14,7 +14,7 @@ uniform sampler2D landscapeDrawn;   // of the kinds before
 uniform sampler2D landscapeAlbedo;  // outputs of SurfacePass
 uniform sampler2D landscapeSurface;
 uniform sampler2D landscapeDepth;
-uniform sampler2D landscapeWetColor; // the same of surfaces of water; there alpha is their stretch
+uniform sampler2D landscapeWetColor; // the same of surfaces of water; there it is as SurfacePass tells
 uniform sampler2D landscapeWetSurface;
 uniform sampler2D landscapeWetDepth;
 uniform mat4 landscapeToView;       // from clip coordinates
@@ -208,12 +208,13 @@ void main()
   float way = isRiver ? landscapeRiverDepth / -down.z : isThere ? length(place - wetPlace) : 1e3;
   vec3 below = landscapeInWater(isRiver ? landscapeWetGround * luminance : luminance, down, 0.0, way);
   luminance = looks * landscapeWaterAbove(d, wetNormal, ripples.z, wetPlace, below / (landscapeIndex * landscapeIndex));
-  float foam = landscapeFoamOf(texture(landscapeWetColor, texCoord).a);
+  vec4 carried = texture(landscapeWetColor, texCoord);
+  float foam = landscapeFoamOf(carried.a);
 #if LandscapeHasShore
   luminance = mix(luminance, beside, isShore ? 1.0 - smoothstep(0.0, 0.3 * landscapeRunUp, depthBelow) : 0.0);
   foam = max(foam, isShore ? landscapeShoreFoam(ground.z - landscapeEyeDepth, groundAt) : 0.0);
 #endif
-  foam = landscapeLace(foam, (landscapeEye + landscapeToWorld * wetPlace).xy, footprint);
+  foam = landscapeLace(foam, (landscapeEye + landscapeToWorld * wetPlace).xy - landscapeWayOf(carried.rgb), footprint);
   luminance = mix(luminance, landscapeLuminance(vec3(0.6), wetPlace, wetNormal * landscapeToWorld, 0.0, 1.0), foam);
   luminance = landscapeBehindAir(luminance, wetPlace - eye);
 #endif

@@ -204,6 +204,13 @@ float landscapeLace(float part, vec2 place, float footprint)
   return mix(lace, part, smoothstep(0.1, 0.4, footprint));
 }
 
+// Way of water from its place at rest by the colors of SurfacePass [m].
+vec2 landscapeWayOf(vec3 code)
+{
+  ivec3 c = ivec3(255.0 * code + 0.5);
+  return vec2(((c.r << 4) | (c.g >> 4)) - 2048, (((c.g & 15) << 8) | c.b) - 2048) / 128.0;
+}
+
 // Part of the surface that is foam, by its stretch.
 float landscapeFoamOf(float stretch)
 {

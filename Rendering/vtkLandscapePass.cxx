@@ -268,6 +268,7 @@ void vtkLandscapePass::MapStretch(vtkPolyDataMapper* mapper)
 {
   mapper->MapDataArrayToVertexAttribute("landscapeStretch", "Jacobian", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
   mapper->MapDataArrayToVertexAttribute("landscapeLeft", "Foam", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+  mapper->MapDataArrayToVertexAttribute("landscapeWay", "Displacement", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
 }
 
 //----------------------------------------------------------------------------

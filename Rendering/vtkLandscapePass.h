@@ -309,12 +309,13 @@ public:
   /**
    * Material of a prop; Surface for one without this key, and for one with a color map. Water has foam by the point
    * array "Jacobian" of its data, the stretch of its surface, and "Foam", what is left of former ones, if there is one,
-   * if the prop has its mapper.
+   * in strings that "Displacement" carries, if the prop has its mapper.
    */
   static vtkInformationIntegerKey* MATERIAL();
   static void SetMaterial(vtkProp* prop, int material);
   static int GetMaterial(vtkProp* prop);
-  /** Lets a mapper of water tell its shaders of the point arrays "Jacobian" and "Foam", as SetMaterial() does. */
+  /** Lets a mapper of water tell its shaders of the point arrays "Jacobian", "Foam" and "Displacement", as
+   * SetMaterial() does. */
   static void MapStretch(vtkPolyDataMapper* mapper);
   ///@}
   ///@{

@@ -199,6 +199,7 @@ SeaSurfacePoints SurfaceOf(const SeaState& sea, const SeaSurfaceParameters& para
     past.resize(3 * MostAges * count);
     request.PastGradient = past.data();
     points.Foam.resize(count);
+    points.Ways.resize(2 * count);
   }
   WaveOrbits(trains, options, time).Evaluate(request, 0, count);
   for (std::size_t i = 0; i < count; ++i)
@@ -206,16 +207,17 @@ SeaSurfacePoints SurfaceOf(const SeaState& sea, const SeaSurfaceParameters& para
     double gradient[5];
     std::copy_n(gradients.begin() + 5 * i, 5, gradient);
     const Vector3 normal = SurfaceNormal(gradient);
+    if (foamLifetime > 0.0)
+    {
+      points.Foam[i] = static_cast<float>(FoamLeft(past.data() + 3 * MostAges * i));
+      std::copy_n(points.Places.begin() + 3 * i, 2, points.Ways.begin() + 2 * i);
+    }
     for (int c = 0; c < 3; ++c)
     {
       points.Places[3 * i + c] += centers[3 * i + c];
       points.Normals[3 * i + c] = static_cast<float>(normal[c]);
     }
     points.Jacobians[i] = static_cast<float>(SurfaceJacobian(gradient));
-    if (foamLifetime > 0.0)
-    {
-      points.Foam[i] = static_cast<float>(FoamLeft(past.data() + 3 * MostAges * i));
-    }
   }
   return points;
 }

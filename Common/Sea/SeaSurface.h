@@ -61,6 +61,7 @@ struct SeaSurfacePoints
   std::vector<float> Normals;   ///< of length 1, upwards
   std::vector<float> Jacobians; ///< stretch of the surface, see SurfaceJacobian
   std::vector<float> Foam;      ///< see FoamOf; empty without a lifetime
+  std::vector<float> Ways;      ///< two numbers each, horizontally from the place at rest [m]; as Foam
 };
 
 /// Ages [s] of the Jacobians of FoamOf, evenly from 0 to 1.6 lifetimes [s].

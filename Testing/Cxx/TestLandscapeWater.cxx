@@ -9,6 +9,7 @@
 #include "vtkPointData.h"
 
 #include <random>
+#include <vector>
 
 namespace
 {
@@ -247,6 +248,44 @@ bool TestLace()
   return good;
 }
 
+/// Strings of foam go with the water that they are on: the picture of it from as far away is the same.
+bool TestCarriedFoam()
+{
+  const Color way{ 4.75, -2.5, 0.0 };
+  std::array<std::vector<double>, 3> pixels;
+  for (int k = 0; k < 3; ++k) // at rest, carried, and that without telling
+  {
+    Water picture({ 100.0, 100.0, 100.0 }, { 0.0, 0.0, 0.0 });
+    picture.Pass->SetSkyToEven();
+    picture.Pass->SetFoamThreshold(0.6);
+    auto* water = vtkActor::SafeDownCast(picture.Renderer->GetActors()->GetLastActor());
+    vtkPointData* arrays = vtkPolyData::SafeDownCast(water->GetMapper()->GetInput())->GetPointData();
+    arrays->AddArray(ByX("Jacobian", 0.45F, 0.45F));
+    vtkNew<vtkFloatArray> ways;
+    ways->SetName("Displacement");
+    ways->SetNumberOfComponents(2);
+    ways->SetNumberOfTuples(4);
+    ways->FillComponent(0, k == 1 ? way[0] : 0.0);
+    ways->FillComponent(1, k == 1 ? way[1] : 0.0);
+    arrays->AddArray(ways);
+    const Color at = k == 0 ? Color{ 0.0, 0.0, 0.0 } : way;
+    picture.Look({ at[0], at[1], 15.0 }, at, { 0.0, 1.0, 0.0 });
+    picture.Draw();
+    for (int pixel = 0; pixel < Width * Height; ++pixel)
+    {
+      pixels[k].push_back(picture.LinearAt(pixel % Width, pixel / Width)[1]);
+    }
+  }
+  std::array<double, 2> apart{};
+  for (int pixel = 0; pixel < Width * Height; ++pixel)
+  {
+    apart[0] += std::abs(pixels[1][pixel] - pixels[0][pixel]) / (Width * Height);
+    apart[1] += std::abs(pixels[2][pixel] - pixels[0][pixel]) / (Width * Height);
+  }
+  return Check(apart[0] < 0.01 && apart[1] > 0.1,
+    "Carried foam is " + std::to_string(apart[0]) + " apart, other foam " + std::to_string(apart[1]));
+}
+
 /// The sun's glitter against facets of random slopes, which send its light into a cone around the line of sight.
 bool TestGlitter()
 {
@@ -335,6 +374,7 @@ int TestLandscapeWater(int, char*[])
   good &= TestFoam(0.01F, 0.0F);
   good &= TestFoam(1.0F, 0.99F);
   good &= TestLace();
+  good &= TestCarriedFoam();
   good &= TestGlitter();
   return good ? 0 : 1;
 }

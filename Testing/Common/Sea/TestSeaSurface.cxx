@@ -158,6 +158,7 @@ TEST(SeaSurface, FoamFadesBehindItsCrests)
     const double age = std::fmod(Pi - std::atan(1.0 / (turn * lifetime)) - phi + 1e4 * Pi, 2.0 * Pi) / turn;
     const double former = -steepness * std::cos(phi + turn * age) * std::exp(-age / lifetime);
     EXPECT_NEAR(points.Foam[i], std::max(-steepness * std::cos(phi), former), 0.005 * steepness);
+    EXPECT_NEAR(points.Ways[2 * i + 1], points.Places[3 * i + 1] - y, 1e-4);
     EXPECT_GE(points.Foam[i], 1.0F - points.Jacobians[i] - 1e-5F);
   }
 }
