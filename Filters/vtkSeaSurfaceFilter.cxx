@@ -49,12 +49,16 @@ struct Arrays
   vtkSmartPointer<vtkDoubleArray> Places;
   vtkSmartPointer<vtkFloatArray> Normals;
   vtkSmartPointer<vtkFloatArray> Jacobians;
+  vtkSmartPointer<vtkFloatArray> Foam;
+  vtkSmartPointer<vtkFloatArray> Ways;
   vtkSmartPointer<vtkUnsignedCharArray> Colors;
 
-  Arrays(vtkIdType count, bool hasColors)
+  Arrays(vtkIdType count, bool hasFoam, bool hasColors)
     : Places(littoral::NewArray<vtkDoubleArray>("Points", 3, count))
     , Normals(littoral::NewArray<vtkFloatArray>("Normals", 3, count))
     , Jacobians(littoral::NewArray<vtkFloatArray>("Jacobian", 1, count))
+    , Foam(littoral::NewArray<vtkFloatArray>("Foam", 1, hasFoam ? count : 0))
+    , Ways(littoral::NewArray<vtkFloatArray>("Displacement", 2, hasFoam ? count : 0))
     , Colors(littoral::NewArray<vtkUnsignedCharArray>("RGB", 3, hasColors ? count : 0))
   {
   }
@@ -64,6 +68,8 @@ struct Arrays
   {
     std::copy(points.Normals.begin(), points.Normals.end(), this->Normals->GetPointer(3 * begin));
     std::copy(points.Jacobians.begin(), points.Jacobians.end(), this->Jacobians->GetPointer(begin));
+    std::copy(points.Foam.begin(), points.Foam.end(), this->Foam->GetPointer(begin));
+    std::copy(points.Ways.begin(), points.Ways.end(), this->Ways->GetPointer(2 * begin));
     double* place = this->Places->GetPointer(3 * begin);
     for (std::size_t k = 0; k < points.Places.size(); ++k)
     {
@@ -84,7 +90,8 @@ struct Arrays
       where.Normal = { normal[0], normal[1], normal[2] };
       where.Distance = glm::length(toEye);
       where.ToEye = toEye / where.Distance;
-      where.Jacobian = points.Jacobians[i] + (littoral::FoamBegins - foam);
+      const float stretch = points.Foam.empty() ? points.Jacobians[i] : 1.0F - points.Foam[i];
+      where.Jacobian = stretch + (littoral::FoamBegins - foam);
       where.Height = place[2] / waveHeight;
       const littoral::Color color = littoral::SeaColor(where);
       std::copy(color.begin(), color.end(), this->Colors->GetPointer(3 * (begin + i)));
@@ -121,6 +128,7 @@ vtkSeaSurfaceFilter::vtkSeaSurfaceFilter()
   , Choppiness(1.0)
   , WaterColors(true)
   , FoamThreshold(littoral::FoamBegins)
+  , FoamLifetime(0.0)
   , TimeRange{ 0.0, 60.0 }
 {
 }
@@ -169,6 +177,7 @@ std::string vtkSeaSurfaceFilter::WhyBadProperties(double time) const
   check.Require(littoral::WhyInvalid(this->MakeParameters()));
   check.Range("Choppiness", this->Choppiness, 0.0, 1.0);
   check.Range("FoamThreshold", this->FoamThreshold, 0.0, 1.0);
+  check.Range("FoamLifetime", this->FoamLifetime, 0.0, 100.0, "s");
   check.Increasing("TimeRange", this->TimeRange, "s");
   check.Finite("the requested time", time, "s");
   return check.Reason();
@@ -197,15 +206,16 @@ void vtkSeaSurfaceFilter::MakeSurface(const littoral::SeaState& sea, double time
 {
   const littoral::SeaSurfaceParameters parameters = this->MakeParameters();
   const littoral::SeaSurfaceGrid grid(parameters);
-  littoral::RequireMemory(BytesOfPoint * static_cast<double>(grid.GetNumberOfPoints()), "the surface",
-    "take fewer points along its sides");
+  littoral::RequireMemory(
+    BytesOfPoint * static_cast<double>(grid.GetNumberOfPoints()), "the surface", "take fewer points along its sides");
   const double waveHeight = std::max(1e-9, 4.0 * std::sqrt(littoral::EnergyOf(sea.Trains)));
   const double center[3] = { this->Center[0], this->Center[1], sea.SeaLevel };
-  Arrays arrays(static_cast<vtkIdType>(grid.GetNumberOfPoints()), this->WaterColors);
+  const bool hasFoam = this->FoamLifetime > 0.0;
+  Arrays arrays(static_cast<vtkIdType>(grid.GetNumberOfPoints()), hasFoam, this->WaterColors);
   littoral::ForRanges(
     littoral::AbortableFor(this), grid.GetNumberOfPoints(), RangeLength, [&](std::size_t begin, std::size_t end) {
       const littoral::SeaSurfacePoints points =
-        littoral::SurfaceOf(sea, parameters, grid, this->Choppiness, time, begin, end);
+        littoral::SurfaceOf(sea, parameters, grid, this->Choppiness, time, begin, end, this->FoamLifetime);
       arrays.Take(points, begin, center);
       if (this->WaterColors)
       {
@@ -218,6 +228,11 @@ void vtkSeaSurfaceFilter::MakeSurface(const littoral::SeaState& sea, double time
   output->SetPolys(TrianglesOf(grid, littoral::PollOf(this)));
   output->GetPointData()->SetNormals(arrays.Normals);
   output->GetPointData()->AddArray(arrays.Jacobians);
+  if (hasFoam)
+  {
+    output->GetPointData()->AddArray(arrays.Foam);
+    output->GetPointData()->AddArray(arrays.Ways);
+  }
   if (this->WaterColors)
   {
     output->GetPointData()->SetScalars(arrays.Colors);
@@ -243,5 +258,6 @@ void vtkSeaSurfaceFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Choppiness: " << this->Choppiness << "\n";
   os << indent << "WaterColors: " << (this->WaterColors ? "on" : "off") << "\n";
   os << indent << "FoamThreshold: " << this->FoamThreshold << "\n";
+  os << indent << "FoamLifetime: " << this->FoamLifetime << "\n";
   os << indent << "TimeRange: " << this->TimeRange[0] << " " << this->TimeRange[1] << "\n";
 }

@@ -8,8 +8,9 @@
  *
  * Output: a vtkPolyData of triangles at the requested time, a disk whose points are Spacing apart near Center and
  * further apart with the distance, so that a disk of 5 km has 135,000 points. Point arrays: `Normals`, `Jacobian` (1 at
- * rest; 0 or less where the surface folds over itself, which indicates foam), and `RGB` (see WaterColors). Waves are
- * left out where they are shorter than four spacings; at Center all waves of at least 4 Spacing are there.
+ * rest; 0 or less where the surface folds over itself, which indicates foam), `RGB` (see WaterColors), `Foam` and
+ * `Displacement` (see FoamLifetime). Waves are left out where they are shorter than four spacings; at Center all waves
+ * of at least 4 Spacing are there.
  *
  * Piece 0 holds the whole output, other pieces are empty. A property out of range or a table that is no sea state is
  * reported as one error. Coulais et al., eq. 2, as vtkParticleOrbitFilter moves points at sea level.
@@ -104,6 +105,17 @@ public:
 
   ///@{
   /**
+   * Time T in which foam that a crest leaves behind fades to 1/e [s], 0 to 100; default 0: none is left. Above 0 there
+   * are the point arrays `Foam`, max over ages a of (1 - J(t - a)) exp(-a / T) of the same water, with its Jacobian J,
+   * and `Displacement`, the horizontal way of the water from its place at rest [m], and RGB is white where 1 - Foam is
+   * below FoamThreshold. Whitecaps fade in 3.85 s in the sea (Monahan and Zietlow 1969).
+   */
+  vtkSetMacro(FoamLifetime, double);
+  vtkGetMacro(FoamLifetime, double);
+  ///@}
+
+  ///@{
+  /**
    * First and last time of an animation [s], increasing; default 0 60. Any time can be requested.
    */
   vtkSetVector2Macro(TimeRange, double);
@@ -126,6 +138,7 @@ protected:
   double Choppiness;
   bool WaterColors;
   double FoamThreshold;
+  double FoamLifetime;
   double TimeRange[2];
 
 private:

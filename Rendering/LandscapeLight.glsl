@@ -252,24 +252,37 @@ vec3 landscapeBehindAir(vec3 luminance, vec3 eyeV, vec3 placeV)
   return mix(horizon, luminance, through);
 }
 
-// Luminance of a surface of an albedo and of a transmittance, without the air before it. Normals of small parts may
-// agree in part: those that do are the one given, the others are of all directions, for which |cos| is 1/2.
-vec3 landscapeLuminance(vec3 albedo, vec3 placeV, vec3 normalV, float transmittance, float agreed)
+// Light on a surface of an albedo and of a transmittance: of the sky, open in part, of the sun at right angles to it, and
+// what faces the sun. Normals of small parts may agree in part: those that do are the one given, the others are of all
+// directions, for which |cos| is 1/2.
+void landscapeLightOn(vec3 albedo, float open, vec3 placeV, vec3 normalV, float transmittance, float agreed,
+  out vec3 light, out vec3 sun, out float facing)
 {
   vec3 normal = landscapeToWorld * normalV;
   float towards = dot(normal, landscapeSun);
   // Light of the sky on both sides; what is hidden sends light that was sent before: a / (1 - albedo (1 - a))
-  float open = landscapeSkySeen(placeV, normalV);
   vec2 sides = mix(0.5 * vec2(1.0 + transmittance), vec2(1.0, transmittance), agreed);
-  vec3 light = sides.x * landscapeSkyLightOn(normal) + sides.y * landscapeSkyLightOn(-normal);
+  light = sides.x * landscapeSkyLightOn(normal) + sides.y * landscapeSkyLightOn(-normal);
   light *= open / (1.0 - albedo * (1.0 - open));
-  float facing = max(towards, 0.0) + transmittance * max(-towards, 0.0);
+  facing = max(towards, 0.0) + transmittance * max(-towards, 0.0);
   facing = mix(0.25 * (1.0 + transmittance), facing, agreed);
+  sun = vec3(0.0);
   if (facing > 0.0)
   {
     float seen = landscapeSunSeen(placeV, towards > 0.0 ? normalV : -normalV, towards);
-    light += facing * seen * landscapeBelowClouds(landscapeToWorld * placeV) * landscapeSunLight;
+    sun = seen * landscapeBelowClouds(landscapeToWorld * placeV) * landscapeSunLight;
   }
+}
+
+// Luminance of a surface of an albedo and of a transmittance, without the air before it.
+vec3 landscapeLuminance(vec3 albedo, vec3 placeV, vec3 normalV, float transmittance, float agreed)
+{
+  vec3 light;
+  vec3 sun;
+  float facing;
+  landscapeLightOn(
+    albedo, landscapeSkySeen(placeV, normalV), placeV, normalV, transmittance, agreed, light, sun, facing);
+  light += facing * sun;
   return albedo / landscapePi * light;
 }
 

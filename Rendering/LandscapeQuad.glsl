@@ -14,7 +14,7 @@ uniform sampler2D landscapeDrawn;   // of the kinds before
 uniform sampler2D landscapeAlbedo;  // outputs of SurfacePass
 uniform sampler2D landscapeSurface;
 uniform sampler2D landscapeDepth;
-uniform sampler2D landscapeWetColor; // the same of surfaces of water; there alpha is their stretch
+uniform sampler2D landscapeWetColor; // the same of surfaces of water; there it is as SurfacePass tells
 uniform sampler2D landscapeWetSurface;
 uniform sampler2D landscapeWetDepth;
 uniform mat4 landscapeToView;       // from clip coordinates
@@ -56,7 +56,7 @@ vec3 landscapeBehindAll(vec3 d)
 }
 
 // Albedo of a ground, whose normal gets its relief, or of grass.
-#if LandscapePart == LandscapeGround
+#if LandscapePart == LandscapeGround || (LandscapePart == LandscapeAbove && LandscapeHasShore)
 vec3 landscapeGrown(bool isGrass, vec3 albedo, vec3 place, inout vec3 normal)
 {
   vec3 off = landscapeToWorld * place;
@@ -83,10 +83,9 @@ vec3 landscapePlaceOf(float depth, float w, vec3 sight)
 }
 
 #if LandscapePart == LandscapeAbove || LandscapePart == LandscapeBelow
-// Luminance of what is in the water, of the color of its data.
-vec3 landscapeWetLuminance(float material, vec3 code, vec3 place, vec3 normal)
+// Luminance of what is in the water, of the albedo of its data.
+vec3 landscapeWetLuminance(float material, vec3 albedo, vec3 place, vec3 normal)
 {
-  vec3 albedo = landscapeLinear(code);
   bool isGrass = material > 2.5;
   return landscapeWet(isGrass ? albedo * landscapeCoverColor : albedo, place, normal,
     isGrass ? 0.4 : material > 1.5 ? 0.0 : material);
@@ -139,12 +138,39 @@ void main()
 #if LandscapePart == LandscapeSky
   luminance = landscapeBehindAll(d);
 #elif LandscapePart == LandscapeSurface
+#if LandscapeIsWet
+  float film = surface.z > 0.0 ? 0.5 * landscapeWetness : landscapeWetness; // in drops on leaves
+  luminance = landscapeMoist(landscapeWetness, film, false, landscapeLinear(code), d, place, normal,
+    landscapeToWorld * normal, surface.z, 2.0 * texel.a - 1.0);
+#else
   luminance = landscapeLuminance(landscapeLinear(code), place, normal, surface.z, 2.0 * texel.a - 1.0);
+#endif
   luminance = landscapeBehindAir(luminance, eye, place);
 #elif LandscapePart == LandscapeGround
   bool isGrass = surface.z > 2.5;
+  vec3 smoothed = normal;
   vec3 albedo = landscapeGrown(isGrass, landscapeLinear(code), place, normal);
-  luminance = landscapeBehindAir(landscapeLuminance(albedo, place, normal, isGrass ? 0.4 : 0.0, 1.0), eye, place);
+#if LandscapeIsWet || LandscapeHasShore
+  vec2 at = (landscapeEye + landscapeToWorld * place).xy;
+  float away = landscapePixel * (landscapeIsParallel == 1 ? 1.0 : -place.z);
+  float wetness = landscapeWetness;
+  float film = isGrass ? 0.1 * wetness : landscapePuddles(wetness, at, away, landscapeToWorld * smoothed);
+#if LandscapeHasShore
+  float height = (landscapeToWorld * place).z - landscapeEyeDepth;
+  float washed = isGrass ? 0.0 : landscapeShoreWet(height, at);
+  wetness = max(wetness, washed);
+  film = max(film, washed);
+#endif
+  luminance = landscapeMoist(wetness, film, !isGrass, albedo, d, place, normal, landscapeFilm(smoothed, normal),
+    isGrass ? 0.4 : 0.0, 1.0);
+#if LandscapeHasShore
+  float surf = landscapeLace(isGrass ? 0.0 : landscapeShoreFoam(height, at), at, away);
+  luminance = mix(luminance, landscapeLuminance(vec3(0.6), place, smoothed, 0.0, 1.0), surf);
+#endif
+#else
+  luminance = landscapeLuminance(albedo, place, normal, isGrass ? 0.4 : 0.0, 1.0);
+#endif
+  luminance = landscapeBehindAir(luminance, eye, place);
 #else
   vec3 wetPlace = landscapePlaceOf(wetDepth, wet.w, sight);
   vec3 wetNormal = landscapeToWorld * landscapeUnfolded(wet.xy);
@@ -160,20 +186,41 @@ void main()
   wetNormal = rippled;
 #if LandscapePart == LandscapeBelow
   landscapeBelow = landscapeEyeDepth;
-  luminance = isLit && !hasSurface ? landscapeWetLuminance(surface.z, code, place, normal) : vec3(0.0);
+  luminance =
+    isLit && !hasSurface ? landscapeWetLuminance(surface.z, landscapeLinear(code), place, normal) : vec3(0.0);
   float way = hasSurface ? length(wetPlace - eye) : isThere ? length(place - eye) : 1e3;
   luminance = hasSurface ? looks * landscapeWaterBelow(d, wetNormal, ripples.z) : luminance;
   luminance = landscapeInWater(luminance, d, landscapeBelow, way);
   luminance += landscapeHasShafts == 1 ? landscapeShafts(d, way) : vec3(0.0);
 #else
   landscapeBelow = (landscapeToWorld * wetPlace).z;
-  luminance = isLit ? landscapeWetLuminance(surface.z, code, place, normal) : vec3(0.0);
+  vec3 albedo = landscapeLinear(code);
+#if LandscapeHasShore
+  // Ground in shallow water is as beside it.
+  vec3 ground = landscapeToWorld * place;
+  float depthBelow = (landscapeToWorld * wetPlace).z - ground.z;
+  vec2 groundAt = (landscapeEye + ground).xy;
+  bool isShore = surface.z > 1.5 && surface.z < 2.5;
+  float shallow = isShore ? 1.0 - smoothstep(2.0 * landscapeRunUp, 5.0 * landscapeRunUp, depthBelow) : 0.0;
+  vec3 relief = normal;
+  vec3 grown = landscapeGrown(false, albedo, place, relief);
+  vec3 beside = landscapeMoist(1.0, 1.0, true, grown, d, place, relief, landscapeFilm(normal, relief), 0.0, 1.0);
+  albedo = mix(albedo, grown, shallow);
+  normal = shallow > 0.0 ? normalize(mix(normal, relief, shallow)) : normal;
+#endif
+  luminance = isLit ? landscapeWetLuminance(surface.z, albedo, place, normal) : vec3(0.0);
   // L / n2 leaves the water; below it a line of sight is steeper.
   vec3 down = refract(d, wetNormal, 1.0 / landscapeIndex);
   float way = isRiver ? landscapeRiverDepth / -down.z : isThere ? length(place - wetPlace) : 1e3;
   vec3 below = landscapeInWater(isRiver ? landscapeWetGround * luminance : luminance, down, 0.0, way);
   luminance = looks * landscapeWaterAbove(d, wetNormal, ripples.z, wetPlace, below / (landscapeIndex * landscapeIndex));
-  float foam = landscapeFoam(texture(landscapeWetColor, texCoord).a, (landscapeEye + landscapeToWorld * wetPlace).xy);
+  vec4 carried = texture(landscapeWetColor, texCoord);
+  float foam = landscapeFoamOf(carried.a);
+#if LandscapeHasShore
+  luminance = mix(luminance, beside, isShore ? 1.0 - smoothstep(0.0, 0.3 * landscapeRunUp, depthBelow) : 0.0);
+  foam = max(foam, isShore ? landscapeShoreFoam(ground.z - landscapeEyeDepth, groundAt) : 0.0);
+#endif
+  foam = landscapeLace(foam, (landscapeEye + landscapeToWorld * wetPlace).xy - landscapeWayOf(carried.rgb), footprint);
   luminance = mix(luminance, landscapeLuminance(vec3(0.6), wetPlace, wetNormal * landscapeToWorld, 0.0, 1.0), foam);
   luminance = landscapeBehindAir(luminance, eye, wetPlace);
 #endif

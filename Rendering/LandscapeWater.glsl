@@ -192,12 +192,29 @@ float landscapeSlopeDensity(vec3 facet, vec3 n, float slopes)
   return exp(-dot(off, off) / variance) / (landscapePi * variance);
 }
 
-// Part of the surface that is foam, by its stretch, in flecks.
-float landscapeFoam(float stretch, vec2 place)
+// Foam at a place of which it covers a part on the mean: strings along the middle value of a noise, which is about normal,
+// as wide as P(|z| < w) = part. A footprint [m] above their width has the part alone.
+float landscapeLace(float part, vec2 place, float footprint)
 {
-  float flecks = 0.6 * landscapeNoise(place, 0.5, 31u).x + 0.4 * landscapeNoise(place, 0.125, 32u).x;
-  float end = landscapeFoamBegins - 0.25;
-  return stretch <= 0.0 ? 0.0 : 1.0 - smoothstep(end, landscapeFoamBegins, stretch + 0.3 * (flecks - 0.3));
+  float n = 0.65 * landscapeNoise(place, 0.5, 31u).x + 0.35 * landscapeNoise(place, 0.125, 32u).x;
+  float z = abs(n - 0.5) / 0.167;
+  float width = log((1.0 + part) / (1.0001 - part)) / 1.702;
+  float soft = 0.4 * min(width, 1.0) + 1e-4;
+  float lace = 1.0 - smoothstep(width - soft, width + soft, z);
+  return mix(lace, part, smoothstep(0.1, 0.4, footprint));
+}
+
+// Way of water from its place at rest by the colors of SurfacePass [m].
+vec2 landscapeWayOf(vec3 code)
+{
+  ivec3 c = ivec3(255.0 * code + 0.5);
+  return vec2(((c.r << 4) | (c.g >> 4)) - 2048, (((c.g & 15) << 8) | c.b) - 2048) / 128.0;
+}
+
+// Part of the surface that is foam, by its stretch.
+float landscapeFoamOf(float stretch)
+{
+  return stretch <= 0.0 ? 0.0 : 1.0 - smoothstep(landscapeFoamBegins - 0.25, landscapeFoamBegins, stretch);
 }
 
 // Luminance of water seen from above along d, of a variance of the slopes around its normal, with the luminance of its

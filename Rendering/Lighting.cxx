@@ -11,6 +11,7 @@
 #include <glm/mat3x3.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace littoral
 {
@@ -94,6 +95,11 @@ void Lighting::SetUniforms(vtkShaderProgram* program) const
   SetUniform(program, "landscapeWater", !this->HasWater ? 0 : this->IsInWater ? 2 : 1);
   SetUniform(program, "landscapeEyeDepth", this->WaterLevel - this->Eye.z);
   SetUniform(program, "landscapeFoamBegins", this->FoamBegins);
+  SetUniform(program, "landscapeWetness", this->Wetness);
+  SetUniform(program, "landscapeRunUp", this->ShoreRunUp);
+  constexpr double swashPeriod = 5.0; // [s]
+  const double swashes = this->WaterTime / swashPeriod;
+  SetUniform(program, "landscapeSwash", swashes - std::floor(swashes));
   SetUniform(program, "landscapeSlopeVariance", this->WaterSlopeVariance);
   SetUniform(program, "landscapeAbsorption", this->WaterAbsorption);
   SetUniform(program, "landscapeScattering", this->WaterScattering);

@@ -52,10 +52,16 @@ public:
   bool IsInWater = false;                       ///< whether the eye is below that of a sea
   double WaterLevel = 0.0;                      ///< mean height of them [m]
   double FoamBegins = 0.0;                      ///< stretch of them below which there is foam
+  double Wetness = 0.0;                         ///< part of surfaces, from 0 to 1
+  double ShoreRunUp = 0.0;                      ///< of waves on a shore [m]
+  double WaterTime = 0.0;                       ///< [s]
   double WaterSlopeVariance = 0.0;              ///< of what their meshes do not have
   bool HasShafts = false;                       ///< whether the water between its waves' light is drawn
   glm::dvec3 WaterAbsorption = glm::dvec3(0.0); ///< [1/m]
   glm::dvec3 WaterScattering = glm::dvec3(0.0); ///< [1/m]
+
+  /// Whether waves run on a ground.
+  bool HasShore() const { return this->ShoreRunUp > 0.0 && this->HasGround && this->HasSea; }
 
   /// Whether anything is hidden from the sun, or from the sky.
   bool HasShadows() const { return this->Maps.Has(0) || this->Maps.Has(1) || this->Maps.Has(2); }

@@ -7,6 +7,7 @@
 #include "LandscapeNoise.h"
 #include "LandscapeQuad.h"
 #include "LandscapeWater.h"
+#include "LandscapeWetness.h"
 #include "Lighting.h"
 #include "OpenGL.h"
 #include "SurfacePass.h"
@@ -60,8 +61,8 @@ vtkShaderProgram* Ready(
   if (!quad)
   {
     std::string source = LandscapeQuad;
-    vtkShaderProgram::Substitute(
-      source, "//VTK::Landscape::Dec", defined + LandscapeNoise + LandscapeLight + LandscapeGround + LandscapeWater);
+    vtkShaderProgram::Substitute(source, "//VTK::Landscape::Dec",
+      defined + LandscapeNoise + LandscapeLight + LandscapeGround + LandscapeWater + LandscapeWetness);
     quad = std::make_unique<vtkOpenGLQuadHelper>(window, Corners, source.c_str(), "");
   }
   else
@@ -247,6 +248,8 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   std::string defined = "#define LandscapePart " + part + "\n#define LandscapeHasWater ";
   defined += this->Wet.Albedo ? "1\n" : "0\n";
+  defined += light.HasShore() ? "#define LandscapeHasShore 1\n" : "#define LandscapeHasShore 0\n";
+  defined += light.Wetness > 0.0 ? "#define LandscapeIsWet 1\n" : "#define LandscapeIsWet 0\n";
   defined += light.HasShadows() ? "" : "#define LandscapeNoShadows\n";
   defined += light.HasOcclusion() ? "" : "#define LandscapeNoOcclusion\n";
   defined += light.FogExtinction > 0.0 ? "" : "#define LandscapeNoFog\n";

@@ -25,7 +25,7 @@ namespace
 constexpr const char* CutOut = "  if (gl_FragData[0].a < 0.5) discard;";
 
 constexpr const char* LitOutput = R"(
-  gl_FragData[0].a = landscapeMaterial > 3.5 ? landscapeStretched() : 1.0;
+  gl_FragData[0] = landscapeMaterial > 3.5 ? landscapeCarried() : vec4(gl_FragData[0].rgb, 1.0);
 #ifdef LandscapeOwnPlace
   gl_FragData[0].a = 0.5 + 0.5 * landscapeAgreed;
 #endif
@@ -35,12 +35,22 @@ constexpr const char* LitOutput = R"(
   gl_FragData[1] = vec4(landscapeO, landscapeMaterial, landscapeW);
 )";
 
-/// Stretch of a surface of water by its Jacobian (vtkLandscapePass::SetMaterial), up to 1; 0 for one without.
+/// Stretch of a surface of water by its Jacobian (vtkLandscapePass::SetMaterial), up to 1, and by the foam that is left
+/// of former ones, in alpha; 0 for one without. In red, green and blue the way of the water from its place at rest, in
+/// 1/128 m, by 12 bits a coordinate.
 constexpr const char* Stretch = R"(
 in float landscapeStretchVS;
-float landscapeStretched() { return landscapeStretchVS == 0.0 ? 0.0 : clamp(landscapeStretchVS, 0.004, 1.0); }
+in float landscapeFoamVS;
+in vec2 landscapeWayVS;
+vec4 landscapeCarried()
+{
+  ivec2 way = clamp(ivec2(floor(128.0 * landscapeWayVS + 2048.5)), 0, 4095);
+  float stretch =
+    landscapeStretchVS == 0.0 ? 0.0 : clamp(min(landscapeStretchVS, 1.0 - landscapeFoamVS), 0.004, 1.0);
+  return vec4(vec3(way.x >> 4, ((way.x & 15) << 4) | (way.y >> 8), way.y & 255) / 255.0, stretch);
+}
 )";
-constexpr const char* NoStretch = "float landscapeStretched() { return 0.0; }\n";
+constexpr const char* NoStretch = "vec4 landscapeCarried() { return vec4(0.0); }\n";
 
 /// w of the clip coordinates, by which the place of a fragment is found; impostors are not where they are drawn.
 constexpr const char* Solid = R"(
@@ -116,9 +126,13 @@ bool SurfacePass::PreReplaceShaderValues(
   if (isWater)
   {
     vtkShaderProgram::Substitute(vertex, "//VTK::Normal::Dec",
-      "//VTK::Normal::Dec\nin float landscapeStretch;\nout float landscapeStretchVS;\n", false);
-    vtkShaderProgram::Substitute(
-      vertex, "//VTK::Normal::Impl", "//VTK::Normal::Impl\n  landscapeStretchVS = landscapeStretch;\n", false);
+      "//VTK::Normal::Dec\nin float landscapeStretch;\nout float landscapeStretchVS;\nin float landscapeLeft;\n"
+      "out float landscapeFoamVS;\nin vec2 landscapeWay;\nout vec2 landscapeWayVS;\n",
+      false);
+    vtkShaderProgram::Substitute(vertex, "//VTK::Normal::Impl",
+      "//VTK::Normal::Impl\n  landscapeStretchVS = landscapeStretch;\n  landscapeFoamVS = landscapeLeft;\n"
+      "  landscapeWayVS = landscapeWay;\n",
+      false);
   }
   return true;
 }

@@ -203,6 +203,7 @@ vtkLandscapePass::vtkLandscapePass()
   , CoverHeight(0.3)
   , CoverColor{ 0.46, 0.52, 0.23 }
   , WoodCover(0.0)
+  , Wetness(0.0)
   , WaterLevel(0.0)
   , WaterAbsorption{ 0.32, 0.08, 0.06 }
   , WaterScattering{ 0.06, 0.07, 0.07 }
@@ -210,6 +211,7 @@ vtkLandscapePass::vtkLandscapePass()
   , WaterRipples(true)
   , WaterTime(0.0)
   , FoamThreshold(0.42)
+  , ShoreRunUp(0.0)
   , Background(true)
 {
   Internals& own = *this->Own;
@@ -272,6 +274,8 @@ void vtkLandscapePass::SetMaterial(vtkProp* prop, int material)
 void vtkLandscapePass::MapStretch(vtkPolyDataMapper* mapper)
 {
   mapper->MapDataArrayToVertexAttribute("landscapeStretch", "Jacobian", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+  mapper->MapDataArrayToVertexAttribute("landscapeLeft", "Foam", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+  mapper->MapDataArrayToVertexAttribute("landscapeWay", "Displacement", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
 }
 
 //----------------------------------------------------------------------------
@@ -428,6 +432,7 @@ void vtkLandscapePass::TakeLight()
     lighting.CoverColor[c] = littoral::LinearOfSrgb(this->CoverColor[c]);
   }
   lighting.WoodCover = this->WoodCover;
+  lighting.Wetness = this->Wetness;
   lighting.WaterLevel = this->WaterLevel;
   std::copy_n(this->WaterAbsorption, 3, &lighting.WaterAbsorption.x);
   std::copy_n(this->WaterScattering, 3, &lighting.WaterScattering.x);
@@ -436,6 +441,8 @@ void vtkLandscapePass::TakeLight()
   lighting.LightsColorMaps = this->LightsColorMaps;
   this->Own->Surfaces->SetLightsColorMaps(this->LightsColorMaps);
   lighting.HasShafts = this->GetQualityNow() != Fast;
+  lighting.ShoreRunUp = this->ShoreRunUp;
+  lighting.WaterTime = this->WaterTime;
   lighting.FoamBegins = this->FoamThreshold;
   // White on level ground is white, or luminances of 1.2 cd/m2 2^EV are.
   const littoral::SkyTables& sky = lighting.Sky.GetTables();
@@ -609,6 +616,7 @@ void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CoverColor: " << this->CoverColor[0] << " " << this->CoverColor[1] << " " << this->CoverColor[2]
      << "\n";
   os << indent << "WoodCover: " << this->WoodCover << "\n";
+  os << indent << "Wetness: " << this->Wetness << "\n";
   os << indent << "WaterLevel: " << this->WaterLevel << "\n";
   os << indent << "WaterAbsorption: " << this->WaterAbsorption[0] << " " << this->WaterAbsorption[1] << " "
      << this->WaterAbsorption[2] << "\n";
@@ -618,6 +626,7 @@ void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WaterRipples: " << (this->WaterRipples ? "on" : "off") << "\n";
   os << indent << "WaterTime: " << this->WaterTime << "\n";
   os << indent << "FoamThreshold: " << this->FoamThreshold << "\n";
+  os << indent << "ShoreRunUp: " << this->ShoreRunUp << "\n";
   os << indent << "Background: " << (this->Background ? "on" : "off") << "\n";
   os << indent << "Controller: " << this->Own->Controller.Get() << "\n";
 }

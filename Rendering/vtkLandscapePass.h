@@ -248,6 +248,15 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Part of all surfaces that is wet, as after rain, 0 to 1; default 0. A film of water mirrors the sky and the sun
+   * there, and ground is darker below it.
+   */
+  vtkSetClampMacro(Wetness, double, 0.0, 1.0);
+  vtkGetMacro(Wetness, double);
+  ///@}
+
+  ///@{
   /** Mean height of the surfaces of water [m], at which the eye goes under water; default 0. */
   vtkSetMacro(WaterLevel, double);
   vtkGetMacro(WaterLevel, double);
@@ -286,9 +295,19 @@ public:
   ///@}
 
   ///@{
-  /** Stretch of the surface of water below which it has foam, by the point array "Jacobian"; default 0.42. */
+  /** Stretch of the surface of water below which it has foam, by the point array "Jacobian", or 1 - "Foam"; default
+   * 0.42. */
   vtkSetMacro(FoamThreshold, double);
   vtkGetMacro(FoamThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * Height over WaterLevel to which waves run up the ground of a shore, and depth at which they begin to foam there
+   * [m], 0 to 10; default 0: no shore is drawn. Ground below it is wet; fronts of foam run up at WaterTime every 5 s.
+   */
+  vtkSetClampMacro(ShoreRunUp, double, 0.0, 10.0);
+  vtkGetMacro(ShoreRunUp, double);
   ///@}
 
   ///@{
@@ -314,14 +333,16 @@ public:
   ///@{
   /**
    * Material of a prop; Surface for one without this key, and for one with a color map. Water has foam by the point
-   * array "Jacobian" of its data, the stretch of its surface, if the prop has its mapper.
+   * array "Jacobian" of its data, the stretch of its surface, and "Foam", what is left of former ones, if there is one,
+   * in strings that "Displacement" carries, if the prop has its mapper.
    */
   static vtkInformationIntegerKey* MATERIAL();
   static void SetMaterial(vtkProp* prop, int material);
   static int GetMaterial(vtkProp* prop);
   /** Whether a prop maps scalars to colors. */
   static bool HasColorMap(vtkProp* prop);
-  /** Lets a mapper of water tell its shaders of the point array "Jacobian", as SetMaterial() does. */
+  /** Lets a mapper of water tell its shaders of the point arrays "Jacobian", "Foam" and "Displacement", as
+   * SetMaterial() does. */
   static void MapStretch(vtkPolyDataMapper* mapper);
   ///@}
   ///@{
@@ -406,6 +427,7 @@ private:
   double CoverHeight;
   double CoverColor[3];
   double WoodCover;
+  double Wetness;
   double WaterLevel;
   double WaterAbsorption[3];
   double WaterScattering[3];
@@ -413,6 +435,7 @@ private:
   bool WaterRipples;
   double WaterTime;
   double FoamThreshold;
+  double ShoreRunUp;
   bool Background;
 };
 

@@ -381,7 +381,7 @@ ROWS = [
         small={"SetSectors": (12,), "SetRadius": (40.0,)},
         inputs=lambda h: [h.sea()],
         variants=[{"SetSpacing": (1.0,), "SetSectors": (90,)}, {"SetCenter": (70.0, -20.0), "SetRadius": (300.0,)},
-                  {"SetChoppiness": (0.5,), "SetWaterColors": (False,)}],
+                  {"SetFoamLifetime": (4.0,), "SetChoppiness": (0.5,), "SetWaterColors": (False,)}],
         mistakes=[Mistake("SeaSurface", lambda pv: dict(Input=pv.QuadratAnalysis(Input=pv.sites())), "Amplitude"),
                   Mistake("SeaSurface", lambda pv: dict(Input=pv.SeaState(), Spacing=-1.0), "Spacing")]),
     Row("vtkParticleOrbitFilter", "Sea",

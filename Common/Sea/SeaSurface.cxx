@@ -16,6 +16,8 @@ namespace
 /// Points a wave must have at least to count.
 constexpr double PointsPerWave = 4.0;
 constexpr double MostPoints = 5e7;
+/// Step between ages of foam, in lifetimes.
+constexpr double AgeStep = 1.6 / (MostAges - 1);
 
 /// Trains, the longest waves first.
 SeaState LongestFirst(SeaState sea)
@@ -34,6 +36,19 @@ SeaState FromCenter(SeaState sea, const double center[2])
   }
   sea.SeaLevel = 0.0;
   return sea;
+}
+
+/// Foam of a particle by the gradients of its past (OrbitRequest).
+double FoamLeft(const float* gradients)
+{
+  double jacobians[MostAges];
+  for (int age = 0; age < MostAges; ++age)
+  {
+    double gradient[3];
+    std::copy_n(gradients + 3 * age, 3, gradient);
+    jacobians[age] = SurfaceJacobian(gradient);
+  }
+  return FoamOf(jacobians);
 }
 
 /// Number of trains of a sea, the longest first, with waves of at least four spacings.
@@ -119,8 +134,39 @@ std::vector<int> SeaSurfaceGrid::MakeTriangles(const Poll& onRing) const
   return corners;
 }
 
+std::vector<double> FoamAges(double lifetime)
+{
+  std::vector<double> ages(MostAges);
+  for (int k = 0; k < MostAges; ++k)
+  {
+    ages[k] = AgeStep * lifetime * k;
+  }
+  return ages;
+}
+
+double FoamOf(const double* jacobians)
+{
+  const double decay = std::exp(-AgeStep);
+  double left[MostAges];
+  double part = 1.0;
+  for (int k = 0; k < MostAges; ++k)
+  {
+    left[k] = part * (1.0 - jacobians[k]);
+    part *= decay;
+  }
+  double most = std::max(left[0], left[MostAges - 1]);
+  for (int k = 1; k + 1 < MostAges; ++k)
+  {
+    // f(u) = f0 + b u - c u2, largest at u = b / 2c, between the two beside
+    const double b = 0.5 * (left[k + 1] - left[k - 1]);
+    const double c = left[k] - 0.5 * (left[k + 1] + left[k - 1]);
+    most = std::max(most, 2.0 * c > std::abs(b) ? left[k] + 0.25 * b * b / c : left[k]);
+  }
+  return most;
+}
+
 SeaSurfacePoints SurfaceOf(const SeaState& sea, const SeaSurfaceParameters& parameters, const SeaSurfaceGrid& grid,
-  double choppiness, double time, std::size_t begin, std::size_t end)
+  double choppiness, double time, std::size_t begin, std::size_t end, double foamLifetime)
 {
   const std::size_t count = end - begin;
   const SeaState trains = FromCenter(LongestFirst(sea), parameters.Center);
@@ -146,12 +192,26 @@ SeaSurfacePoints SurfaceOf(const SeaState& sea, const SeaSurfaceParameters& para
   request.Gradient = gradients.data();
   WaveOrbitOptions options;
   options.Choppiness = choppiness;
+  std::vector<float> past;
+  if (foamLifetime > 0.0)
+  {
+    options.Ages = FoamAges(foamLifetime);
+    past.resize(3 * MostAges * count);
+    request.PastGradient = past.data();
+    points.Foam.resize(count);
+    points.Ways.resize(2 * count);
+  }
   WaveOrbits(trains, options, time).Evaluate(request, 0, count);
   for (std::size_t i = 0; i < count; ++i)
   {
     double gradient[5];
     std::copy_n(gradients.begin() + 5 * i, 5, gradient);
     const Vector3 normal = SurfaceNormal(gradient);
+    if (foamLifetime > 0.0)
+    {
+      points.Foam[i] = static_cast<float>(FoamLeft(past.data() + 3 * MostAges * i));
+      std::copy_n(points.Places.begin() + 3 * i, 2, points.Ways.begin() + 2 * i);
+    }
     for (int c = 0; c < 3; ++c)
     {
       points.Places[3 * i + c] += centers[3 * i + c];

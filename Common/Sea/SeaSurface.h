@@ -60,14 +60,26 @@ struct SeaSurfacePoints
   std::vector<float> Places;    ///< from (Center, SeaLevel) [m]
   std::vector<float> Normals;   ///< of length 1, upwards
   std::vector<float> Jacobians; ///< stretch of the surface, see SurfaceJacobian
+  std::vector<float> Foam;      ///< see FoamOf; empty without a lifetime
+  std::vector<float> Ways;      ///< two numbers each, horizontally from the place at rest [m]; as Foam
 };
+
+/// Ages [s] of the Jacobians of FoamOf, evenly from 0 to 1.6 lifetimes [s].
+std::vector<double> FoamAges(double lifetime);
+
+/**
+ * Foam as the squeeze of the water where crests were, as it fades: max over ages a of (1 - J(t - a)) exp(-a / T), from
+ * the Jacobians of a particle at FoamAges, with parabolas through three of them.
+ */
+double FoamOf(const double* jacobians);
 
 /**
  * The surface of a sea at a time [s] at points between begin and end, which are those of the result; choppiness is that
- * of WaveOrbitOptions. A train counts where its waves are at least four spacings long: shorter ones would alias.
+ * of WaveOrbitOptions. A train counts where its waves are at least four spacings long: shorter ones would alias. Foam
+ * is there if it has a lifetime [s].
  */
 SeaSurfacePoints SurfaceOf(const SeaState& sea, const SeaSurfaceParameters& parameters, const SeaSurfaceGrid& grid,
-  double choppiness, double time, std::size_t begin, std::size_t end);
+  double choppiness, double time, std::size_t begin, std::size_t end, double foamLifetime = 0.0);
 
 }
 

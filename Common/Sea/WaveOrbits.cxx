@@ -213,6 +213,23 @@ LITTORAL_WIDE_SIMD_CLONES void AddGradient(const float* __restrict p, const floa
   }
 }
 
+/// Adds f a cos(phi + w age), from a sin phi and a cos phi.
+LITTORAL_WIDE_SIMD_CLONES void AddPastGradient(const float* __restrict aSine, const float* __restrict aCosine,
+  float sine, float cosine, const float* factor, int count, float* __restrict xx, float* __restrict xy,
+  float* __restrict yy)
+{
+  const float fxx = factor[0];
+  const float fxy = factor[1];
+  const float fyy = factor[2];
+  for (int i = 0; i < count; ++i)
+  {
+    const float p = cosine * aCosine[i] - sine * aSine[i];
+    xx[i] += fxx * p;
+    xy[i] += fxy * p;
+    yy[i] += fyy * p;
+  }
+}
+
 /// Centers by coordinate; z from sea level, not outside of the water, and the height over the bed.
 LITTORAL_WIDE_SIMD_CLONES void ReadCenters(const float* __restrict centers, double seaLevel, double depth, int count,
   double* __restrict x, double* __restrict y, float* __restrict z, float* __restrict heightOverBed)
@@ -238,13 +255,13 @@ LITTORAL_WIDE_SIMD_CLONES void StoreVectors(const float (*__restrict sums)[Block
 }
 
 LITTORAL_WIDE_SIMD_CLONES void StoreGradients(
-  const float (*__restrict sums)[BlockSize], int count, float* __restrict to)
+  const float (*__restrict sums)[BlockSize], int components, int count, float* __restrict to)
 {
   for (int i = 0; i < count; ++i)
   {
-    for (int c = 0; c < 5; ++c)
+    for (int c = 0; c < components; ++c)
     {
-      to[5 * i + c] = sums[c][i];
+      to[components * i + c] = sums[c][i];
     }
   }
 }
@@ -272,6 +289,7 @@ struct alignas(64) WaveOrbits::Block
   float Acceleration[3][BlockSize];
   float Gradient[5][BlockSize];
   float VelocityGradient[5][BlockSize];
+  float PastGradient[3 * MostAges][BlockSize];
 };
 
 OrbitAxes AxesAt(const WaveTrain& train, double height, double depth)
@@ -324,6 +342,11 @@ WaveOrbits::WaveOrbits(const SeaState& sea, const WaveOrbitOptions& options, dou
     const double part = train.Kind == Form::Shallow ? std::sinh(relative) : -std::expm1(-2.0 * relative);
     train.Scale = static_cast<float>(wave.Amplitude / part);
     train.Mirror = static_cast<float>(std::exp(-2.0 * relative));
+    for (std::size_t age = 0; age < options.Ages.size(); ++age)
+    {
+      train.PastCosine[age] = static_cast<float>(std::cos(atFixedPoint * options.Ages[age]));
+      train.PastSine[age] = static_cast<float>(std::sin(atFixedPoint * options.Ages[age]));
+    }
     this->Trains.push_back(train);
   }
 }
@@ -464,11 +487,16 @@ void WaveOrbits::EvaluateBlock(Block& block, const OrbitRequest<float>& request,
   }
   if (request.Gradient)
   {
-    StoreGradients(block.Gradient, count, to(request.Gradient, 5));
+    StoreGradients(block.Gradient, 5, count, to(request.Gradient, 5));
+  }
+  if (request.PastGradient)
+  {
+    const int components = 3 * static_cast<int>(this->Options.Ages.size());
+    StoreGradients(block.PastGradient, components, count, to(request.PastGradient, components));
   }
   if (request.VelocityGradient)
   {
-    StoreGradients(block.VelocityGradient, count, to(request.VelocityGradient, 5));
+    StoreGradients(block.VelocityGradient, 5, count, to(request.VelocityGradient, 5));
   }
 }
 
@@ -488,6 +516,7 @@ void WaveOrbits::StartBlock(Block& block, const OrbitRequest<float>& request, st
   clear(request.Acceleration, block.Acceleration);
   clear(request.Gradient, block.Gradient);
   clear(request.VelocityGradient, block.VelocityGradient);
+  clear(request.PastGradient, block.PastGradient);
 }
 
 /// Moves the centers with the Stokes drift of their trains; `counts` as in the request, of this block.
@@ -536,7 +565,8 @@ void WaveOrbits::AddTrain(
   const float dy = chop * static_cast<float>(train.DirectionY);
   // a sin phi d, -b cos phi
   float(*places)[BlockSize] = block.Displacement;
-  if (!request.Velocity && !request.Acceleration && !request.Gradient && !request.VelocityGradient)
+  if (!request.Velocity && !request.Acceleration && !request.Gradient && !request.VelocityGradient &&
+    !request.PastGradient)
   {
     AddDisplacement(block.Turns, block.A, block.B, dx, dy, -up, count, places[0], places[1], places[2]);
     return;
@@ -569,12 +599,31 @@ void WaveOrbits::AddTrain(
     const float factor[5] = { kx * dx, kx * dy, ky * dy, kx * up, ky * up };
     AddGradient(block.ACosine, block.BSine, factor, count, sums[0], sums[1], sums[2], sums[3], sums[4]);
   }
+  if (request.PastGradient)
+  {
+    this->AddPast(block, train, chop, count);
+  }
   // Its derivative by the time, phi' = -w
   if (request.VelocityGradient)
   {
     float(*sums)[BlockSize] = block.VelocityGradient;
     const float factor[5] = { w * kx * dx, w * kx * dy, w * ky * dy, -w * kx * up, -w * ky * up };
     AddGradient(block.ASine, block.BCosine, factor, count, sums[0], sums[1], sums[2], sums[3], sums[4]);
+  }
+}
+
+/// Adds the gradients by a train at the ages before.
+void WaveOrbits::AddPast(Block& block, const Train& train, float chop, int count) const
+{
+  const float dx = static_cast<float>(train.DirectionX);
+  const float dy = static_cast<float>(train.DirectionY);
+  const float slope = chop * static_cast<float>(std::hypot(train.X, train.Y));
+  const float factor[3] = { slope * dx * dx, slope * dx * dy, slope * dy * dy };
+  for (std::size_t age = 0; age < this->Options.Ages.size(); ++age)
+  {
+    float(*sums)[BlockSize] = block.PastGradient + 3 * age;
+    AddPastGradient(
+      block.ASine, block.ACosine, train.PastSine[age], train.PastCosine[age], factor, count, sums[0], sums[1], sums[2]);
   }
 }
 

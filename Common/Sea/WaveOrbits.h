@@ -27,12 +27,15 @@ struct OrbitAxes
  */
 OrbitAxes AxesAt(const WaveTrain& train, double height, double depth);
 
+constexpr int MostAges = 16;
+
 struct WaveOrbitOptions
 {
   bool StokesDrift = false;         ///< orbit centers drift with the waves
   bool DopplerShift = false;        ///< orbits keep their periods in a current
   double Current[2] = { 0.0, 0.0 }; ///< current that carries the centers [m/s]; used with DopplerShift only
   double Choppiness = 1.0;          ///< factor of the horizontal motion, 0 to 1
+  std::vector<double> Ages;         ///< of OrbitRequest::PastGradient, at most MostAges [s]
 };
 
 /// Points and what is asked of them; three numbers a point, null where it is not wanted.
@@ -46,6 +49,9 @@ struct OrbitRequest
   Real* Acceleration = nullptr;     ///< [m/s2]
   /// Five a point: dX/dx - 1, dX/dy = dY/dx, dY/dy - 1, dZ/dx, dZ/dy of places by their centers.
   Real* Gradient = nullptr;
+  /// Three a point and age: the first three of Gradient of the same point so long before, without StokesDrift; in
+  /// single precision alone.
+  Real* PastGradient = nullptr;
   /// Five a point: du/dx, du/dy = dv/dx, dv/dy, dw/dx = du/dz, dw/dy = dv/dz [1/s]; dw/dz = -(du/dx + dv/dy).
   Real* VelocityGradient = nullptr;
   const float* Shares = nullptr; ///< one a train: the part of its amplitude that acts; null: all of it
@@ -96,10 +102,12 @@ private:
     double DirectionY;
     double Frequency;
     Form Kind;
-    float Octaves;    ///< k / ln 2
-    float WaveNumber; ///< k
-    float Scale;      ///< r / (1 - e^-2kh), or r / sinh kh
-    float Mirror;     ///< e^-2kh
+    float Octaves;              ///< k / ln 2
+    float WaveNumber;           ///< k
+    float Scale;                ///< r / (1 - e^-2kh), or r / sinh kh
+    float Mirror;               ///< e^-2kh
+    float PastCosine[MostAges]; ///< cos(w age)
+    float PastSine[MostAges];
   };
 
   struct Block;
@@ -108,6 +116,7 @@ private:
   void AddDrift(Block& block, const OrbitRequest<float>& request, const int* counts, int count) const;
   void FindAxes(Block& block, const Train& train, int count) const;
   void AddTrain(Block& block, const OrbitRequest<float>& request, const Train& train, float share, int count) const;
+  void AddPast(Block& block, const Train& train, float chop, int count) const;
 
   SeaState Sea;
   WaveOrbitOptions Options;

@@ -4,10 +4,12 @@
 // through, from above and from below, and what is seen in it.
 #include "LandscapePicture.h"
 
+#include "vtkActorCollection.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
 
 #include <random>
+#include <vector>
 
 namespace
 {
@@ -184,8 +186,19 @@ bool TestCard()
   return good;
 }
 
-/// Water has foam, of the albedo 0.6, where its surface nearly folds.
-bool TestFoam()
+vtkSmartPointer<vtkFloatArray> ByX(const char* name, float left, float right)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName(name);
+  for (const float value : { left, right, left, right })
+  {
+    array->InsertNextValue(value);
+  }
+  return array;
+}
+
+/// Water has foam, of the albedo 0.6, where its surface nearly folds, or did some time before.
+bool TestFoam(float jacobian, float left)
 {
   Picture picture;
   picture.Pass->SetSkyToEven();
@@ -193,13 +206,11 @@ bool TestFoam()
   const double black[3] = { 100.0, 100.0, 100.0 };
   picture.Pass->SetWaterAbsorption(black);
   vtkSmartPointer<vtkPolyData> surface = Level(10.0);
-  vtkNew<vtkFloatArray> stretch;
-  stretch->SetName("Jacobian");
-  for (const float value : { 0.01F, 1.0F, 0.01F, 1.0F }) // by x
+  surface->GetPointData()->AddArray(ByX("Jacobian", jacobian, 1.0F));
+  if (left > 0.0F)
   {
-    stretch->InsertNextValue(value);
+    surface->GetPointData()->AddArray(ByX("Foam", left, 0.0F));
   }
-  surface->GetPointData()->AddArray(stretch);
   vtkLandscapePass::SetMaterial(picture.Add(surface, 0.2), vtkLandscapePass::Water);
   picture.Look({ 0.0, 0.0, 35.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
   picture.Draw();
@@ -207,6 +218,72 @@ bool TestFoam()
   const double water = picture.LinearAt(Width / 2 + 70, Height / 2)[1];
   return Check(foam > 0.5 && foam < 0.62 && water < 0.05,
     "Foam is " + std::to_string(foam) + " and water " + std::to_string(water));
+}
+
+/// Strings of foam cover the part of the water that its stretch tells, 0.5 halfway between none and all.
+bool TestLace()
+{
+  bool good = true;
+  for (const double t : { 0.3, 0.5, 0.7 })
+  {
+    Water picture({ 100.0, 100.0, 100.0 }, { 0.0, 0.0, 0.0 });
+    picture.Pass->SetSkyToEven();
+    picture.Pass->SetFoamThreshold(0.6);
+    auto* water = vtkActor::SafeDownCast(picture.Renderer->GetActors()->GetLastActor());
+    const auto stretch = static_cast<float>(0.35 + 0.25 * t);
+    vtkPolyData::SafeDownCast(water->GetMapper()->GetInput())
+      ->GetPointData()
+      ->AddArray(ByX("Jacobian", stretch, stretch));
+    picture.Look({ 0.0, 0.0, 15.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
+    picture.Draw();
+    double mean = 0.0;
+    for (int pixel = 0; pixel < Width * Height; ++pixel)
+    {
+      mean += picture.LinearAt(pixel % Width, pixel / Width)[1] / (Width * Height);
+    }
+    const double part = 1.0 - t * t * (3.0 - 2.0 * t);
+    good &= Near({ mean, mean, mean }, { 0.02 + 0.58 * part, 0.02 + 0.58 * part, 0.02 + 0.58 * part }, 0.0, 0.03,
+      "Water of a stretch of " + std::to_string(stretch));
+  }
+  return good;
+}
+
+/// Strings of foam go with the water that they are on: the picture of it from as far away is the same.
+bool TestCarriedFoam()
+{
+  const Color way{ 4.75, -2.5, 0.0 };
+  std::array<std::vector<double>, 3> pixels;
+  for (int k = 0; k < 3; ++k) // at rest, carried, and that without telling
+  {
+    Water picture({ 100.0, 100.0, 100.0 }, { 0.0, 0.0, 0.0 });
+    picture.Pass->SetSkyToEven();
+    picture.Pass->SetFoamThreshold(0.6);
+    auto* water = vtkActor::SafeDownCast(picture.Renderer->GetActors()->GetLastActor());
+    vtkPointData* arrays = vtkPolyData::SafeDownCast(water->GetMapper()->GetInput())->GetPointData();
+    arrays->AddArray(ByX("Jacobian", 0.45F, 0.45F));
+    vtkNew<vtkFloatArray> ways;
+    ways->SetName("Displacement");
+    ways->SetNumberOfComponents(2);
+    ways->SetNumberOfTuples(4);
+    ways->FillComponent(0, k == 1 ? way[0] : 0.0);
+    ways->FillComponent(1, k == 1 ? way[1] : 0.0);
+    arrays->AddArray(ways);
+    const Color at = k == 0 ? Color{ 0.0, 0.0, 0.0 } : way;
+    picture.Look({ at[0], at[1], 15.0 }, at, { 0.0, 1.0, 0.0 });
+    picture.Draw();
+    for (int pixel = 0; pixel < Width * Height; ++pixel)
+    {
+      pixels[k].push_back(picture.LinearAt(pixel % Width, pixel / Width)[1]);
+    }
+  }
+  std::array<double, 2> apart{};
+  for (int pixel = 0; pixel < Width * Height; ++pixel)
+  {
+    apart[0] += std::abs(pixels[1][pixel] - pixels[0][pixel]) / (Width * Height);
+    apart[1] += std::abs(pixels[2][pixel] - pixels[0][pixel]) / (Width * Height);
+  }
+  return Check(apart[0] < 0.01 && apart[1] > 0.1,
+    "Carried foam is " + std::to_string(apart[0]) + " apart, other foam " + std::to_string(apart[1]));
 }
 
 /// The sun's glitter against facets of random slopes, which send its light into a cone around the line of sight.
@@ -294,7 +371,10 @@ int TestLandscapeWater(int, char*[])
   good &= TestBed();
   good &= TestRiver();
   good &= TestCard();
-  good &= TestFoam();
+  good &= TestFoam(0.01F, 0.0F);
+  good &= TestFoam(1.0F, 0.99F);
+  good &= TestLace();
+  good &= TestCarriedFoam();
   good &= TestGlitter();
   return good ? 0 : 1;
 }

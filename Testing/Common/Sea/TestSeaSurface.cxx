@@ -134,15 +134,63 @@ TEST(SeaSurface, CellsAreSquareWherePointsOnARingAreFarApart)
   }
 }
 
+TEST(SeaSurface, FoamFadesBehindItsCrests)
+{
+  // J = 1 + s cos(phi): of (1 - J(t - a)) exp(-a / T) = -s cos(phi + w a) exp(-a / T) the first maximum is where
+  // tan(phi + w a) = -1 / (w T).
+  const SeaSurfaceParameters disk = SmallDisk();
+  const SeaSurfaceGrid grid(disk);
+  const SeaState sea = OneWave(60.0);
+  const WaveTrain wave = sea.Trains[0];
+  const double steepness = wave.WaveNumber * wave.Amplitude;
+  const double turn = wave.AngularFrequency;
+  const double lifetime = 3.85;
+  const double time = 1000.7;
+  const SeaSurfacePoints points = SurfaceOf(sea, disk, grid, 1.0, time, 0, grid.GetNumberOfPoints(), lifetime);
+  ASSERT_EQ(points.Foam.size(), grid.GetNumberOfPoints());
+  EXPECT_TRUE(SurfaceOf(sea, disk, grid, 1.0, time, 0, 10).Foam.empty());
+  for (std::size_t i = 0; i < grid.GetNumberOfPoints() && 4.0 * grid.SpacingAt(i) < 60.0; ++i)
+  {
+    double x, y;
+    grid.PlaceAt(i, x, y);
+    const double phi =
+      wave.WaveNumber * (std::cos(wave.Direction) * x + std::sin(wave.Direction) * y) - turn * time + wave.Phase;
+    const double age = std::fmod(Pi - std::atan(1.0 / (turn * lifetime)) - phi + 1e4 * Pi, 2.0 * Pi) / turn;
+    const double former = -steepness * std::cos(phi + turn * age) * std::exp(-age / lifetime);
+    EXPECT_NEAR(points.Foam[i], std::max(-steepness * std::cos(phi), former), 0.005 * steepness);
+    EXPECT_NEAR(points.Ways[2 * i + 1], points.Places[3 * i + 1] - y, 1e-4);
+    EXPECT_GE(points.Foam[i], 1.0F - points.Jacobians[i] - 1e-5F);
+  }
+}
+
+TEST(SeaSurface, FoamTravelsWithItsWave)
+{
+  // Seen from a frame that goes with the wave, foam stands still.
+  SeaSurfaceParameters disk = SmallDisk();
+  const SeaSurfaceGrid grid(disk);
+  const SeaState sea = OneWave(60.0);
+  const WaveTrain wave = sea.Trains[0];
+  const SeaSurfacePoints before = SurfaceOf(sea, disk, grid, 1.0, 7.0, 0, grid.GetNumberOfPoints(), 3.0);
+  const double way = 0.37 * wave.AngularFrequency / wave.WaveNumber;
+  disk.Center[0] += way * std::cos(wave.Direction);
+  disk.Center[1] += way * std::sin(wave.Direction);
+  const SeaSurfacePoints after = SurfaceOf(sea, disk, grid, 1.0, 7.37, 0, grid.GetNumberOfPoints(), 3.0);
+  for (std::size_t i = 0; i < grid.GetNumberOfPoints(); ++i)
+  {
+    ASSERT_NEAR(before.Foam[i], after.Foam[i], 1e-6);
+  }
+}
+
 TEST(SeaSurface, RangesDoNotMatter)
 {
   const SeaSurfaceParameters disk = SmallDisk();
   const SeaSurfaceGrid grid(disk);
   const SeaState sea = OneWave(90.0);
-  const SeaSurfacePoints whole = SurfaceOf(sea, disk, grid, 1.0, 2.0, 0, grid.GetNumberOfPoints());
-  const SeaSurfacePoints part = SurfaceOf(sea, disk, grid, 1.0, 2.0, 777, 1333);
+  const SeaSurfacePoints whole = SurfaceOf(sea, disk, grid, 1.0, 2.0, 0, grid.GetNumberOfPoints(), 4.0);
+  const SeaSurfacePoints part = SurfaceOf(sea, disk, grid, 1.0, 2.0, 777, 1333, 4.0);
   EXPECT_TRUE(std::equal(part.Places.begin(), part.Places.end(), whole.Places.begin() + 3 * 777));
   EXPECT_TRUE(std::equal(part.Normals.begin(), part.Normals.end(), whole.Normals.begin() + 3 * 777));
+  EXPECT_TRUE(std::equal(part.Foam.begin(), part.Foam.end(), whole.Foam.begin() + 777));
 }
 
 TEST(SeaSurface, BadDisks)
