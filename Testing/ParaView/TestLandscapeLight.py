@@ -154,6 +154,10 @@ def check_others(view, light):
     column, row = pixel_of(view, (0.0, 0.0, 0.0))
     middle = np.s_[row - 20:row + 20, column - 20:column + 20]
     assert np.abs(lit[middle] - before[middle]).max() <= 1, "a color map has other colors"
+    display.ShowSky = 0
+    sides = np.s_[SIZE[1] // 2:, ::SIZE[0] - 1]
+    assert np.array_equal(picture(view)[sides], before[sides]), "another background than the view's"
+    display.ShowSky = 1
     display.LightsColorMaps = 1
     assert np.abs(picture(view)[middle] - before[middle]).max() > 12, "a color map that is to be lit is not"
     display.LightsColorMaps = 0

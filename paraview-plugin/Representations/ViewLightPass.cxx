@@ -55,7 +55,7 @@ void ViewLightPass::SetRanks(
   if (this->Landscape)
   {
     this->Landscape->SetController(ranks);
-    this->Landscape->BackgroundOn();
+    this->Landscape->SetBackground(this->ShowsSky);
   }
   this->HasBackground = hasBackground;
   vtkRenderer* wanted = ranks ? renderer : nullptr;
@@ -83,7 +83,7 @@ void ViewLightPass::BeforePicture()
 {
   if (this->IsOn && this->Landscape && !this->Renderer->GetSelector())
   {
-    this->Landscape->SetBackground(this->HasBackground());
+    this->Landscape->SetBackground(this->ShowsSky && this->HasBackground());
     this->Landscape->DrawMaps(this->Renderer);
     this->Whole->IsOn = true;
   }

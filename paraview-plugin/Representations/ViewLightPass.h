@@ -39,6 +39,7 @@ public:
 
   vtkSmartPointer<vtkLandscapePass> Landscape;
   bool IsOn = false;
+  bool ShowsSky = true; ///< where there are no surfaces
 
   /// The ranks that draw the pictures of a renderer together; null: there is one. The function tells whether this one
   /// has the background.

@@ -83,6 +83,22 @@ vtkLandscapePass* vtkLandscapeLightRepresentation::GetPass()
 }
 
 //----------------------------------------------------------------------------
+void vtkLandscapeLightRepresentation::SetShowSky(bool shows)
+{
+  if (this->Light->ShowsSky != shows)
+  {
+    this->Light->ShowsSky = shows;
+    this->Modified();
+  }
+}
+
+//----------------------------------------------------------------------------
+bool vtkLandscapeLightRepresentation::GetShowSky()
+{
+  return this->Light->ShowsSky;
+}
+
+//----------------------------------------------------------------------------
 int vtkLandscapeLightRepresentation::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
@@ -163,5 +179,6 @@ void vtkLandscapeLightRepresentation::TakeOff(vtkPVRenderView* view)
 void vtkLandscapeLightRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "ShowSky: " << this->Light->ShowsSky << "\n";
   os << indent << "Pass: " << this->Light->Landscape.Get() << "\n";
 }

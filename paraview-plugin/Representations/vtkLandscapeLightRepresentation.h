@@ -36,6 +36,12 @@ public:
   vtkLandscapePass* GetPass();
   ///@}
 
+  ///@{
+  /** Whether the sky is the background, or that of the view; default on. */
+  void SetShowSky(bool shows);
+  bool GetShowSky();
+  ///@}
+
   int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* in, vtkInformation* out) override;
 
   void SetVisibility(bool isVisible) override;
