@@ -250,7 +250,7 @@ public:
   ///@{
   /**
    * Part of all surfaces that is wet, as after rain, 0 to 1; default 0. A film of water mirrors the sky and the sun
-   * there, and ground is darker below it.
+   * there, and ground is darker, with puddles where it is level.
    */
   vtkSetClampMacro(Wetness, double, 0.0, 1.0);
   vtkGetMacro(Wetness, double);
