@@ -82,6 +82,30 @@ vec3 landscapePlaceOf(float depth, float w, vec3 sight)
   return landscapeIsParallel == 1 || w <= 0.0 ? landscapePlace(depth) : sight * (w / -sight.z);
 }
 
+#ifdef LandscapeHasContact
+uniform sampler2D landscapeContact;   // of ContactShade
+uniform float landscapeContactRadius; // [m]
+
+// What is hidden near by: the mean of four neighbours, which have other directions each, but for those off the plane.
+vec3 landscapeContactAt(vec3 place, vec3 normal)
+{
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  ivec2 end = textureSize(landscapeContact, 0) - 1;
+  vec2 line_ = landscapeIsParallel == 1 ? place.xy : -place.xy / place.z;
+  vec4 sum = vec4(0.0);
+  for (int k = 0; k < 4; ++k)
+  {
+    ivec2 off = ivec2(k & 1, k >> 1) - 1;
+    vec4 near = texelFetch(landscapeContact, clamp(at + off, ivec2(0), end), 0);
+    float scale = landscapeIsParallel == 1 ? 1.0 : near.w;
+    vec3 there = vec3(scale * (line_ + landscapePixel * vec2(off)), -near.w);
+    float high = dot(there - place, normal) / (0.1 * landscapeContactRadius);
+    sum += max(1.0 - abs(high), k == 3 ? 1e-3 : 0.0) * vec4(near.xyz, 1.0);
+  }
+  return sum.xyz / sum.w;
+}
+#endif
+
 #if LandscapePart == LandscapeAbove || LandscapePart == LandscapeBelow
 // Luminance of what is in the water, of the color of its data.
 vec3 landscapeWetLuminance(float material, vec3 code, vec3 place, vec3 normal)
@@ -129,6 +153,9 @@ void main()
   vec3 place = landscapePlaceOf(depth, surface.w, sight);
   vec3 normal = landscapeUnfolded(surface.xy);
   bool isLit = surface.z > -0.5;
+#ifdef LandscapeHasContact
+  landscapeHidden = landscapeContactAt(place, normal);
+#endif
   vec3 luminance = vec3(0.0);
 #if LandscapePart == LandscapeSky
   luminance = landscapeBehindAll(d);
@@ -168,6 +195,7 @@ void main()
   vec3 below = landscapeInWater(isRiver ? landscapeWetGround * luminance : luminance, down, 0.0, way);
   luminance = looks * landscapeWaterAbove(d, wetNormal, ripples.z, wetPlace, below / (landscapeIndex * landscapeIndex));
   float foam = landscapeFoam(texture(landscapeWetColor, texCoord).a, (landscapeEye + landscapeToWorld * wetPlace).xy);
+  landscapeHidden = vec3(0.0);
   luminance = mix(luminance, landscapeLuminance(vec3(0.6), wetPlace, wetNormal * landscapeToWorld, 0.0, 1.0), foam);
   luminance = landscapeBehindAir(luminance, wetPlace - eye);
 #endif

@@ -42,6 +42,8 @@ public:
   double CloudHeight = 1500.0;                  ///< [m]
   glm::dvec2 CloudDrift = glm::dvec2(0.0);      ///< [m]
   double OcclusionRadius = 0.0;                 ///< distance of what hides the sky [m]
+  double ContactRadius = 0.0;                   ///< the same for what meets, by the picture's depths [m]
+  glm::ivec2 ContactCounts = glm::ivec2(0);     ///< slices and taps (ContactShade)
   bool HasGround = false;                       ///< whether surfaces of the material Ground are shown
   bool HasWater = false;                        ///< whether surfaces of water are shown
   bool IsInWater = false;                       ///< whether the eye is below that of a sea

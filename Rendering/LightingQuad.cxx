@@ -53,6 +53,19 @@ void main()
 }
 )";
 
+/// From view to clip coordinates.
+glm::dmat4 ProjectionOf(vtkRenderer* renderer)
+{
+  return MatrixOf(
+    renderer->GetActiveCamera()->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
+}
+
+ContactShade::View ContactOf(vtkRenderer* renderer, const Lighting& light)
+{
+  return { glm::inverse(ProjectionOf(renderer)), glm::dmat3(light.ToWorld), light.IsParallel, light.ContactRadius,
+    light.ContactCounts };
+}
+
 /// The program of a quad that is made, with what is defined, if there is none; null if it does not compile.
 vtkShaderProgram* Ready(
   std::unique_ptr<vtkOpenGLQuadHelper>& quad, vtkOpenGLRenderWindow* window, const std::string& defined)
@@ -188,12 +201,38 @@ void LightingQuad::Draw(vtkRenderer* renderer, const Lighting& light)
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_BLEND);
+  this->DrawContact(renderer, light);
   this->DrawKinds(renderer, light);
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglDepthFunc(GL_LEQUAL);
   this->Lit->Activate();
   this->DrawPart("LandscapeShown", 0, renderer, light);
   this->Lit->Deactivate();
+}
+
+//----------------------------------------------------------------------------
+void LightingQuad::ShareDepths(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  this->Contact.TakeWays(window, this->Dry.Surface, this->Dry.Depth, ContactOf(renderer, light));
+  this->Contact.TakeNearest(processes);
+  this->HasDepths = true;
+}
+
+//----------------------------------------------------------------------------
+void LightingQuad::DrawContact(vtkRenderer* renderer, const Lighting& light)
+{
+  if (light.ContactRadius > 0.0)
+  {
+    auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+    const ContactShade::View view = ContactOf(renderer, light);
+    if (!this->HasDepths)
+    {
+      this->Contact.TakeWays(window, this->Dry.Surface, this->Dry.Depth, view);
+    }
+    this->Contact.Draw(window, this->Dry.Surface, view);
+  }
+  this->HasDepths = false;
 }
 
 //----------------------------------------------------------------------------
@@ -249,6 +288,7 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   defined += this->Wet.Albedo ? "1\n" : "0\n";
   defined += light.HasShadows() ? "" : "#define LandscapeNoShadows\n";
   defined += light.HasOcclusion() ? "" : "#define LandscapeNoOcclusion\n";
+  defined += light.ContactRadius > 0.0 ? "#define LandscapeHasContact\n" : "";
   defined += light.CloudCover > 0.0 ? "" : "#define LandscapeNoClouds\n";
   vtkShaderProgram* program = Ready(this->Parts[defined], window, defined);
   if (!program)
@@ -266,12 +306,17 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   {
     pictures[picture]->Activate();
   }
+  vtkTextureObject* const hidden = light.ContactRadius > 0.0 ? this->Contact.GetHidden() : nullptr;
+  if (hidden)
+  {
+    hidden->Activate();
+    SetUniform(program, "landscapeContact", hidden->GetTextureUnit());
+  }
   for (int picture = 0; picture < 6; ++picture)
   {
     SetUniform(program, names[picture], pictures[picture]->GetTextureUnit());
   }
-  const glm::dmat4 projection =
-    MatrixOf(renderer->GetActiveCamera()->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
+  const glm::dmat4 projection = ProjectionOf(renderer);
   SetUniform(program, "landscapeToView", glm::inverse(projection));
   const auto modulo = [&](double period) { return light.Eye - period * glm::floor(light.Eye / period); };
   SetUniform(program, "landscapeEye", modulo(NoisePeriod));
@@ -280,7 +325,12 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   SetUniform(program, "landscapeCoverColor", light.CoverColor);
   SetUniform(program, "landscapeDrawn", this->Lit->GetTextureUnit());
   SetUniform(program, "landscapePixel", 2.0 / (projection[1][1] * this->Height));
+  SetUniform(program, "landscapeContactRadius", light.ContactRadius);
   this->Parts[defined]->Render();
+  if (hidden)
+  {
+    hidden->Deactivate();
+  }
   for (int picture = 0; picture < (this->Wet.Albedo ? 6 : 3); ++picture)
   {
     pictures[picture]->Deactivate();
@@ -292,6 +342,7 @@ void LightingQuad::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Dry.Clear(window);
   this->Wet.Clear(window);
+  this->Contact.ReleaseGraphicsResources(window);
   for (auto* picture : { &this->Lit, &this->Kinds })
   {
     if (*picture)

@@ -3,6 +3,8 @@
 #ifndef LittoralLightingQuad_h
 #define LittoralLightingQuad_h
 
+#include "ContactShade.h"
+
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
@@ -11,6 +13,7 @@
 #include <memory>
 #include <string>
 
+class vtkMultiProcessController;
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
@@ -38,6 +41,9 @@ public:
   void TakeSurfaces(
     vtkRenderer* renderer, const std::function<void()>& drawSurfaces, const std::function<void()>& drawWater);
 
+  /// Takes the nearest of the surfaces that all processes have taken, for the shade where things meet, together.
+  void ShareDepths(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes);
+
   /// Draws the lit surfaces, and the sky behind them, with their depths.
   void Draw(vtkRenderer* renderer, const Lighting& light);
 
@@ -57,6 +63,7 @@ private:
 
   void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
   void Take(vtkOpenGLRenderWindow* window, const Layer& layer, const std::function<void()>& draw);
+  void DrawContact(vtkRenderer* renderer, const Lighting& light);
   void DrawKinds(vtkRenderer* renderer, const Lighting& light);
   void DrawPart(const std::string& part, int kind, vtkRenderer* renderer, const Lighting& light);
 
@@ -66,6 +73,8 @@ private:
   vtkSmartPointer<vtkTextureObject> Lit;
   vtkSmartPointer<vtkTextureObject> Kinds;                           ///< of pixels, as depths
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Parts; ///< by what is defined in their shaders
+  ContactShade Contact;
+  bool HasDepths = false; ///< of all processes, for the next picture
   int Samples = 1;
   int Width = 0;
   int Height = 0;

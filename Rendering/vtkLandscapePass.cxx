@@ -135,6 +135,7 @@ struct vtkLandscapePass::Internals
 
   void DrawCover(vtkRenderer* renderer);
   void DrawOpaque(const vtkRenderState* state, bool isWater);
+  void DrawDry(const vtkRenderState* state);
 };
 
 //----------------------------------------------------------------------------
@@ -167,6 +168,13 @@ void vtkLandscapePass::Internals::DrawOpaque(const vtkRenderState* state, bool i
 }
 
 //----------------------------------------------------------------------------
+void vtkLandscapePass::Internals::DrawDry(const vtkRenderState* state)
+{
+  this->DrawOpaque(state, false);
+  this->DrawCover(state->GetRenderer());
+}
+
+//----------------------------------------------------------------------------
 vtkLandscapePass::vtkLandscapePass()
   : Own(new Internals)
   , Sky(Clear)
@@ -192,6 +200,7 @@ vtkLandscapePass::vtkLandscapePass()
   , Quality(Good)
   , Draft(false)
   , OcclusionRadius(5.0)
+  , ContactRadius(0.5)
   , CoverRadius(30.0)
   , CoverHeight(0.3)
   , CoverColor{ 0.46, 0.52, 0.23 }
@@ -210,10 +219,7 @@ vtkLandscapePass::vtkLandscapePass()
   vtkNew<vtkOverlayPass> overlay;
   vtkNew<CallPass> opaque;
   opaque->Call = [&own](const vtkRenderState* state) {
-    const auto drawSurfaces = [&] {
-      own.DrawOpaque(state, false);
-      own.DrawCover(state->GetRenderer());
-    };
+    const auto drawSurfaces = [&] { own.DrawDry(state); };
     const auto drawWater = [&] { own.DrawOpaque(state, true); };
     own.Quad.TakeSurfaces(
       state->GetRenderer(), drawSurfaces, own.Light.HasWater ? std::function<void()>(drawWater) : nullptr);
@@ -393,6 +399,8 @@ void vtkLandscapePass::TakeLight()
   lighting.FilmCurve = this->FilmCurve;
   lighting.Background = this->Background;
   lighting.OcclusionRadius = this->OcclusionRadius;
+  lighting.ContactRadius = this->GetQualityNow() != Fast ? this->ContactRadius : 0.0;
+  lighting.ContactCounts = { 2, this->GetQualityNow() == Best ? 4 : 3 };
   for (int c = 0; c < 3; ++c)
   {
     lighting.CoverColor[c] = littoral::LinearOfSrgb(this->CoverColor[c]);
@@ -484,7 +492,36 @@ void vtkLandscapePass::DrawMaps(vtkRenderer* renderer)
     this->TakeLight();
     this->RenderMaps(renderer, own.Controller);
     own.HasMaps = true;
+    this->ShareDepths(renderer);
   }
+}
+
+//----------------------------------------------------------------------------
+/// Processes have the depths of all surfaces; one alone has its own without this.
+void vtkLandscapePass::ShareDepths(vtkRenderer* renderer)
+{
+  Internals& own = *this->Own;
+  if (own.Light.ContactRadius <= 0.0 || !own.Controller || own.Controller->GetNumberOfProcesses() < 2)
+  {
+    return;
+  }
+  vtkRenderState all(renderer);
+  all.SetPropArrayAndCount(own.Shown.data(), static_cast<int>(own.Shown.size()));
+  own.Lights->Render(&all);
+  this->TakeCamera(renderer);
+  own.Quad.TakeSurfaces(
+    renderer, [&] { own.DrawDry(&all); }, nullptr);
+  own.Quad.ShareDepths(renderer, own.Light, own.Controller);
+}
+
+//----------------------------------------------------------------------------
+void vtkLandscapePass::TakeCamera(vtkRenderer* renderer)
+{
+  Internals& own = *this->Own;
+  own.Quad.SetSamples(this->GetQualityNow() == Best ? 2 : 1);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  own.Light.ToWorld = glm::inverse(littoral::MatrixOf(camera->GetModelViewTransformMatrix()));
+  own.Light.IsParallel = camera->GetParallelProjection();
 }
 
 //----------------------------------------------------------------------------
@@ -511,10 +548,7 @@ void vtkLandscapePass::Render(const vtkRenderState* state)
     this->RenderMaps(renderer, nullptr);
   }
   own.HasMaps = false;
-  own.Quad.SetSamples(this->GetQualityNow() == Best ? 2 : 1);
-  vtkCamera* camera = renderer->GetActiveCamera();
-  own.Light.ToWorld = glm::inverse(littoral::MatrixOf(camera->GetModelViewTransformMatrix()));
-  own.Light.IsParallel = camera->GetParallelProjection();
+  this->TakeCamera(renderer);
   own.Light.Activate(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
   own.Lit->Render(state);
   own.Light.Deactivate();
@@ -559,6 +593,7 @@ void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MapSize: " << this->MapSize << "\n";
   os << indent << "Quality: " << this->Quality << "\n";
   os << indent << "OcclusionRadius: " << this->OcclusionRadius << "\n";
+  os << indent << "ContactRadius: " << this->ContactRadius << "\n";
   os << indent << "Draft: " << (this->Draft ? "on" : "off") << "\n";
   os << indent << "CoverRadius: " << this->CoverRadius << "\n";
   os << indent << "CoverHeight: " << this->CoverHeight << "\n";

@@ -168,8 +168,8 @@ public:
   vtkGetMacro(MapSize, int);
   ///@}
   /**
-   * Qualities. Fast: without grass and shafts of light, with maps of half the size, for processors that draw. Best:
-   * with four samples a pixel, for edges and leaves without steps.
+   * Qualities. Fast: without grass, shafts of light and shade where things meet, with maps of half the size, for
+   * processors that draw. Best: with four samples a pixel, for edges and leaves without steps.
    */
   enum QualityType
   {
@@ -195,6 +195,15 @@ public:
   /** Distance of surfaces that hide the sky from a place [m], 0 for none; default 5. */
   vtkSetClampMacro(OcclusionRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(OcclusionRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Distance of surfaces that hide the sky from what they meet, as under grass and at trunks, by the depths of the
+   * picture [m], 0 for none; none in the quality Fast. Default 0.5.
+   */
+  vtkSetClampMacro(ContactRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ContactRadius, double);
   ///@}
 
   ///@{
@@ -343,6 +352,8 @@ private:
   int GetQualityNow() const { return this->Draft ? Fast : this->Quality; }
   void TakeShown(vtkRenderer* renderer);
   void TakeLight();
+  void TakeCamera(vtkRenderer* renderer);
+  void ShareDepths(vtkRenderer* renderer);
   void RenderMaps(vtkRenderer* renderer, vtkMultiProcessController* processes);
 
   struct Internals;
@@ -371,6 +382,7 @@ private:
   int Quality;
   bool Draft;
   double OcclusionRadius;
+  double ContactRadius;
   double CoverRadius;
   double CoverHeight;
   double CoverColor[3];

@@ -57,9 +57,10 @@ def look(view, eye):
 def pictures(view, light, spread):
     """Pictures of the boxes under two suns, from two places, and without the light."""
     shown = simple.Show(simple.ProgrammableSource(Script=BOXES.format(spread=spread)), view)
+    shown.DiffuseColor = [0.5, 0.5, 0.5]  # white would send on all the light that is hidden
     simple.Render(view)
     look(view, [0.0, -14.0, 8.0])
-    display = simple.Show(light, view, SunElevation=40.0, SunAzimuth=250.0, MapSize="512")
+    display = simple.Show(light, view, SunElevation=40.0, SunAzimuth=250.0, MapSize="512", ContactRadius=1.5)
     found = {"lit": picture_of(view)}
     display.SunAzimuth = 110.0
     found["another sun"] = picture_of(view)

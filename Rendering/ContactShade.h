@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralContactShade_h
+#define LittoralContactShade_h
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+
+#include <array>
+#include <memory>
+
+class vtkMultiProcessController;
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace littoral
+{
+
+/**
+ * Shade where things meet: the part of the sky that surfaces within a short distance hide from each other, by the
+ * depths of a picture (Bavoil, Sainz and Dimitrov 2008; Jimenez, Wu, Pesce and Jarabo 2016).
+ */
+class ContactShade
+{
+public:
+  struct View
+  {
+    glm::dmat4 ToView = glm::dmat4(1.0); ///< from clip coordinates
+    glm::dmat3 ToWorld = glm::dmat3(1.0);
+    bool IsParallel = false;
+    double Radius = 0.0; ///< [m]
+    glm::ivec2 Counts;   ///< slices, and taps on each of their sides
+  };
+
+  ContactShade();
+  ~ContactShade();
+
+  /// Takes the distances of a picture of surfaces and depths (SurfacePass).
+  void TakeWays(vtkOpenGLRenderWindow* window, vtkTextureObject* surface, vtkTextureObject* depth, const View& view);
+
+  /// Takes the least distances that processes have, all together.
+  void TakeNearest(vtkMultiProcessController* processes);
+
+  /// Draws what hides the sky from the surfaces of a picture.
+  void Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* surface, const View& view);
+
+  /// Texture of the part that is hidden, the sum of its directions to the east and to the north, and the distance along
+  /// the view's axis; null before Draw().
+  vtkTextureObject* GetHidden() const { return this->Hidden; }
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
+  void DrawPart(int part, vtkOpenGLRenderWindow* window, vtkTextureObject* target,
+    const std::array<vtkTextureObject*, 3>& pictures, const View& view);
+
+  vtkNew<vtkOpenGLFramebufferObject> Frame;
+  vtkSmartPointer<vtkTextureObject> Ways;
+  vtkSmartPointer<vtkTextureObject> Hidden;
+  std::array<std::unique_ptr<vtkOpenGLQuadHelper>, 2> Quads;
+  int Width = 0;
+  int Height = 0;
+};
+
+}
+
+#endif
