@@ -80,6 +80,10 @@ float landscapeWithin(vec3 at)
   return at.z > 0.0 && at.z < 1.0 ? clamp((0.98 - max(rim.x, rim.y)) / 0.08, 0.0, 1.0) : 0.0;
 }
 
+#ifdef LandscapeSoftShadows
+float landscapeReachesSoftly(int map, vec3 at, float towards);
+#endif
+
 // Part of the sun that is seen from a place; the first map that covers it tells, and fades into the next at its rim.
 float landscapeSunSeen(vec3 placeV, vec3 normalV, float towards)
 {
@@ -100,9 +104,13 @@ float landscapeSunSeen(vec3 placeV, vec3 normalV, float towards)
     {
       vec3 at = (landscapeToMap[map] * vec4(placeV + lift * landscapeTexel[map] * normalV, 1.0)).xyz;
       float share = left * landscapeWithin(at);
+#ifdef LandscapeSoftShadows
+      seen += share > 0.0 ? share * landscapeReachesSoftly(map, at, towards) : 0.0;
+#else
       vec3 a = vec3(0.75 / landscapeMapSize, 0.25 / landscapeMapSize, 0.0);
       seen += 0.25 * share * (landscapeReaches(map, at + a.xyz) + landscapeReaches(map, at + a.yxz * vec3(-1.0, 1.0, 1.0)) +
         landscapeReaches(map, at - a.xyz) + landscapeReaches(map, at + a.yxz * vec3(1.0, -1.0, 1.0)));
+#endif
       left -= share;
     }
   }

@@ -5,6 +5,7 @@
 
 #include "DepthMaps.h"
 #include "RippleTextures.h"
+#include "SecondSampler.h"
 #include "SkyTextures.h"
 
 #include "vtkSmartPointer.h"
@@ -44,6 +45,7 @@ public:
   double OcclusionRadius = 0.0;                 ///< distance of what hides the sky [m]
   double ContactRadius = 0.0;                   ///< the same for what meets, by the picture's depths [m]
   glm::ivec2 ContactCounts = glm::ivec2(0);     ///< slices and taps (ContactShade)
+  bool WantsSoftShadows = false;                ///< whether shadows are as soft as the sun is wide
   bool HasGround = false;                       ///< whether surfaces of the material Ground are shown
   bool HasWater = false;                        ///< whether surfaces of water are shown
   bool IsInWater = false;                       ///< whether the eye is below that of a sea
@@ -58,6 +60,9 @@ public:
   bool HasShadows() const { return this->Maps.Has(0) || this->Maps.Has(1) || this->Maps.Has(2); }
   bool HasOcclusion() const { return this->OcclusionRadius > 0.0 && this->Maps.Has(DepthMaps::Zenith); }
 
+  /// Whether shadows are soft: where depths may be read from their maps.
+  bool HasSoftShadows() const { return this->WantsSoftShadows && this->HasShadows() && this->Depths.IsOn(); }
+
   /// Between them, the textures are bound.
   void Activate(vtkOpenGLRenderWindow* window);
   void Deactivate();
@@ -70,6 +75,7 @@ public:
 private:
   vtkSmartPointer<vtkTextureObject> NoMap; ///< in place of maps that there are not
   std::vector<vtkTextureObject*> Bound;
+  SecondSampler Depths; ///< of the maps of light
 };
 
 }

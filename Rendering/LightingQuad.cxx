@@ -6,6 +6,7 @@
 #include "LandscapeLight.h"
 #include "LandscapeNoise.h"
 #include "LandscapeQuad.h"
+#include "LandscapeSoftShadow.h"
 #include "LandscapeWater.h"
 #include "Lighting.h"
 #include "OpenGL.h"
@@ -73,8 +74,8 @@ vtkShaderProgram* Ready(
   if (!quad)
   {
     std::string source = LandscapeQuad;
-    vtkShaderProgram::Substitute(
-      source, "//VTK::Landscape::Dec", defined + LandscapeNoise + LandscapeLight + LandscapeGround + LandscapeWater);
+    vtkShaderProgram::Substitute(source, "//VTK::Landscape::Dec",
+      defined + LandscapeNoise + LandscapeLight + LandscapeSoftShadow + LandscapeGround + LandscapeWater);
     quad = std::make_unique<vtkOpenGLQuadHelper>(window, Corners, source.c_str(), "");
   }
   else
@@ -287,6 +288,7 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   std::string defined = "#define LandscapePart " + part + "\n#define LandscapeHasWater ";
   defined += this->Wet.Albedo ? "1\n" : "0\n";
   defined += light.HasShadows() ? "" : "#define LandscapeNoShadows\n";
+  defined += light.HasSoftShadows() ? "#define LandscapeSoftShadows\n" : "";
   defined += light.HasOcclusion() ? "" : "#define LandscapeNoOcclusion\n";
   defined += light.ContactRadius > 0.0 ? "#define LandscapeHasContact\n" : "";
   defined += light.CloudCover > 0.0 ? "" : "#define LandscapeNoClouds\n";

@@ -400,6 +400,7 @@ void vtkLandscapePass::TakeLight()
   lighting.Background = this->Background;
   lighting.OcclusionRadius = this->OcclusionRadius;
   lighting.ContactRadius = this->GetQualityNow() != Fast ? this->ContactRadius : 0.0;
+  lighting.WantsSoftShadows = this->GetQualityNow() == Best;
   lighting.ContactCounts = { 2, this->GetQualityNow() == Best ? 4 : 3 };
   for (int c = 0; c < 3; ++c)
   {

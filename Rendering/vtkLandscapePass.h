@@ -169,7 +169,8 @@ public:
   ///@}
   /**
    * Qualities. Fast: without grass, shafts of light and shade where things meet, with maps of half the size, for
-   * processors that draw. Best: with four samples a pixel, for edges and leaves without steps.
+   * processors that draw. Best: with four samples a pixel, for edges and leaves without steps, and soft
+   * shadows.
    */
   enum QualityType
   {
