@@ -8,15 +8,10 @@
 
 #include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
-#include "vtkOpenGLFramebufferObject.h"
-#include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
-#include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
-#include <string>
 #include <vector>
 
 namespace littoral
@@ -24,21 +19,6 @@ namespace littoral
 
 namespace
 {
-
-constexpr int WaysPart = 0;
-constexpr int HiddenPart = 1;
-
-vtkSmartPointer<vtkTextureObject> NewPicture(vtkOpenGLRenderWindow* window, int width, int height, int parts)
-{
-  auto texture = vtkSmartPointer<vtkTextureObject>::New();
-  texture->SetContext(window);
-  texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  texture->Allocate2D(static_cast<unsigned int>(width), static_cast<unsigned int>(height), parts, VTK_FLOAT);
-  return texture;
-}
 
 /// x and y of the place of texture coordinates t, at a distance of 1, as xy + zw t.
 glm::dvec4 RaysOf(const ContactShade::View& view)
@@ -53,33 +33,46 @@ glm::dvec4 RaysOf(const ContactShade::View& view)
 }
 
 //----------------------------------------------------------------------------
-ContactShade::ContactShade() = default;
-ContactShade::~ContactShade() = default;
+ContactShade::ContactShade()
+  : ToWays(LandscapeContact, "#define ContactPart ContactWays\n")
+  , ToHidden(LandscapeContact, "#define ContactPart ContactHidden\n")
+{
+}
 
 //----------------------------------------------------------------------------
-void ContactShade::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
-{
-  if (!this->Ways || this->Width != width || this->Height != height)
-  {
-    this->Width = width;
-    this->Height = height;
-    this->Ways = NewPicture(window, width, height, 1);
-    this->Hidden = NewPicture(window, width, height, 4);
-  }
-}
+ContactShade::~ContactShade() = default;
 
 //----------------------------------------------------------------------------
 void ContactShade::TakeWays(
   vtkOpenGLRenderWindow* window, vtkTextureObject* surface, vtkTextureObject* depth, const View& view)
 {
-  this->Allocate(window, static_cast<int>(surface->GetWidth()), static_cast<int>(surface->GetHeight()));
-  this->DrawPart(WaysPart, window, this->Ways, { nullptr, surface, depth }, view);
+  const auto width = static_cast<int>(surface->GetWidth());
+  const auto height = static_cast<int>(surface->GetHeight());
+  if (!this->Ways || this->Width != width || this->Height != height)
+  {
+    this->Width = width;
+    this->Height = height;
+    this->Ways = PictureShader::NewPicture(window, width, height, 1);
+    this->Hidden = PictureShader::NewPicture(window, width, height, 4);
+  }
+  this->ToWays.Draw(window, this->Ways, { { "contactSurface", surface }, { "contactDepth", depth } },
+    [&view](vtkShaderProgram* program) {
+      SetUniform(program, "contactToView", view.ToView);
+      SetUniform(program, "contactIsParallel", view.IsParallel ? 1 : 0);
+    });
 }
 
 //----------------------------------------------------------------------------
 void ContactShade::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* surface, const View& view)
 {
-  this->DrawPart(HiddenPart, window, this->Hidden, { this->Ways, surface, nullptr }, view);
+  this->ToHidden.Draw(window, this->Hidden, { { "contactWays", this->Ways }, { "contactSurface", surface } },
+    [&view](vtkShaderProgram* program) {
+      SetUniform(program, "contactRays", RaysOf(view));
+      SetUniform(program, "contactIsParallel", view.IsParallel ? 1 : 0);
+      SetUniform(program, "contactToWorld", view.ToWorld);
+      SetUniform(program, "contactRadius", view.Radius);
+      SetUniform(program, "contactCounts", glm::dvec2(view.Counts));
+    });
 }
 
 //----------------------------------------------------------------------------
@@ -96,68 +89,6 @@ void ContactShade::TakeNearest(vtkMultiProcessController* processes)
 }
 
 //----------------------------------------------------------------------------
-void ContactShade::DrawPart(int part, vtkOpenGLRenderWindow* window, vtkTextureObject* target,
-  const std::array<vtkTextureObject*, 3>& pictures, const View& view)
-{
-  auto& quad = this->Quads[part];
-  if (!quad)
-  {
-    const std::string source = "#define ContactPart " + std::to_string(part) + "\n";
-    std::string shader = LandscapeContact;
-    vtkShaderProgram::Substitute(shader, "//VTK::System::Dec", "//VTK::System::Dec\n" + source);
-    quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, shader.c_str(), "");
-  }
-  else
-  {
-    window->GetShaderCache()->ReadyShaderProgram(quad->Program);
-  }
-  vtkShaderProgram* program = quad->Program;
-  if (!program || !program->GetCompiled())
-  {
-    return;
-  }
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-  state->PushFramebufferBindings();
-  this->Frame->SetContext(window);
-  this->Frame->Bind();
-  this->Frame->AddColorAttachment(0, target);
-  this->Frame->ActivateDrawBuffers(1);
-  state->vtkglViewport(0, 0, this->Width, this->Height);
-  state->vtkglScissor(0, 0, this->Width, this->Height);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_BLEND);
-  const char* const names[] = { "contactWays", "contactSurface", "contactDepth" };
-  for (int picture = 0; picture < 3; ++picture)
-  {
-    if (pictures[picture])
-    {
-      pictures[picture]->Activate();
-      SetUniform(program, names[picture], pictures[picture]->GetTextureUnit());
-    }
-  }
-  SetUniform(program, "contactToView", view.ToView);
-  SetUniform(program, "contactRays", RaysOf(view));
-  SetUniform(program, "contactIsParallel", view.IsParallel ? 1 : 0);
-  SetUniform(program, "contactToWorld", view.ToWorld);
-  SetUniform(program, "contactRadius", view.Radius);
-  SetUniform(program, "contactCounts", glm::dvec2(view.Counts));
-  quad->Render();
-  for (vtkTextureObject* picture : pictures)
-  {
-    if (picture)
-    {
-      picture->Deactivate();
-    }
-  }
-  this->Frame->RemoveColorAttachment(0);
-  state->PopFramebufferBindings();
-}
-
-//----------------------------------------------------------------------------
 void ContactShade::ReleaseGraphicsResources(vtkWindow* window)
 {
   for (auto* picture : { &this->Ways, &this->Hidden })
@@ -168,11 +99,8 @@ void ContactShade::ReleaseGraphicsResources(vtkWindow* window)
     }
     *picture = nullptr;
   }
-  for (auto& quad : this->Quads)
-  {
-    quad.reset();
-  }
-  this->Frame->ReleaseGraphicsResources(window);
+  this->ToWays.ReleaseGraphicsResources(window);
+  this->ToHidden.ReleaseGraphicsResources(window);
 }
 
 }

@@ -3,19 +3,15 @@
 #ifndef LittoralContactShade_h
 #define LittoralContactShade_h
 
-#include "vtkNew.h"
+#include "PictureShader.h"
+
 #include "vtkSmartPointer.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
-#include <array>
-#include <memory>
-
 class vtkMultiProcessController;
-class vtkOpenGLFramebufferObject;
-class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkTextureObject;
@@ -59,14 +55,10 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
-  void DrawPart(int part, vtkOpenGLRenderWindow* window, vtkTextureObject* target,
-    const std::array<vtkTextureObject*, 3>& pictures, const View& view);
-
-  vtkNew<vtkOpenGLFramebufferObject> Frame;
+  PictureShader ToWays;
+  PictureShader ToHidden;
   vtkSmartPointer<vtkTextureObject> Ways;
   vtkSmartPointer<vtkTextureObject> Hidden;
-  std::array<std::unique_ptr<vtkOpenGLQuadHelper>, 2> Quads;
   int Width = 0;
   int Height = 0;
 };
