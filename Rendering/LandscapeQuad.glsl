@@ -117,6 +117,59 @@ vec3 landscapeWetLuminance(float material, vec3 code, vec3 place, vec3 normal)
 }
 #endif
 
+#ifdef LandscapeHasLens
+// Luminance that the display shows as a code: landscapeDisplayed backwards.
+vec3 landscapeOfCode(vec3 code)
+{
+  vec3 c = landscapeLinear(code);
+  if (landscapeFilmCurve == 1)
+  {
+    // (A x2 + C B x + D E) / (A x2 + B x + D F) = y, with the constants of the film's curve
+    const float A = 0.22, B = 0.30, C = 0.10, D = 0.20, E = 0.01, F = 0.30, W = 11.2;
+    float white = (W * (A * W + C * B) + D * E) / (W * (A * W + B) + D * F) - E / F;
+    vec3 y = c * white + E / F;
+    vec3 a = A * (1.0 - y), b = B * (C - y), d = D * (E - F * y);
+    c = 0.25 * (sqrt(max(b * b - 4.0 * a * d, 0.0)) - b) / a;
+  }
+  return c / landscapeExposure;
+}
+#endif
+
+#if LandscapePart == LandscapeShown && defined(LandscapeHasLens)
+uniform sampler2D landscapeBlurred; // of Lens
+uniform int landscapeSamples;       // along a side of a pixel
+
+// What the display shows of a sample behind the lens: in focus what it is without it, else what is blurred; where taps
+// lie apart, with those of its neighbours.
+vec3 landscapeBehindLens(ivec2 at)
+{
+  ivec2 end = textureSize(landscapeBlurred, 0) - 1;
+  float soft = texelFetch(landscapeBlurred, at, 0).a;
+  vec4 sum = vec4(0.0);
+  for (int k = 0; k < 9; ++k)
+  {
+    ivec2 off = ivec2(k % 3, k / 3) - 1;
+    vec4 near = texelFetch(landscapeBlurred, clamp(at + off, ivec2(0), end), 0);
+    float weight = (2.0 - abs(off.x)) * (2.0 - abs(off.y)) * clamp(0.25 * near.a - 1.0, 0.0, 1.0);
+    sum += (k == 4 ? 4.0 : weight) * vec4(near.rgb, 1.0);
+  }
+  vec3 sharp = texelFetch(landscapeDrawn, at, 0).rgb;
+  return landscapeDisplayed(mix(sharp, sum.rgb / sum.w, smoothstep(0.5, 1.0, soft)));
+}
+
+// The mean of the samples' codes, as without the lens.
+vec3 landscapeBehindLens()
+{
+  ivec2 first = landscapeSamples * ivec2(texCoord * vec2(textureSize(landscapeDrawn, 0) / landscapeSamples));
+  vec3 sum = vec3(0.0);
+  for (int k = 0; k < landscapeSamples * landscapeSamples; ++k)
+  {
+    sum += landscapeBehindLens(first + ivec2(k % landscapeSamples, k / landscapeSamples));
+  }
+  return sum / float(landscapeSamples * landscapeSamples);
+}
+#endif
+
 void main()
 {
   vec4 surface = texture(landscapeSurface, texCoord);
@@ -141,7 +194,11 @@ void main()
 #elif LandscapePart == LandscapeShown
   vec4 drawn = texture(landscapeDrawn, texCoord);
   if (drawn.a <= 0.0) discard; // nothing, and no background
+#ifdef LandscapeHasLens
+  gl_FragData[0] = vec4(landscapeBehindLens(), 1.0);
+#else
   gl_FragData[0] = vec4(drawn.rgb / drawn.a, 1.0);
+#endif
   gl_FragDepth = isThere || hasSurface ? shown : 0.9999999; // drawn, for who composes pictures by their depths
 #else
   // The line of sight, from the middle of its part that is shown
@@ -201,6 +258,14 @@ void main()
 #endif
 #endif
   bool isPaint = isThere && !isLit && !hasSurface; // which no light changes
+#ifdef LandscapeHasLens
+#if LandscapePart == LandscapeAbove || LandscapePart == LandscapeBelow
+  place = hasSurface ? wetPlace : place;
+#endif
+  float away = isThere || hasSurface ? -place.z : 1e9;
+  gl_FragData[0] = vec4(isPaint ? landscapeOfCode(code) : luminance, away);
+#else
   gl_FragData[0] = vec4(isPaint ? code : landscapeDisplayed(luminance), 1.0);
+#endif
 #endif
 }

@@ -46,6 +46,8 @@ public:
   double ContactRadius = 0.0;                   ///< the same for what meets, by the picture's depths [m]
   glm::ivec2 ContactCounts = glm::ivec2(0);     ///< slices and taps (ContactShade)
   bool WantsSoftShadows = false;                ///< whether shadows are as soft as the sun is wide
+  double Aperture = 0.0;                        ///< diameter of the lens [m]
+  double FocusDistance = 10.0;                  ///< along the view's axis [m]
   bool HasGround = false;                       ///< whether surfaces of the material Ground are shown
   bool HasWater = false;                        ///< whether surfaces of water are shown
   bool IsInWater = false;                       ///< whether the eye is below that of a sea
@@ -62,6 +64,9 @@ public:
 
   /// Whether shadows are soft: where depths may be read from their maps.
   bool HasSoftShadows() const { return this->WantsSoftShadows && this->HasShadows() && this->Depths.IsOn(); }
+
+  /// Whether what is out of focus is blurred.
+  bool HasLens() const { return this->Aperture > 0.0 && !this->IsParallel; }
 
   /// Between them, the textures are bound.
   void Activate(vtkOpenGLRenderWindow* window);

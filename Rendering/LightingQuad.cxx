@@ -128,14 +128,31 @@ void LightingQuad::Allocate(vtkOpenGLRenderWindow* window, int width, int height
   this->Height = height;
   this->Dry.Allocate(window, width, height);
   this->Wet = Layer();
+  this->Lit = nullptr;
+  this->Kinds = NewPicture(window);
+  this->Kinds->AllocateDepth(
+    static_cast<unsigned int>(width), static_cast<unsigned int>(height), vtkTextureObject::Float32);
+}
+
+//----------------------------------------------------------------------------
+void LightingQuad::AllocateLit(vtkOpenGLRenderWindow* window, bool hasLens)
+{
+  if (this->Lit && this->IsLinear == hasLens)
+  {
+    return;
+  }
+  this->IsLinear = hasLens;
+  if (hasLens)
+  {
+    this->Lit = PictureShader::NewPicture(window, this->Width, this->Height, 4);
+    return;
+  }
   // A linear filter between four pixels is their mean.
   this->Lit = NewPicture(window);
   this->Lit->SetMinificationFilter(vtkTextureObject::Linear);
   this->Lit->SetMagnificationFilter(vtkTextureObject::Linear);
-  this->Lit->Allocate2D(static_cast<unsigned int>(width), static_cast<unsigned int>(height), 4, VTK_UNSIGNED_CHAR);
-  this->Kinds = NewPicture(window);
-  this->Kinds->AllocateDepth(
-    static_cast<unsigned int>(width), static_cast<unsigned int>(height), vtkTextureObject::Float32);
+  this->Lit->Allocate2D(
+    static_cast<unsigned int>(this->Width), static_cast<unsigned int>(this->Height), 4, VTK_UNSIGNED_CHAR);
 }
 
 //----------------------------------------------------------------------------
@@ -195,7 +212,9 @@ void LightingQuad::Take(vtkOpenGLRenderWindow* window, const Layer& layer, const
 //----------------------------------------------------------------------------
 void LightingQuad::Draw(vtkRenderer* renderer, const Lighting& light)
 {
-  vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  this->AllocateLit(window, light.HasLens());
+  vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglDepthFunc depth(state);
   vtkOpenGLState::ScopedglDepthMask mask(state);
@@ -204,10 +223,19 @@ void LightingQuad::Draw(vtkRenderer* renderer, const Lighting& light)
   state->vtkglDisable(GL_BLEND);
   this->DrawContact(renderer, light);
   this->DrawKinds(renderer, light);
+  if (light.HasLens())
+  {
+    // The distance in pixels at which the picture has its angle of view is P_11 H / 2
+    const double blur = 0.5 * light.Aperture * 0.5 * ProjectionOf(renderer)[1][1] * this->Height;
+    this->Glass.Draw(window, this->Lit, { blur, light.FocusDistance });
+  }
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglDepthFunc(GL_LEQUAL);
+  vtkTextureObject* blurred = light.HasLens() ? this->Glass.GetBlurred() : this->Lit.Get();
   this->Lit->Activate();
+  blurred->Activate();
   this->DrawPart("LandscapeShown", 0, renderer, light);
+  blurred->Deactivate();
   this->Lit->Deactivate();
 }
 
@@ -291,6 +319,7 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   defined += light.HasSoftShadows() ? "#define LandscapeSoftShadows\n" : "";
   defined += light.HasOcclusion() ? "" : "#define LandscapeNoOcclusion\n";
   defined += light.ContactRadius > 0.0 ? "#define LandscapeHasContact\n" : "";
+  defined += light.HasLens() ? "#define LandscapeHasLens\n" : "";
   defined += light.CloudCover > 0.0 ? "" : "#define LandscapeNoClouds\n";
   vtkShaderProgram* program = Ready(this->Parts[defined], window, defined);
   if (!program)
@@ -326,6 +355,11 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   SetUniform(program, "landscapeWoodCover", light.WoodCover);
   SetUniform(program, "landscapeCoverColor", light.CoverColor);
   SetUniform(program, "landscapeDrawn", this->Lit->GetTextureUnit());
+  if (part == "LandscapeShown" && light.HasLens())
+  {
+    SetUniform(program, "landscapeBlurred", this->Glass.GetBlurred()->GetTextureUnit());
+    SetUniform(program, "landscapeSamples", this->Samples);
+  }
   SetUniform(program, "landscapePixel", 2.0 / (projection[1][1] * this->Height));
   SetUniform(program, "landscapeContactRadius", light.ContactRadius);
   this->Parts[defined]->Render();
@@ -345,6 +379,7 @@ void LightingQuad::ReleaseGraphicsResources(vtkWindow* window)
   this->Dry.Clear(window);
   this->Wet.Clear(window);
   this->Contact.ReleaseGraphicsResources(window);
+  this->Glass.ReleaseGraphicsResources(window);
   for (auto* picture : { &this->Lit, &this->Kinds })
   {
     if (*picture)

@@ -4,6 +4,7 @@
 #define LittoralLightingQuad_h
 
 #include "ContactShade.h"
+#include "Lens.h"
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
@@ -62,6 +63,7 @@ private:
   };
 
   void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
+  void AllocateLit(vtkOpenGLRenderWindow* window, bool hasLens);
   void Take(vtkOpenGLRenderWindow* window, const Layer& layer, const std::function<void()>& draw);
   void DrawContact(vtkRenderer* renderer, const Lighting& light);
   void DrawKinds(vtkRenderer* renderer, const Lighting& light);
@@ -74,6 +76,8 @@ private:
   vtkSmartPointer<vtkTextureObject> Kinds;                           ///< of pixels, as depths
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Parts; ///< by what is defined in their shaders
   ContactShade Contact;
+  Lens Glass;
+  bool IsLinear = false;  ///< whether Lit has luminances and distances, for the lens
   bool HasDepths = false; ///< of all processes, for the next picture
   int Samples = 1;
   int Width = 0;

@@ -194,6 +194,8 @@ vtkLandscapePass::vtkLandscapePass()
   , ExposureValue(15.0)
   , ExposureCompensation(0.5)
   , FilmCurve(true)
+  , Aperture(0.0)
+  , FocusDistance(10.0)
   , Shadows(true)
   , ShadowDistance(150.0)
   , MapSize(2048)
@@ -296,6 +298,7 @@ std::string vtkLandscapePass::WhyInvalid() const
   check.Finite("CloudDrift, y", this->CloudDrift[1], "m");
   check.Range("ExposureValue", this->ExposureValue, -20.0, 30.0);
   check.Range("ExposureCompensation", this->ExposureCompensation, -20.0, 20.0);
+  check.Positive("FocusDistance", this->FocusDistance, "m");
   check.Positive("ShadowDistance", this->ShadowDistance, "m");
   check.Finite("WaterLevel", this->WaterLevel, "m");
   check.Finite("WaterTime", this->WaterTime, "s");
@@ -400,6 +403,9 @@ void vtkLandscapePass::TakeLight()
   lighting.Background = this->Background;
   lighting.OcclusionRadius = this->OcclusionRadius;
   lighting.ContactRadius = this->GetQualityNow() != Fast ? this->ContactRadius : 0.0;
+  const bool areSeveral = this->Own->Controller && this->Own->Controller->GetNumberOfProcesses() > 1;
+  lighting.Aperture = this->GetQualityNow() != Fast && !areSeveral ? this->Aperture : 0.0;
+  lighting.FocusDistance = this->FocusDistance;
   lighting.WantsSoftShadows = this->GetQualityNow() == Best;
   lighting.ContactCounts = { 2, this->GetQualityNow() == Best ? 4 : 3 };
   for (int c = 0; c < 3; ++c)
@@ -589,6 +595,8 @@ void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ExposureValue: " << this->ExposureValue << "\n";
   os << indent << "ExposureCompensation: " << this->ExposureCompensation << "\n";
   os << indent << "FilmCurve: " << (this->FilmCurve ? "on" : "off") << "\n";
+  os << indent << "Aperture: " << this->Aperture << "\n";
+  os << indent << "FocusDistance: " << this->FocusDistance << "\n";
   os << indent << "Shadows: " << (this->Shadows ? "on" : "off") << "\n";
   os << indent << "ShadowDistance: " << this->ShadowDistance << "\n";
   os << indent << "MapSize: " << this->MapSize << "\n";

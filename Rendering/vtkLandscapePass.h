@@ -152,6 +152,20 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Diameter of the lens [m], which blurs what is not in focus, 0 for a sharp picture: of a focal length f and a number
+   * N it is f/N. None in the quality Fast, in parallel projection and where several processes draw. Default 0.
+   */
+  vtkSetClampMacro(Aperture, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Aperture, double);
+  ///@}
+  ///@{
+  /** Distance of what is in focus, along the view's axis [m], above 0; default 10. */
+  vtkSetMacro(FocusDistance, double);
+  vtkGetMacro(FocusDistance, double);
+  ///@}
+
+  ///@{
   /** Shadows of the sun; default on. */
   vtkSetMacro(Shadows, bool);
   vtkGetMacro(Shadows, bool);
@@ -377,6 +391,8 @@ private:
   double ExposureValue;
   double ExposureCompensation;
   bool FilmCurve;
+  double Aperture;
+  double FocusDistance;
   bool Shadows;
   double ShadowDistance;
   int MapSize;
