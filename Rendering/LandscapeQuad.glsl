@@ -183,7 +183,9 @@ void main()
   bool hasSurface = wet.z > -0.5 && (wetDepth < depth ||
     (isRiver && landscapeIsParallel == 0 && wet.w < (1.0 + landscapeRiverSlack) * surface.w));
   float shown = hasSurface ? wetDepth : depth;
+  float wayOfWater = -landscapePlaceOf(wetDepth, wet.w, landscapePlace(0.5)).z;
 #else
+  const float wayOfWater = 0.0;
   const bool hasSurface = false;
   float shown = depth;
 #endif
@@ -195,6 +197,10 @@ void main()
   vec4 drawn = texture(landscapeDrawn, texCoord);
   if (drawn.a <= 0.0) discard; // nothing, and no background
 #ifdef LandscapeHasLens
+  // Of several processes, those that have the nearest surface show it, or the sky.
+  float way = hasSurface ? wayOfWater : -landscapePlaceOf(depth, surface.w, landscapePlace(0.5)).z;
+  bool isNearest = isThere || hasSurface ? way <= 1.00001 * drawn.a : landscapeBackground == 1 && drawn.a > 1e8;
+  if (!isNearest) discard;
   gl_FragData[0] = vec4(landscapeBehindLens(), 1.0);
 #else
   gl_FragData[0] = vec4(drawn.rgb / drawn.a, 1.0);

@@ -129,6 +129,8 @@ void LightingQuad::Allocate(vtkOpenGLRenderWindow* window, int width, int height
   this->Dry.Allocate(window, width, height);
   this->Wet = Layer();
   this->Lit = nullptr;
+  this->HasLit = false;
+  this->HasDepths = false;
   this->Kinds = NewPicture(window);
   this->Kinds->AllocateDepth(
     static_cast<unsigned int>(width), static_cast<unsigned int>(height), vtkTextureObject::Float32);
@@ -213,6 +215,38 @@ void LightingQuad::Take(vtkOpenGLRenderWindow* window, const Layer& layer, const
 void LightingQuad::Draw(vtkRenderer* renderer, const Lighting& light)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  if (!this->HasLit)
+  {
+    this->DrawLit(renderer, light);
+  }
+  this->HasLit = false;
+  if (light.HasLens())
+  {
+    // The distance in pixels at which the picture has its angle of view is P_11 H / 2
+    const double blur = 0.5 * light.Aperture * 0.5 * ProjectionOf(renderer)[1][1] * this->Height;
+    this->Glass.Draw(window, this->Lit, { blur, light.FocusDistance });
+  }
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglDepthFunc depth(state);
+  vtkOpenGLState::ScopedglDepthMask mask(state);
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  vtkTextureObject* blurred = light.HasLens() ? this->Glass.GetBlurred() : this->Lit.Get();
+  this->Lit->Activate();
+  blurred->Activate();
+  this->DrawPart("LandscapeShown", 0, renderer, light);
+  blurred->Deactivate();
+  this->Lit->Deactivate();
+}
+
+//----------------------------------------------------------------------------
+void LightingQuad::DrawLit(vtkRenderer* renderer, const Lighting& light)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   this->AllocateLit(window, light.HasLens());
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
@@ -223,20 +257,14 @@ void LightingQuad::Draw(vtkRenderer* renderer, const Lighting& light)
   state->vtkglDisable(GL_BLEND);
   this->DrawContact(renderer, light);
   this->DrawKinds(renderer, light);
-  if (light.HasLens())
-  {
-    // The distance in pixels at which the picture has its angle of view is P_11 H / 2
-    const double blur = 0.5 * light.Aperture * 0.5 * ProjectionOf(renderer)[1][1] * this->Height;
-    this->Glass.Draw(window, this->Lit, { blur, light.FocusDistance });
-  }
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglDepthFunc(GL_LEQUAL);
-  vtkTextureObject* blurred = light.HasLens() ? this->Glass.GetBlurred() : this->Lit.Get();
-  this->Lit->Activate();
-  blurred->Activate();
-  this->DrawPart("LandscapeShown", 0, renderer, light);
-  blurred->Deactivate();
-  this->Lit->Deactivate();
+}
+
+//----------------------------------------------------------------------------
+void LightingQuad::ShareLit(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes)
+{
+  this->DrawLit(renderer, light);
+  Lens::TakeNearest(this->Lit, processes);
+  this->HasLit = true;
 }
 
 //----------------------------------------------------------------------------

@@ -45,6 +45,9 @@ public:
   /// Takes the nearest of the surfaces that all processes have taken, for the shade where things meet, together.
   void ShareDepths(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes);
 
+  /// Lights the surfaces, and takes the nearest of all processes for the lens, together.
+  void ShareLit(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes);
+
   /// Draws the lit surfaces, and the sky behind them, with their depths.
   void Draw(vtkRenderer* renderer, const Lighting& light);
 
@@ -65,6 +68,7 @@ private:
   void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
   void AllocateLit(vtkOpenGLRenderWindow* window, bool hasLens);
   void Take(vtkOpenGLRenderWindow* window, const Layer& layer, const std::function<void()>& draw);
+  void DrawLit(vtkRenderer* renderer, const Lighting& light);
   void DrawContact(vtkRenderer* renderer, const Lighting& light);
   void DrawKinds(vtkRenderer* renderer, const Lighting& light);
   void DrawPart(const std::string& part, int kind, vtkRenderer* renderer, const Lighting& light);
@@ -79,6 +83,7 @@ private:
   Lens Glass;
   bool IsLinear = false;  ///< whether Lit has luminances and distances, for the lens
   bool HasDepths = false; ///< of all processes, for the next picture
+  bool HasLit = false;    ///< the same of Lit
   int Samples = 1;
   int Width = 0;
   int Height = 0;

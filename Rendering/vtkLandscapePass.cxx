@@ -135,7 +135,7 @@ struct vtkLandscapePass::Internals
 
   void DrawCover(vtkRenderer* renderer);
   void DrawOpaque(const vtkRenderState* state, bool isWater);
-  void DrawDry(const vtkRenderState* state);
+  void TakeSurfaces(const vtkRenderState* state);
 };
 
 //----------------------------------------------------------------------------
@@ -168,10 +168,15 @@ void vtkLandscapePass::Internals::DrawOpaque(const vtkRenderState* state, bool i
 }
 
 //----------------------------------------------------------------------------
-void vtkLandscapePass::Internals::DrawDry(const vtkRenderState* state)
+void vtkLandscapePass::Internals::TakeSurfaces(const vtkRenderState* state)
 {
-  this->DrawOpaque(state, false);
-  this->DrawCover(state->GetRenderer());
+  const auto drawSurfaces = [&] {
+    this->DrawOpaque(state, false);
+    this->DrawCover(state->GetRenderer());
+  };
+  const auto drawWater = [&] { this->DrawOpaque(state, true); };
+  this->Quad.TakeSurfaces(
+    state->GetRenderer(), drawSurfaces, this->Light.HasWater ? std::function<void()>(drawWater) : nullptr);
 }
 
 //----------------------------------------------------------------------------
@@ -221,10 +226,7 @@ vtkLandscapePass::vtkLandscapePass()
   vtkNew<vtkOverlayPass> overlay;
   vtkNew<CallPass> opaque;
   opaque->Call = [&own](const vtkRenderState* state) {
-    const auto drawSurfaces = [&] { own.DrawDry(state); };
-    const auto drawWater = [&] { own.DrawOpaque(state, true); };
-    own.Quad.TakeSurfaces(
-      state->GetRenderer(), drawSurfaces, own.Light.HasWater ? std::function<void()>(drawWater) : nullptr);
+    own.TakeSurfaces(state);
     own.Quad.Draw(state->GetRenderer(), own.Light);
   };
   vtkNew<CallPass> translucent;
@@ -403,8 +405,7 @@ void vtkLandscapePass::TakeLight()
   lighting.Background = this->Background;
   lighting.OcclusionRadius = this->OcclusionRadius;
   lighting.ContactRadius = this->GetQualityNow() != Fast ? this->ContactRadius : 0.0;
-  const bool areSeveral = this->Own->Controller && this->Own->Controller->GetNumberOfProcesses() > 1;
-  lighting.Aperture = this->GetQualityNow() != Fast && !areSeveral ? this->Aperture : 0.0;
+  lighting.Aperture = this->GetQualityNow() != Fast ? this->Aperture : 0.0;
   lighting.FocusDistance = this->FocusDistance;
   lighting.WantsSoftShadows = this->GetQualityNow() == Best;
   lighting.ContactCounts = { 2, this->GetQualityNow() == Best ? 4 : 3 };
@@ -499,26 +500,36 @@ void vtkLandscapePass::DrawMaps(vtkRenderer* renderer)
     this->TakeLight();
     this->RenderMaps(renderer, own.Controller);
     own.HasMaps = true;
-    this->ShareDepths(renderer);
+    this->ShareSurfaces(renderer);
   }
 }
 
 //----------------------------------------------------------------------------
-/// Processes have the depths of all surfaces; one alone has its own without this.
-void vtkLandscapePass::ShareDepths(vtkRenderer* renderer)
+/// Processes have the depths of all surfaces, and for a lens their light; one alone has its own without this.
+void vtkLandscapePass::ShareSurfaces(vtkRenderer* renderer)
 {
   Internals& own = *this->Own;
-  if (own.Light.ContactRadius <= 0.0 || !own.Controller || own.Controller->GetNumberOfProcesses() < 2)
+  this->TakeCamera(renderer);
+  const bool hasLens = own.Light.HasLens();
+  const bool hasContact = own.Light.ContactRadius > 0.0;
+  if ((!hasContact && !hasLens) || !own.Controller || own.Controller->GetNumberOfProcesses() < 2)
   {
     return;
   }
   vtkRenderState all(renderer);
   all.SetPropArrayAndCount(own.Shown.data(), static_cast<int>(own.Shown.size()));
   own.Lights->Render(&all);
-  this->TakeCamera(renderer);
-  own.Quad.TakeSurfaces(
-    renderer, [&] { own.DrawDry(&all); }, nullptr);
-  own.Quad.ShareDepths(renderer, own.Light, own.Controller);
+  own.TakeSurfaces(&all);
+  if (hasContact)
+  {
+    own.Quad.ShareDepths(renderer, own.Light, own.Controller);
+  }
+  if (hasLens)
+  {
+    own.Light.Activate(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
+    own.Quad.ShareLit(renderer, own.Light, own.Controller);
+    own.Light.Deactivate();
+  }
 }
 
 //----------------------------------------------------------------------------

@@ -154,7 +154,7 @@ public:
   ///@{
   /**
    * Diameter of the lens [m], which blurs what is not in focus, 0 for a sharp picture: of a focal length f and a number
-   * N it is f/N. None in the quality Fast, in parallel projection and where several processes draw. Default 0.
+   * N it is f/N. None in the quality Fast and in parallel projection. Default 0.
    */
   vtkSetClampMacro(Aperture, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Aperture, double);
@@ -368,7 +368,7 @@ private:
   void TakeShown(vtkRenderer* renderer);
   void TakeLight();
   void TakeCamera(vtkRenderer* renderer);
-  void ShareDepths(vtkRenderer* renderer);
+  void ShareSurfaces(vtkRenderer* renderer);
   void RenderMaps(vtkRenderer* renderer, vtkMultiProcessController* processes);
 
   struct Internals;
