@@ -3,6 +3,7 @@
 #include "ContactShade.h"
 
 #include "LandscapeContact.h"
+#include "NearestPixels.h"
 #include "OpenGL.h"
 #include "Uniforms.h"
 
@@ -43,11 +44,8 @@ ContactShade::ContactShade()
 ContactShade::~ContactShade() = default;
 
 //----------------------------------------------------------------------------
-void ContactShade::TakeWays(
-  vtkOpenGLRenderWindow* window, vtkTextureObject* surface, vtkTextureObject* depth, const View& view)
+void ContactShade::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
 {
-  const auto width = static_cast<int>(surface->GetWidth());
-  const auto height = static_cast<int>(surface->GetHeight());
   if (!this->Ways || this->Width != width || this->Height != height)
   {
     this->Width = width;
@@ -55,27 +53,36 @@ void ContactShade::TakeWays(
     this->Ways = PictureShader::NewPicture(window, width, height, 1);
     this->Hidden = PictureShader::NewPicture(window, width, height, 4);
   }
-  this->ToWays.Draw(window, this->Ways, { { "contactSurface", surface }, { "contactDepth", depth } },
-    [&view](vtkShaderProgram* program) {
-      SetUniform(program, "contactToView", view.ToView);
-      SetUniform(program, "contactIsParallel", view.IsParallel ? 1 : 0);
-    });
 }
 
 //----------------------------------------------------------------------------
-void ContactShade::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* surface, const View& view)
+void ContactShade::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* surface, vtkTextureObject* depth,
+  const View& view, vtkMultiProcessController* processes)
 {
-  this->ToHidden.Draw(window, this->Hidden, { { "contactWays", this->Ways }, { "contactSurface", surface } },
-    [&view](vtkShaderProgram* program) {
-      SetUniform(program, "contactRays", RaysOf(view));
-      SetUniform(program, "contactIsParallel", view.IsParallel ? 1 : 0);
-      SetUniform(program, "contactToWorld", view.ToWorld);
-      SetUniform(program, "contactRadius", view.Radius);
-      SetUniform(program, "contactCounts", glm::dvec2(view.Counts));
-    });
+  const auto setUniforms = [&view](vtkShaderProgram* program) {
+    SetUniform(program, "contactToView", view.ToView);
+    SetUniform(program, "contactRays", RaysOf(view));
+    SetUniform(program, "contactIsParallel", view.IsParallel ? 1 : 0);
+    SetUniform(program, "contactToWorld", view.ToWorld);
+    SetUniform(program, "contactRadius", view.Radius);
+    SetUniform(program, "contactCounts", glm::dvec2(view.Counts));
+  };
+  this->Allocate(window, static_cast<int>(surface->GetWidth()), static_cast<int>(surface->GetHeight()));
+  this->ToWays.Draw(window, this->Ways, { { "contactSurface", surface }, { "contactDepth", depth } }, setUniforms);
+  if (processes)
+  {
+    this->TakeNearest(processes);
+  }
+  this->ToHidden.Draw(window, this->Hidden,
+    { { "contactWays", this->Ways }, { "contactSurface", surface }, { "contactDepth", depth } }, setUniforms);
+  if (processes)
+  {
+    TakeNearestPixels(this->Hidden, processes);
+  }
 }
 
 //----------------------------------------------------------------------------
+/// The least of the distances that the processes have.
 void ContactShade::TakeNearest(vtkMultiProcessController* processes)
 {
   const auto count = static_cast<std::size_t>(this->Width) * this->Height;

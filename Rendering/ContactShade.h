@@ -39,14 +39,10 @@ public:
   ContactShade();
   ~ContactShade();
 
-  /// Takes the distances of a picture of surfaces and depths (SurfacePass).
-  void TakeWays(vtkOpenGLRenderWindow* window, vtkTextureObject* surface, vtkTextureObject* depth, const View& view);
-
-  /// Takes the least distances that processes have, all together.
-  void TakeNearest(vtkMultiProcessController* processes);
-
-  /// Draws what hides the sky from the surfaces of a picture.
-  void Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* surface, const View& view);
+  /// Draws what hides the sky from the surfaces of a picture (SurfacePass): from the nearest of all processes, if any
+  /// are given, which do so together.
+  void Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* surface, vtkTextureObject* depth, const View& view,
+    vtkMultiProcessController* processes);
 
   /// Texture of the part that is hidden, the sum of its directions to the east and to the north, and the distance along
   /// the view's axis; null before Draw().
@@ -55,6 +51,9 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
+  void TakeNearest(vtkMultiProcessController* processes);
+
   PictureShader ToWays;
   PictureShader ToHidden;
   vtkSmartPointer<vtkTextureObject> Ways;

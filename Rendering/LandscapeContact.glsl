@@ -44,14 +44,20 @@ float contactArc(float h, vec2 ofH, vec2 ofG)
   return 0.5 * (ofG.x * ofH.y * ofH.y + ofG.y * (h - ofH.x * ofH.y));
 }
 
-#if ContactPart == ContactWays
-void main()
+// Distance of what the picture of this process shows.
+float contactOwnWay()
 {
   float depth = texture(contactDepth, texCoord).r;
   float w = texture(contactSurface, texCoord).w;
   vec4 place = contactToView * vec4(2.0 * vec3(texCoord, depth) - 1.0, 1.0);
   float way = contactIsParallel == 1 || w <= 0.0 ? -place.z / place.w : w;
-  gl_FragData[0] = vec4(depth >= 1.0 ? 1e9 : way);
+  return depth >= 1.0 ? 1e9 : way;
+}
+
+#if ContactPart == ContactWays
+void main()
+{
+  gl_FragData[0] = vec4(contactOwnWay());
 }
 #else
 void main()
@@ -115,6 +121,8 @@ void main()
     }
   }
   hidden *= seen / max(slices, 1.0);
-  gl_FragData[0] = vec4(hidden.w, (contactToWorld * hidden.xyz).xy, way);
+  // Another process has what is nearer.
+  bool isOwn = contactOwnWay() <= way;
+  gl_FragData[0] = vec4(hidden.w, (contactToWorld * hidden.xyz).xy, isOwn ? way : 0.0);
 }
 #endif

@@ -7,7 +7,6 @@
 
 #include "vtkSmartPointer.h"
 
-class vtkMultiProcessController;
 class vtkOpenGLRenderWindow;
 class vtkTextureObject;
 class vtkWindow;
@@ -27,9 +26,6 @@ public:
 
   Lens();
   ~Lens();
-
-  /// Takes the nearest of the lit pictures that processes have, all together.
-  static void TakeNearest(vtkTextureObject* lit, vtkMultiProcessController* processes);
 
   /// Draws what a lit picture, of luminances and distances, is behind the lens.
   void Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* lit, const View& view);

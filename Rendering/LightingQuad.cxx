@@ -9,6 +9,7 @@
 #include "LandscapeSoftShadow.h"
 #include "LandscapeWater.h"
 #include "Lighting.h"
+#include "NearestPixels.h"
 #include "OpenGL.h"
 #include "SurfacePass.h"
 #include "Uniforms.h"
@@ -130,7 +131,7 @@ void LightingQuad::Allocate(vtkOpenGLRenderWindow* window, int width, int height
   this->Wet = Layer();
   this->Lit = nullptr;
   this->HasLit = false;
-  this->HasDepths = false;
+  this->HasContact = false;
   this->Kinds = NewPicture(window);
   this->Kinds->AllocateDepth(
     static_cast<unsigned int>(width), static_cast<unsigned int>(height), vtkTextureObject::Float32);
@@ -255,7 +256,7 @@ void LightingQuad::DrawLit(vtkRenderer* renderer, const Lighting& light)
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_BLEND);
-  this->DrawContact(renderer, light);
+  this->DrawContact(renderer, light, nullptr);
   this->DrawKinds(renderer, light);
 }
 
@@ -263,33 +264,26 @@ void LightingQuad::DrawLit(vtkRenderer* renderer, const Lighting& light)
 void LightingQuad::ShareLit(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes)
 {
   this->DrawLit(renderer, light);
-  Lens::TakeNearest(this->Lit, processes);
+  TakeNearestPixels(this->Lit, processes);
   this->HasLit = true;
 }
 
 //----------------------------------------------------------------------------
-void LightingQuad::ShareDepths(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes)
+void LightingQuad::ShareContact(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes)
 {
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  this->Contact.TakeWays(window, this->Dry.Surface, this->Dry.Depth, ContactOf(renderer, light));
-  this->Contact.TakeNearest(processes);
-  this->HasDepths = true;
+  this->DrawContact(renderer, light, processes);
+  this->HasContact = true;
 }
 
 //----------------------------------------------------------------------------
-void LightingQuad::DrawContact(vtkRenderer* renderer, const Lighting& light)
+void LightingQuad::DrawContact(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes)
 {
-  if (light.ContactRadius > 0.0)
+  if (light.ContactRadius > 0.0 && !this->HasContact)
   {
     auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-    const ContactShade::View view = ContactOf(renderer, light);
-    if (!this->HasDepths)
-    {
-      this->Contact.TakeWays(window, this->Dry.Surface, this->Dry.Depth, view);
-    }
-    this->Contact.Draw(window, this->Dry.Surface, view);
+    this->Contact.Draw(window, this->Dry.Surface, this->Dry.Depth, ContactOf(renderer, light), processes);
   }
-  this->HasDepths = false;
+  this->HasContact = false;
 }
 
 //----------------------------------------------------------------------------

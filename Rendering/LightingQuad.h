@@ -42,8 +42,8 @@ public:
   void TakeSurfaces(
     vtkRenderer* renderer, const std::function<void()>& drawSurfaces, const std::function<void()>& drawWater);
 
-  /// Takes the nearest of the surfaces that all processes have taken, for the shade where things meet, together.
-  void ShareDepths(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes);
+  /// Draws the shade where things meet of the nearest of the surfaces that all processes have taken, together.
+  void ShareContact(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes);
 
   /// Lights the surfaces, and takes the nearest of all processes for the lens, together.
   void ShareLit(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes);
@@ -69,7 +69,7 @@ private:
   void AllocateLit(vtkOpenGLRenderWindow* window, bool hasLens);
   void Take(vtkOpenGLRenderWindow* window, const Layer& layer, const std::function<void()>& draw);
   void DrawLit(vtkRenderer* renderer, const Lighting& light);
-  void DrawContact(vtkRenderer* renderer, const Lighting& light);
+  void DrawContact(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes);
   void DrawKinds(vtkRenderer* renderer, const Lighting& light);
   void DrawPart(const std::string& part, int kind, vtkRenderer* renderer, const Lighting& light);
 
@@ -81,9 +81,9 @@ private:
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Parts; ///< by what is defined in their shaders
   ContactShade Contact;
   Lens Glass;
-  bool IsLinear = false;  ///< whether Lit has luminances and distances, for the lens
-  bool HasDepths = false; ///< of all processes, for the next picture
-  bool HasLit = false;    ///< the same of Lit
+  bool IsLinear = false;   ///< whether Lit has luminances and distances, for the lens
+  bool HasContact = false; ///< of all processes, for the next picture
+  bool HasLit = false;     ///< the same of Lit
   int Samples = 1;
   int Width = 0;
   int Height = 0;

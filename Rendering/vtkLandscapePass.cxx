@@ -505,7 +505,7 @@ void vtkLandscapePass::DrawMaps(vtkRenderer* renderer)
 }
 
 //----------------------------------------------------------------------------
-/// Processes have the depths of all surfaces, and for a lens their light; one alone has its own without this.
+/// Processes have the shade of all surfaces, and for a lens their light; one alone has its own without this.
 void vtkLandscapePass::ShareSurfaces(vtkRenderer* renderer)
 {
   Internals& own = *this->Own;
@@ -522,7 +522,7 @@ void vtkLandscapePass::ShareSurfaces(vtkRenderer* renderer)
   own.TakeSurfaces(&all);
   if (hasContact)
   {
-    own.Quad.ShareDepths(renderer, own.Light, own.Controller);
+    own.Quad.ShareContact(renderer, own.Light, own.Controller);
   }
   if (hasLens)
   {
