@@ -74,6 +74,8 @@ public:
   /// From the world to the coordinates of a map, 0 to 1.
   const glm::dmat4& GetMatrix(int map) const { return this->Places[map].ToMap; }
   double GetTexelSize(int map) const { return 2.0 * this->Places[map].Radius / this->Size; }
+  /// Distance along the light from the depth 0 to the depth 1 of a map [m].
+  double GetRange(int map) const { return 2.0 * this->Places[map].Depth; }
   int GetSize() const { return this->Size; }
   /// Lowest height of all that is shown [m]; 0 without anything.
   double GetLowest() const { return this->Lowest; }

@@ -81,6 +81,10 @@ float landscapeWithin(vec3 at)
   return at.z > 0.0 && at.z < 1.0 ? clamp((0.98 - max(rim.x, rim.y)) / 0.08, 0.0, 1.0) : 0.0;
 }
 
+#ifdef LandscapeSoftShadows
+float landscapeReachesSoftly(int map, vec3 at, float towards);
+#endif
+
 // Part of the sun that is seen from a place; the first map that covers it tells, and fades into the next at its rim.
 float landscapeSunSeen(vec3 placeV, vec3 normalV, float towards)
 {
@@ -101,46 +105,61 @@ float landscapeSunSeen(vec3 placeV, vec3 normalV, float towards)
     {
       vec3 at = (landscapeToMap[map] * vec4(placeV + lift * landscapeTexel[map] * normalV, 1.0)).xyz;
       float share = left * landscapeWithin(at);
+#ifdef LandscapeSoftShadows
+      seen += share > 0.0 ? share * landscapeReachesSoftly(map, at, towards) : 0.0;
+#else
       vec3 a = vec3(0.75 / landscapeMapSize, 0.25 / landscapeMapSize, 0.0);
       seen += 0.25 * share * (landscapeReaches(map, at + a.xyz) + landscapeReaches(map, at + a.yxz * vec3(-1.0, 1.0, 1.0)) +
         landscapeReaches(map, at - a.xyz) + landscapeReaches(map, at + a.yxz * vec3(1.0, -1.0, 1.0)));
+#endif
       left -= share;
     }
   }
   return seen + left;
 }
 
+// Part of the sky that is hidden near by from what is lit (ContactShade), and the sum of its directions to the east and
+// to the north.
+vec3 landscapeHidden = vec3(0.0);
+
+// Part that is open near by, of what comes from directions around an azimuth: 1 - H - 2 h . u
+float landscapeOpenNear(vec2 azimuth)
+{
+  return clamp(1.0 - landscapeHidden.x - 2.0 * dot(landscapeHidden.yz, azimuth), 0.0, 1.0);
+}
+
 // Part of the light of the sky that reaches a place, by what is open to the zenith along 11 rays: one upward, for the
 // quarter of the light from within 30 degrees of the zenith, five at 45 degrees for the half from within 60 degrees,
 // and five at 15 degrees above the horizon for the rest; each ray is tried at two distances. What is below something
-// has a way out only where nothing is above its own height.
+// has a way out only where nothing is above its own height. Light of a ray comes where nothing near by hides it either.
 float landscapeSkySeen(vec3 placeV, vec3 normalV)
 {
+  float near = 1.0 - landscapeHidden.x;
 #ifdef LandscapeNoOcclusion
-  return 1.0;
+  return near;
 #endif
   if (landscapeOcclusion <= 0.0 || landscapeTexel[3] <= 0.0)
   {
-    return 1.0;
+    return near;
   }
   vec3 at = (landscapeToMap[3] * vec4(placeV + 2.0 * landscapeTexel[3] * normalV, 1.0)).xyz;
   float share = landscapeWithin(at);
   if (share <= 0.0)
   {
-    return 1.0;
+    return near;
   }
   float zenith = landscapeReaches(3, at);
-  float seen = 0.25 * zenith;
+  float seen = 0.25 * near * zenith;
   for (int ray = 0; ray < 5; ++ray)
   {
     float around = (ray + 0.3) * 0.4 * landscapePi;
     vec3 flat_ = vec3(cos(around), sin(around), 0.0);
     vec3 high = landscapeZenithAxes * (landscapeOcclusion * 0.7071 * (flat_ + vec3(0.0, 0.0, zenith)));
     vec3 low = landscapeZenithAxes * (landscapeOcclusion * (0.966 * flat_.yxz + vec3(0.0, 0.0, 0.259 * zenith)));
-    seen += 0.05 * (landscapeReaches(3, at + 0.4 * high) + landscapeReaches(3, at + high));
-    seen += 0.025 * (landscapeReaches(3, at + 0.4 * low) + landscapeReaches(3, at + low));
+    seen += 0.05 * landscapeOpenNear(flat_.xy) * (landscapeReaches(3, at + 0.4 * high) + landscapeReaches(3, at + high));
+    seen += 0.025 * landscapeOpenNear(flat_.yx) * (landscapeReaches(3, at + 0.4 * low) + landscapeReaches(3, at + low));
   }
-  return mix(1.0, seen, share);
+  return mix(near, seen, share);
 }
 
 // Fog from far below its level up to a height above it, as the length of dense fog [m]: it is even below the level, and

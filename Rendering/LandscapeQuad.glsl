@@ -82,6 +82,30 @@ vec3 landscapePlaceOf(float depth, float w, vec3 sight)
   return landscapeIsParallel == 1 || w <= 0.0 ? landscapePlace(depth) : sight * (w / -sight.z);
 }
 
+#ifdef LandscapeHasContact
+uniform sampler2D landscapeContact;   // of ContactShade
+uniform float landscapeContactRadius; // [m]
+
+// What is hidden near by: the mean of four neighbours, which have other directions each, but for those off the plane.
+vec3 landscapeContactAt(vec3 place, vec3 normal)
+{
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  ivec2 end = textureSize(landscapeContact, 0) - 1;
+  vec2 line_ = landscapeIsParallel == 1 ? place.xy : -place.xy / place.z;
+  vec4 sum = vec4(0.0);
+  for (int k = 0; k < 4; ++k)
+  {
+    ivec2 off = ivec2(k & 1, k >> 1) - 1;
+    vec4 near = texelFetch(landscapeContact, clamp(at + off, ivec2(0), end), 0);
+    float scale = landscapeIsParallel == 1 ? 1.0 : near.w;
+    vec3 there = vec3(scale * (line_ + landscapePixel * vec2(off)), -near.w);
+    float high = dot(there - place, normal) / (0.1 * landscapeContactRadius);
+    sum += max(1.0 - abs(high), k == 3 ? 1e-3 : 0.0) * vec4(near.xyz, 1.0);
+  }
+  return sum.xyz / sum.w;
+}
+#endif
+
 #if LandscapePart == LandscapeAbove || LandscapePart == LandscapeBelow
 // Luminance of what is in the water, of the albedo of its data.
 vec3 landscapeWetLuminance(float material, vec3 albedo, vec3 place, vec3 normal)
@@ -89,6 +113,59 @@ vec3 landscapeWetLuminance(float material, vec3 albedo, vec3 place, vec3 normal)
   bool isGrass = material > 2.5;
   return landscapeWet(isGrass ? albedo * landscapeCoverColor : albedo, place, normal,
     isGrass ? 0.4 : material > 1.5 ? 0.0 : material);
+}
+#endif
+
+#ifdef LandscapeHasLens
+// Luminance that the display shows as a code: landscapeDisplayed backwards.
+vec3 landscapeOfCode(vec3 code)
+{
+  vec3 c = landscapeLinear(code);
+  if (landscapeFilmCurve == 1)
+  {
+    // (A x2 + C B x + D E) / (A x2 + B x + D F) = y, with the constants of the film's curve
+    const float A = 0.22, B = 0.30, C = 0.10, D = 0.20, E = 0.01, F = 0.30, W = 11.2;
+    float white = (W * (A * W + C * B) + D * E) / (W * (A * W + B) + D * F) - E / F;
+    vec3 y = c * white + E / F;
+    vec3 a = A * (1.0 - y), b = B * (C - y), d = D * (E - F * y);
+    c = 0.25 * (sqrt(max(b * b - 4.0 * a * d, 0.0)) - b) / a;
+  }
+  return c / landscapeExposure;
+}
+#endif
+
+#if LandscapePart == LandscapeShown && defined(LandscapeHasLens)
+uniform sampler2D landscapeBlurred; // of Lens
+uniform int landscapeSamples;       // along a side of a pixel
+
+// What the display shows of a sample behind the lens: in focus what it is without it, else what is blurred; where taps
+// lie apart, with those of its neighbours.
+vec3 landscapeBehindLens(ivec2 at)
+{
+  ivec2 end = textureSize(landscapeBlurred, 0) - 1;
+  float soft = texelFetch(landscapeBlurred, at, 0).a;
+  vec4 sum = vec4(0.0);
+  for (int k = 0; k < 9; ++k)
+  {
+    ivec2 off = ivec2(k % 3, k / 3) - 1;
+    vec4 near = texelFetch(landscapeBlurred, clamp(at + off, ivec2(0), end), 0);
+    float weight = (2.0 - abs(off.x)) * (2.0 - abs(off.y)) * clamp(0.25 * near.a - 1.0, 0.0, 1.0);
+    sum += (k == 4 ? 4.0 : weight) * vec4(near.rgb, 1.0);
+  }
+  vec3 sharp = texelFetch(landscapeDrawn, at, 0).rgb;
+  return landscapeDisplayed(mix(sharp, sum.rgb / sum.w, smoothstep(0.5, 1.0, soft)));
+}
+
+// The mean of the samples' codes, as without the lens.
+vec3 landscapeBehindLens()
+{
+  ivec2 first = landscapeSamples * ivec2(texCoord * vec2(textureSize(landscapeDrawn, 0) / landscapeSamples));
+  vec3 sum = vec3(0.0);
+  for (int k = 0; k < landscapeSamples * landscapeSamples; ++k)
+  {
+    sum += landscapeBehindLens(first + ivec2(k % landscapeSamples, k / landscapeSamples));
+  }
+  return sum / float(landscapeSamples * landscapeSamples);
 }
 #endif
 
@@ -105,7 +182,9 @@ void main()
   bool hasSurface = wet.z > -0.5 && (wetDepth < depth ||
     (isRiver && landscapeIsParallel == 0 && wet.w < (1.0 + landscapeRiverSlack) * surface.w));
   float shown = hasSurface ? wetDepth : depth;
+  float wayOfWater = -landscapePlaceOf(wetDepth, wet.w, landscapePlace(0.5)).z;
 #else
+  const float wayOfWater = 0.0;
   const bool hasSurface = false;
   float shown = depth;
 #endif
@@ -116,7 +195,15 @@ void main()
 #elif LandscapePart == LandscapeShown
   vec4 drawn = texture(landscapeDrawn, texCoord);
   if (drawn.a <= 0.0) discard; // nothing, and no background
+#ifdef LandscapeHasLens
+  // Of several processes, those that have the nearest surface show it, or the sky.
+  float way = hasSurface ? wayOfWater : -landscapePlaceOf(depth, surface.w, landscapePlace(0.5)).z;
+  bool isNearest = isThere || hasSurface ? way <= 1.00001 * drawn.a : landscapeBackground == 1 && drawn.a > 1e8;
+  if (!isNearest) discard;
+  gl_FragData[0] = vec4(landscapeBehindLens(), 1.0);
+#else
   gl_FragData[0] = vec4(drawn.rgb / drawn.a, 1.0);
+#endif
 #if LandscapeHasWater
   // The depth of a river is that of the ground that it just hides, also of another process's: z = (f - f n / w) / (f - n)
   float near = -landscapePlace(0.0).z;
@@ -134,6 +221,9 @@ void main()
   vec3 place = landscapePlaceOf(depth, surface.w, sight);
   vec3 normal = landscapeUnfolded(surface.xy);
   bool isLit = surface.z > -0.5;
+#ifdef LandscapeHasContact
+  landscapeHidden = landscapeContactAt(place, normal);
+#endif
   vec3 luminance = vec3(0.0);
 #if LandscapePart == LandscapeSky
   luminance = landscapeBehindAll(d);
@@ -221,11 +311,20 @@ void main()
   foam = max(foam, isShore ? landscapeShoreFoam(ground.z - landscapeEyeDepth, groundAt) : 0.0);
 #endif
   foam = landscapeLace(foam, (landscapeEye + landscapeToWorld * wetPlace).xy - landscapeWayOf(carried.rgb), footprint);
+  landscapeHidden = vec3(0.0);
   luminance = mix(luminance, landscapeLuminance(vec3(0.6), wetPlace, wetNormal * landscapeToWorld, 0.0, 1.0), foam);
   luminance = landscapeBehindAir(luminance, eye, wetPlace);
 #endif
 #endif
   bool isPaint = isThere && !isLit && !hasSurface; // which no light changes
+#ifdef LandscapeHasLens
+#if LandscapePart == LandscapeAbove || LandscapePart == LandscapeBelow
+  place = hasSurface ? wetPlace : place;
+#endif
+  float away = isThere || hasSurface ? -place.z : 1e9;
+  gl_FragData[0] = vec4(isPaint ? landscapeOfCode(code) : luminance, away);
+#else
   gl_FragData[0] = vec4(isPaint ? code : landscapeDisplayed(luminance), 1.0);
+#endif
 #endif
 }

@@ -35,11 +35,16 @@ void Lighting::Activate(vtkOpenGLRenderWindow* window)
   {
     texture->Activate();
   }
+  if (this->WantsSoftShadows && this->HasShadows())
+  {
+    this->Depths.Activate(window, maps);
+  }
 }
 
 //----------------------------------------------------------------------------
 void Lighting::Deactivate()
 {
+  this->Depths.Deactivate();
   for (vtkTextureObject* texture : this->Bound)
   {
     texture->Deactivate();
@@ -85,6 +90,11 @@ void Lighting::SetUniforms(vtkShaderProgram* program) const
   }
   program->SetUniformMatrix4x4v("landscapeToMap", DepthMaps::LightMaps, matrices);
   SetUniform(program, "landscapeTexel", texels);
+  if (this->HasSoftShadows())
+  {
+    SetUniform(program, "landscapeMapDepths", this->Depths.GetUnit());
+    SetUniform(program, "landscapeMapRange", this->Maps.GetRange(0));
+  }
   SetUniform(program, "landscapeMapSize", static_cast<double>(std::max(this->Maps.GetSize(), 1)));
   SetUniform(program, "landscapeOcclusion", this->OcclusionRadius);
   SetUniform(program, "landscapeEyeHeight", std::max(this->Eye.z - this->Maps.GetLowest(), 1.0));
@@ -115,6 +125,7 @@ void Lighting::ReleaseGraphicsResources(vtkWindow* window)
   this->Maps.ReleaseGraphicsResources(window);
   this->Sky.ReleaseGraphicsResources(window);
   this->Ripples.ReleaseGraphicsResources(window);
+  this->Depths.ReleaseGraphicsResources(window);
   if (this->NoMap)
   {
     this->NoMap->ReleaseGraphicsResources(window);

@@ -5,6 +5,7 @@
 
 #include "DepthMaps.h"
 #include "RippleTextures.h"
+#include "SecondSampler.h"
 #include "SkyTextures.h"
 
 #include "vtkSmartPointer.h"
@@ -45,6 +46,11 @@ public:
   double CloudHeight = 1500.0;                  ///< [m]
   glm::dvec2 CloudDrift = glm::dvec2(0.0);      ///< [m]
   double OcclusionRadius = 0.0;                 ///< distance of what hides the sky [m]
+  double ContactRadius = 0.0;                   ///< the same for what meets, by the picture's depths [m]
+  glm::ivec2 ContactCounts = glm::ivec2(0);     ///< slices and taps (ContactShade)
+  bool WantsSoftShadows = false;                ///< whether shadows are as soft as the sun is wide
+  double Aperture = 0.0;                        ///< diameter of the lens [m]
+  double FocusDistance = 10.0;                  ///< along the view's axis [m]
   bool HasGround = false;                       ///< whether surfaces of the material Ground are shown
   bool HasWater = false;                        ///< whether surfaces of water are shown
   bool LightsColorMaps = false;                 ///< whether surfaces with a color map are lit
@@ -67,6 +73,12 @@ public:
   bool HasShadows() const { return this->Maps.Has(0) || this->Maps.Has(1) || this->Maps.Has(2); }
   bool HasOcclusion() const { return this->OcclusionRadius > 0.0 && this->Maps.Has(DepthMaps::Zenith); }
 
+  /// Whether shadows are soft: where depths may be read from their maps.
+  bool HasSoftShadows() const { return this->WantsSoftShadows && this->HasShadows() && this->Depths.IsOn(); }
+
+  /// Whether what is out of focus is blurred.
+  bool HasLens() const { return this->Aperture > 0.0 && !this->IsParallel; }
+
   /// Between them, the textures are bound.
   void Activate(vtkOpenGLRenderWindow* window);
   void Deactivate();
@@ -79,6 +91,7 @@ public:
 private:
   vtkSmartPointer<vtkTextureObject> NoMap; ///< in place of maps that there are not
   std::vector<vtkTextureObject*> Bound;
+  SecondSampler Depths; ///< of the maps of light
 };
 
 }

@@ -6,9 +6,11 @@
 #include "LandscapeLight.h"
 #include "LandscapeNoise.h"
 #include "LandscapeQuad.h"
+#include "LandscapeSoftShadow.h"
 #include "LandscapeWater.h"
 #include "LandscapeWetness.h"
 #include "Lighting.h"
+#include "NearestPixels.h"
 #include "OpenGL.h"
 #include "SurfacePass.h"
 #include "Uniforms.h"
@@ -54,6 +56,19 @@ void main()
 }
 )";
 
+/// From view to clip coordinates.
+glm::dmat4 ProjectionOf(vtkRenderer* renderer)
+{
+  return MatrixOf(
+    renderer->GetActiveCamera()->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
+}
+
+ContactShade::View ContactOf(vtkRenderer* renderer, const Lighting& light)
+{
+  return { glm::inverse(ProjectionOf(renderer)), glm::dmat3(light.ToWorld), light.IsParallel, light.ContactRadius,
+    light.ContactCounts };
+}
+
 /// The program of a quad that is made, with what is defined, if there is none; null if it does not compile.
 vtkShaderProgram* Ready(
   std::unique_ptr<vtkOpenGLQuadHelper>& quad, vtkOpenGLRenderWindow* window, const std::string& defined)
@@ -62,7 +77,8 @@ vtkShaderProgram* Ready(
   {
     std::string source = LandscapeQuad;
     vtkShaderProgram::Substitute(source, "//VTK::Landscape::Dec",
-      defined + LandscapeNoise + LandscapeLight + LandscapeGround + LandscapeWater + LandscapeWetness);
+      defined + LandscapeNoise + LandscapeLight + LandscapeSoftShadow + LandscapeGround + LandscapeWater +
+        LandscapeWetness);
     quad = std::make_unique<vtkOpenGLQuadHelper>(window, Corners, source.c_str(), "");
   }
   else
@@ -115,14 +131,33 @@ void LightingQuad::Allocate(vtkOpenGLRenderWindow* window, int width, int height
   this->Height = height;
   this->Dry.Allocate(window, width, height);
   this->Wet = Layer();
+  this->Lit = nullptr;
+  this->HasLit = false;
+  this->HasContact = false;
+  this->Kinds = NewPicture(window);
+  this->Kinds->AllocateDepth(
+    static_cast<unsigned int>(width), static_cast<unsigned int>(height), vtkTextureObject::Float32);
+}
+
+//----------------------------------------------------------------------------
+void LightingQuad::AllocateLit(vtkOpenGLRenderWindow* window, bool hasLens)
+{
+  if (this->Lit && this->IsLinear == hasLens)
+  {
+    return;
+  }
+  this->IsLinear = hasLens;
+  if (hasLens)
+  {
+    this->Lit = PictureShader::NewPicture(window, this->Width, this->Height, 4);
+    return;
+  }
   // A linear filter between four pixels is their mean.
   this->Lit = NewPicture(window);
   this->Lit->SetMinificationFilter(vtkTextureObject::Linear);
   this->Lit->SetMagnificationFilter(vtkTextureObject::Linear);
-  this->Lit->Allocate2D(static_cast<unsigned int>(width), static_cast<unsigned int>(height), 4, VTK_UNSIGNED_CHAR);
-  this->Kinds = NewPicture(window);
-  this->Kinds->AllocateDepth(
-    static_cast<unsigned int>(width), static_cast<unsigned int>(height), vtkTextureObject::Float32);
+  this->Lit->Allocate2D(
+    static_cast<unsigned int>(this->Width), static_cast<unsigned int>(this->Height), 4, VTK_UNSIGNED_CHAR);
 }
 
 //----------------------------------------------------------------------------
@@ -182,19 +217,75 @@ void LightingQuad::Take(vtkOpenGLRenderWindow* window, const Layer& layer, const
 //----------------------------------------------------------------------------
 void LightingQuad::Draw(vtkRenderer* renderer, const Lighting& light)
 {
-  vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  if (!this->HasLit)
+  {
+    this->DrawLit(renderer, light);
+  }
+  this->HasLit = false;
+  if (light.HasLens())
+  {
+    // The distance in pixels at which the picture has its angle of view is P_11 H / 2
+    const double blur = 0.5 * light.Aperture * 0.5 * ProjectionOf(renderer)[1][1] * this->Height;
+    this->Glass.Draw(window, this->Lit, { blur, light.FocusDistance });
+  }
+  vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglDepthFunc depth(state);
   vtkOpenGLState::ScopedglDepthMask mask(state);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_BLEND);
-  this->DrawKinds(renderer, light);
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglDepthFunc(GL_LEQUAL);
+  vtkTextureObject* blurred = light.HasLens() ? this->Glass.GetBlurred() : this->Lit.Get();
   this->Lit->Activate();
+  blurred->Activate();
   this->DrawPart("LandscapeShown", 0, renderer, light);
+  blurred->Deactivate();
   this->Lit->Deactivate();
+}
+
+//----------------------------------------------------------------------------
+void LightingQuad::DrawLit(vtkRenderer* renderer, const Lighting& light)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  this->AllocateLit(window, light.HasLens());
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglDepthFunc depth(state);
+  vtkOpenGLState::ScopedglDepthMask mask(state);
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_BLEND);
+  this->DrawContact(renderer, light, nullptr);
+  this->DrawKinds(renderer, light);
+}
+
+//----------------------------------------------------------------------------
+void LightingQuad::ShareLit(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes)
+{
+  this->DrawLit(renderer, light);
+  TakeNearestPixels(this->Lit, processes);
+  this->HasLit = true;
+}
+
+//----------------------------------------------------------------------------
+void LightingQuad::ShareContact(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes)
+{
+  this->DrawContact(renderer, light, processes);
+  this->HasContact = true;
+}
+
+//----------------------------------------------------------------------------
+void LightingQuad::DrawContact(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes)
+{
+  if (light.ContactRadius > 0.0 && !this->HasContact)
+  {
+    auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+    this->Contact.Draw(window, this->Dry.Surface, this->Dry.Depth, ContactOf(renderer, light), processes);
+  }
+  this->HasContact = false;
 }
 
 //----------------------------------------------------------------------------
@@ -251,8 +342,11 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   defined += light.HasShore() ? "#define LandscapeHasShore 1\n" : "#define LandscapeHasShore 0\n";
   defined += light.Wetness > 0.0 ? "#define LandscapeIsWet 1\n" : "#define LandscapeIsWet 0\n";
   defined += light.HasShadows() ? "" : "#define LandscapeNoShadows\n";
+  defined += light.HasSoftShadows() ? "#define LandscapeSoftShadows\n" : "";
   defined += light.HasOcclusion() ? "" : "#define LandscapeNoOcclusion\n";
   defined += light.FogExtinction > 0.0 ? "" : "#define LandscapeNoFog\n";
+  defined += light.ContactRadius > 0.0 ? "#define LandscapeHasContact\n" : "";
+  defined += light.HasLens() ? "#define LandscapeHasLens\n" : "";
   defined += light.CloudCover > 0.0 ? "" : "#define LandscapeNoClouds\n";
   vtkShaderProgram* program = Ready(this->Parts[defined], window, defined);
   if (!program)
@@ -270,12 +364,17 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   {
     pictures[picture]->Activate();
   }
+  vtkTextureObject* const hidden = light.ContactRadius > 0.0 ? this->Contact.GetHidden() : nullptr;
+  if (hidden)
+  {
+    hidden->Activate();
+    SetUniform(program, "landscapeContact", hidden->GetTextureUnit());
+  }
   for (int picture = 0; picture < 6; ++picture)
   {
     SetUniform(program, names[picture], pictures[picture]->GetTextureUnit());
   }
-  const glm::dmat4 projection =
-    MatrixOf(renderer->GetActiveCamera()->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
+  const glm::dmat4 projection = ProjectionOf(renderer);
   SetUniform(program, "landscapeToView", glm::inverse(projection));
   const auto modulo = [&](double period) { return light.Eye - period * glm::floor(light.Eye / period); };
   SetUniform(program, "landscapeEye", modulo(NoisePeriod));
@@ -283,8 +382,18 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   SetUniform(program, "landscapeWoodCover", light.WoodCover);
   SetUniform(program, "landscapeCoverColor", light.CoverColor);
   SetUniform(program, "landscapeDrawn", this->Lit->GetTextureUnit());
+  if (part == "LandscapeShown" && light.HasLens())
+  {
+    SetUniform(program, "landscapeBlurred", this->Glass.GetBlurred()->GetTextureUnit());
+    SetUniform(program, "landscapeSamples", this->Samples);
+  }
   SetUniform(program, "landscapePixel", 2.0 / (projection[1][1] * this->Height));
+  SetUniform(program, "landscapeContactRadius", light.ContactRadius);
   this->Parts[defined]->Render();
+  if (hidden)
+  {
+    hidden->Deactivate();
+  }
   for (int picture = 0; picture < (this->Wet.Albedo ? 6 : 3); ++picture)
   {
     pictures[picture]->Deactivate();
@@ -296,6 +405,8 @@ void LightingQuad::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Dry.Clear(window);
   this->Wet.Clear(window);
+  this->Contact.ReleaseGraphicsResources(window);
+  this->Glass.ReleaseGraphicsResources(window);
   for (auto* picture : { &this->Lit, &this->Kinds })
   {
     if (*picture)

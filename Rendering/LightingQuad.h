@@ -3,6 +3,9 @@
 #ifndef LittoralLightingQuad_h
 #define LittoralLightingQuad_h
 
+#include "ContactShade.h"
+#include "Lens.h"
+
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
@@ -11,6 +14,7 @@
 #include <memory>
 #include <string>
 
+class vtkMultiProcessController;
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
@@ -38,6 +42,12 @@ public:
   void TakeSurfaces(
     vtkRenderer* renderer, const std::function<void()>& drawSurfaces, const std::function<void()>& drawWater);
 
+  /// Draws the shade where things meet of the nearest of the surfaces that all processes have taken, together.
+  void ShareContact(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes);
+
+  /// Lights the surfaces, and takes the nearest of all processes for the lens, together.
+  void ShareLit(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes);
+
   /// Draws the lit surfaces, and the sky behind them, with their depths.
   void Draw(vtkRenderer* renderer, const Lighting& light);
 
@@ -56,7 +66,10 @@ private:
   };
 
   void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
+  void AllocateLit(vtkOpenGLRenderWindow* window, bool hasLens);
   void Take(vtkOpenGLRenderWindow* window, const Layer& layer, const std::function<void()>& draw);
+  void DrawLit(vtkRenderer* renderer, const Lighting& light);
+  void DrawContact(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes);
   void DrawKinds(vtkRenderer* renderer, const Lighting& light);
   void DrawPart(const std::string& part, int kind, vtkRenderer* renderer, const Lighting& light);
 
@@ -66,6 +79,11 @@ private:
   vtkSmartPointer<vtkTextureObject> Lit;
   vtkSmartPointer<vtkTextureObject> Kinds;                           ///< of pixels, as depths
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Parts; ///< by what is defined in their shaders
+  ContactShade Contact;
+  Lens Glass;
+  bool IsLinear = false;   ///< whether Lit has luminances and distances, for the lens
+  bool HasContact = false; ///< of all processes, for the next picture
+  bool HasLit = false;     ///< the same of Lit
   int Samples = 1;
   int Width = 0;
   int Height = 0;

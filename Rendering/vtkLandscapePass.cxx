@@ -138,6 +138,7 @@ struct vtkLandscapePass::Internals
 
   void DrawCover(vtkRenderer* renderer);
   void DrawOpaque(const vtkRenderState* state, bool isWater);
+  void TakeSurfaces(const vtkRenderState* state);
 };
 
 //----------------------------------------------------------------------------
@@ -170,6 +171,18 @@ void vtkLandscapePass::Internals::DrawOpaque(const vtkRenderState* state, bool i
 }
 
 //----------------------------------------------------------------------------
+void vtkLandscapePass::Internals::TakeSurfaces(const vtkRenderState* state)
+{
+  const auto drawSurfaces = [&] {
+    this->DrawOpaque(state, false);
+    this->DrawCover(state->GetRenderer());
+  };
+  const auto drawWater = [&] { this->DrawOpaque(state, true); };
+  this->Quad.TakeSurfaces(
+    state->GetRenderer(), drawSurfaces, this->Light.HasWater ? std::function<void()>(drawWater) : nullptr);
+}
+
+//----------------------------------------------------------------------------
 vtkLandscapePass::vtkLandscapePass()
   : Own(new Internals)
   , Sky(Clear)
@@ -193,12 +206,15 @@ vtkLandscapePass::vtkLandscapePass()
   , ExposureCompensation(0.5)
   , FilmCurve(true)
   , LightsColorMaps(false)
+  , Aperture(0.0)
+  , FocusDistance(10.0)
   , Shadows(true)
   , ShadowDistance(150.0)
   , MapSize(2048)
   , Quality(Good)
   , Draft(false)
   , OcclusionRadius(5.0)
+  , ContactRadius(0.5)
   , CoverRadius(30.0)
   , CoverHeight(0.3)
   , CoverColor{ 0.46, 0.52, 0.23 }
@@ -219,13 +235,7 @@ vtkLandscapePass::vtkLandscapePass()
   vtkNew<vtkOverlayPass> overlay;
   vtkNew<CallPass> opaque;
   opaque->Call = [&own](const vtkRenderState* state) {
-    const auto drawSurfaces = [&] {
-      own.DrawOpaque(state, false);
-      own.DrawCover(state->GetRenderer());
-    };
-    const auto drawWater = [&] { own.DrawOpaque(state, true); };
-    own.Quad.TakeSurfaces(
-      state->GetRenderer(), drawSurfaces, own.Light.HasWater ? std::function<void()>(drawWater) : nullptr);
+    own.TakeSurfaces(state);
     own.Quad.Draw(state->GetRenderer(), own.Light);
   };
   vtkNew<CallPass> translucent;
@@ -309,6 +319,7 @@ std::string vtkLandscapePass::WhyInvalid() const
   check.Finite("CloudDrift, y", this->CloudDrift[1], "m");
   check.Range("ExposureValue", this->ExposureValue, -20.0, 30.0);
   check.Range("ExposureCompensation", this->ExposureCompensation, -20.0, 20.0);
+  check.Positive("FocusDistance", this->FocusDistance, "m");
   check.Positive("ShadowDistance", this->ShadowDistance, "m");
   check.Finite("WaterLevel", this->WaterLevel, "m");
   check.Finite("WaterTime", this->WaterTime, "s");
@@ -427,6 +438,11 @@ void vtkLandscapePass::TakeLight()
   lighting.FilmCurve = this->FilmCurve;
   lighting.Background = this->Background;
   lighting.OcclusionRadius = this->OcclusionRadius;
+  lighting.ContactRadius = this->GetQualityNow() != Fast ? this->ContactRadius : 0.0;
+  lighting.Aperture = this->GetQualityNow() != Fast ? this->Aperture : 0.0;
+  lighting.FocusDistance = this->FocusDistance;
+  lighting.WantsSoftShadows = this->GetQualityNow() == Best;
+  lighting.ContactCounts = { 2, this->GetQualityNow() == Best ? 4 : 3 };
   for (int c = 0; c < 3; ++c)
   {
     lighting.CoverColor[c] = littoral::LinearOfSrgb(this->CoverColor[c]);
@@ -531,7 +547,46 @@ void vtkLandscapePass::DrawMaps(vtkRenderer* renderer)
     this->TakeLight();
     this->RenderMaps(renderer, own.Controller);
     own.HasMaps = true;
+    this->ShareSurfaces(renderer);
   }
+}
+
+//----------------------------------------------------------------------------
+/// Processes have the shade of all surfaces, and for a lens their light; one alone has its own without this.
+void vtkLandscapePass::ShareSurfaces(vtkRenderer* renderer)
+{
+  Internals& own = *this->Own;
+  this->TakeCamera(renderer);
+  const bool hasLens = own.Light.HasLens();
+  const bool hasContact = own.Light.ContactRadius > 0.0;
+  if ((!hasContact && !hasLens) || !own.Controller || own.Controller->GetNumberOfProcesses() < 2)
+  {
+    return;
+  }
+  vtkRenderState all(renderer);
+  all.SetPropArrayAndCount(own.Shown.data(), static_cast<int>(own.Shown.size()));
+  own.Light.Activate(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
+  own.Lights->Render(&all);
+  own.TakeSurfaces(&all);
+  if (hasContact)
+  {
+    own.Quad.ShareContact(renderer, own.Light, own.Controller);
+  }
+  if (hasLens)
+  {
+    own.Quad.ShareLit(renderer, own.Light, own.Controller);
+  }
+  own.Light.Deactivate();
+}
+
+//----------------------------------------------------------------------------
+void vtkLandscapePass::TakeCamera(vtkRenderer* renderer)
+{
+  Internals& own = *this->Own;
+  own.Quad.SetSamples(this->GetQualityNow() == Best ? 2 : 1);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  own.Light.ToWorld = glm::inverse(littoral::MatrixOf(camera->GetModelViewTransformMatrix()));
+  own.Light.IsParallel = camera->GetParallelProjection();
 }
 
 //----------------------------------------------------------------------------
@@ -558,10 +613,7 @@ void vtkLandscapePass::Render(const vtkRenderState* state)
     this->RenderMaps(renderer, nullptr);
   }
   own.HasMaps = false;
-  own.Quad.SetSamples(this->GetQualityNow() == Best ? 2 : 1);
-  vtkCamera* camera = renderer->GetActiveCamera();
-  own.Light.ToWorld = glm::inverse(littoral::MatrixOf(camera->GetModelViewTransformMatrix()));
-  own.Light.IsParallel = camera->GetParallelProjection();
+  this->TakeCamera(renderer);
   own.Light.Activate(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
   own.Lit->Render(state);
   own.Light.Deactivate();
@@ -605,11 +657,14 @@ void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ExposureCompensation: " << this->ExposureCompensation << "\n";
   os << indent << "FilmCurve: " << (this->FilmCurve ? "on" : "off") << "\n";
   os << indent << "LightsColorMaps: " << this->LightsColorMaps << "\n";
+  os << indent << "Aperture: " << this->Aperture << "\n";
+  os << indent << "FocusDistance: " << this->FocusDistance << "\n";
   os << indent << "Shadows: " << (this->Shadows ? "on" : "off") << "\n";
   os << indent << "ShadowDistance: " << this->ShadowDistance << "\n";
   os << indent << "MapSize: " << this->MapSize << "\n";
   os << indent << "Quality: " << this->Quality << "\n";
   os << indent << "OcclusionRadius: " << this->OcclusionRadius << "\n";
+  os << indent << "ContactRadius: " << this->ContactRadius << "\n";
   os << indent << "Draft: " << (this->Draft ? "on" : "off") << "\n";
   os << indent << "CoverRadius: " << this->CoverRadius << "\n";
   os << indent << "CoverHeight: " << this->CoverHeight << "\n";

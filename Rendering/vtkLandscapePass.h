@@ -177,6 +177,20 @@ public:
   vtkBooleanMacro(LightsColorMaps, bool);
   ///@}
   ///@{
+  /**
+   * Diameter of the lens [m], which blurs what is not in focus, 0 for a sharp picture: of a focal length f and a number
+   * N it is f/N. None in the quality Fast and in parallel projection. Default 0.
+   */
+  vtkSetClampMacro(Aperture, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Aperture, double);
+  ///@}
+  ///@{
+  /** Distance of what is in focus, along the view's axis [m], above 0; default 10. */
+  vtkSetMacro(FocusDistance, double);
+  vtkGetMacro(FocusDistance, double);
+  ///@}
+
+  ///@{
   /** Shadows of the sun; default on. */
   vtkSetMacro(Shadows, bool);
   vtkGetMacro(Shadows, bool);
@@ -193,8 +207,9 @@ public:
   vtkGetMacro(MapSize, int);
   ///@}
   /**
-   * Qualities. Fast: without grass and shafts of light, with maps of half the size, for processors that draw. Best:
-   * with four samples a pixel, for edges and leaves without steps.
+   * Qualities. Fast: without grass, shafts of light and shade where things meet, with maps of half the size, for
+   * processors that draw. Best: with four samples a pixel, for edges and leaves without steps, and soft
+   * shadows.
    */
   enum QualityType
   {
@@ -220,6 +235,15 @@ public:
   /** Distance of surfaces that hide the sky from a place [m], 0 for none; default 5. */
   vtkSetClampMacro(OcclusionRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(OcclusionRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Distance of surfaces that hide the sky from what they meet, as under grass and at trunks, by the depths of the
+   * picture [m], 0 for none; none in the quality Fast. Default 0.5.
+   */
+  vtkSetClampMacro(ContactRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ContactRadius, double);
   ///@}
 
   ///@{
@@ -391,6 +415,8 @@ private:
   int GetQualityNow() const { return this->Draft ? Fast : this->Quality; }
   void TakeShown(vtkRenderer* renderer, vtkMultiProcessController* processes);
   void TakeLight();
+  void TakeCamera(vtkRenderer* renderer);
+  void ShareSurfaces(vtkRenderer* renderer);
   void RenderMaps(vtkRenderer* renderer, vtkMultiProcessController* processes);
 
   struct Internals;
@@ -417,12 +443,15 @@ private:
   double ExposureCompensation;
   bool FilmCurve;
   bool LightsColorMaps;
+  double Aperture;
+  double FocusDistance;
   bool Shadows;
   double ShadowDistance;
   int MapSize;
   int Quality;
   bool Draft;
   double OcclusionRadius;
+  double ContactRadius;
   double CoverRadius;
   double CoverHeight;
   double CoverColor[3];

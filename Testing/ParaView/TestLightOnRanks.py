@@ -56,16 +56,20 @@ def look(view, eye):
 
 
 def pictures(view, light, spread):
-    """Pictures of the boxes under two suns, from two places, and without the light."""
+    """Pictures of the boxes under two suns, from two places, with a lens, and without the light."""
     shown = simple.Show(simple.ProgrammableSource(Script=BOXES.format(spread=spread)), view)
+    shown.DiffuseColor = [0.5, 0.5, 0.5]  # white would send on all the light that is hidden
     simple.Render(view)
     look(view, [0.0, -14.0, 8.0])
-    display = simple.Show(light, view, SunElevation=40.0, SunAzimuth=250.0, MapSize="512")
+    display = simple.Show(light, view, SunElevation=40.0, SunAzimuth=250.0, MapSize="512", ContactRadius=1.5,
+                          Aperture=0.0)
     found = {"lit": picture_of(view)}
     display.SunAzimuth = 110.0
     found["another sun"] = picture_of(view)
     look(view, [2.0, -14.0, 2.0])
     found["another place"] = picture_of(view)
+    display.Aperture, display.FocusDistance = 0.4, 6.0
+    found["with a lens"] = picture_of(view)
     display.Visibility = 0
     found["unlit"] = picture_of(view)
     shown.Visibility = 0
@@ -120,6 +124,8 @@ def main():
         apart = np.abs(seen[name] - wanted[name]).max(axis=-1)
         print(f"{name}, {ranks} ranks: {(apart > 1).mean():.2%} of the picture are another, by {apart.max()}", flush=True)
         assert (apart > 1).mean() < 0.0005, f"{name}: another picture on {ranks} ranks"
+    blurred = np.abs(wanted["with a lens"] - wanted["another place"]).max(axis=-1)
+    assert rank > 0 or (blurred > 12).mean() > 0.01, "no blur"
     assert rank > 0 or (np.abs(wanted["lit"] - wanted["another sun"]).max(axis=-1) > 12).mean() > 0.02, "no shadows"
 
 

@@ -1,0 +1,128 @@
+//VTK::System::Dec
+// What hides the sky within a short distance of what a picture shows, by the distances of its pixels (ContactShade).
+#define ContactWays 0   // the distances
+#define ContactHidden 1 // what hides
+
+in vec2 texCoord;
+uniform sampler2D contactWays;    // of the part before: distance along the view's axis [m]; 1e9 where nothing is
+uniform sampler2D contactSurface; // outputs of SurfacePass
+uniform sampler2D contactDepth;
+uniform mat4 contactToView;       // from clip coordinates
+uniform vec4 contactRays;         // x and y of the place of texture coordinates t, at a distance of 1: xy + zw t
+uniform int contactIsParallel;    // 1: at each distance
+uniform mat3 contactToWorld;
+uniform float contactRadius;      // [m]
+uniform vec2 contactCounts;       // slices, and taps on each of their sides
+//VTK::Output::Dec
+
+vec3 contactPlace(vec2 at, float way)
+{
+  vec2 xy = contactRays.xy + contactRays.zw * at;
+  return vec3(contactIsParallel == 1 ? xy : xy * way, -way);
+}
+
+// Normal of a place of the unfolded octahedron.
+vec3 contactUnfolded(vec2 o)
+{
+  vec3 n = vec3(o, 1.0 - abs(o.x) - abs(o.y));
+  vec2 s = vec2(o.x >= 0.0 ? 1.0 : -1.0, o.y >= 0.0 ? 1.0 : -1.0);
+  return normalize(n.z >= 0.0 ? n : vec3((1.0 - abs(o.yx)) * s, n.z));
+}
+
+// Angle from 0 to pi of a cosine  (Abramowitz and Stegun 1964, 4.4.45)
+float contactAngle(float c)
+{
+  float x = abs(c);
+  float angle = sqrt(1.0 - x) * (1.5707288 + x * (-0.2121144 + x * (0.0742610 - 0.0187293 * x)));
+  return c < 0.0 ? 3.14159265 - angle : angle;
+}
+
+// Integral of cos(t - g) |sin t| over angles t from the eye's direction to h in a slice, by cosine and sine of h and of
+// the normal's angle g: (cos g - cos(2 h - g) + 2 h sin g) / 4  (Jimenez, Wu, Pesce and Jarabo 2016)
+float contactArc(float h, vec2 ofH, vec2 ofG)
+{
+  return 0.5 * (ofG.x * ofH.y * ofH.y + ofG.y * (h - ofH.x * ofH.y));
+}
+
+// Distance of what the picture of this process shows.
+float contactOwnWay()
+{
+  float depth = texture(contactDepth, texCoord).r;
+  float w = texture(contactSurface, texCoord).w;
+  vec4 place = contactToView * vec4(2.0 * vec3(texCoord, depth) - 1.0, 1.0);
+  float way = contactIsParallel == 1 || w <= 0.0 ? -place.z / place.w : w;
+  return depth >= 1.0 ? 1e9 : way;
+}
+
+#if ContactPart == ContactWays
+void main()
+{
+  gl_FragData[0] = vec4(contactOwnWay());
+}
+#else
+void main()
+{
+  float way = texture(contactWays, texCoord).r;
+  vec4 surface = texture(contactSurface, texCoord);
+  vec3 place = contactPlace(texCoord, way);
+  vec3 eye = contactIsParallel == 1 ? vec3(0.0, 0.0, 1.0) : normalize(-place);
+  // Normals of small parts may point away from the eye: those at right angles to it are taken for them.
+  vec3 normal = contactUnfolded(surface.xy);
+  normal = normalize(normal + max(0.02 - dot(normal, eye), 0.0) * eye);
+  vec3 right = normalize(vec3(eye.z, 0.0, -eye.x));
+  vec3 up = cross(eye, right);
+  vec2 ahead = contactIsParallel == 1 ? vec2(0.0) : place.xy / way;
+  float scale = contactRadius / (contactIsParallel == 1 ? 1.0 : way);
+  // Four neighbours have other turns of the slices each, and all of their sides have taps at other places.
+  ivec2 pixel = ivec2(gl_FragCoord.xy) & 1;
+  float turn = 0.5 * float(pixel.x ^ pixel.y) + 0.25 * float(pixel.y);
+  float begin = 0.5 * float(pixel.y) + 0.25 * float(pixel.x);
+  // Less than a pixel is none, nor is what no light changes, and sprites are not where they are drawn. A loop without
+  // turns costs nothing.
+  vec2 size = vec2(textureSize(contactWays, 0));
+  float seen = clamp(scale / abs(contactRays.w) * size.y - 1.0, 0.0, 1.0);
+  bool isFlat = surface.z < -0.5 || surface.w <= 0.0 || way > 1e8 || seen <= 0.0;
+  float slices = isFlat ? 0.0 : contactCounts.x;
+  vec4 hidden = vec4(0.0); // its direction, and how much
+  for (float slice = 0.0; slice < slices; ++slice)
+  {
+    float around = 3.14159265 * (slice + turn) / slices;
+    vec3 along = cos(around) * right + sin(around) * up;
+    vec3 across = cross(along, eye);
+    vec3 upright = normal - dot(normal, across) * across;
+    vec2 ofG = vec2(dot(upright, eye), dot(upright, along));
+    float flat_ = length(ofG);
+    ofG /= flat_;
+    float g = sign(ofG.y) * contactAngle(ofG.x);
+    vec2 reach = scale * (along.xy + ahead * along.z) / contactRays.zw;
+    for (float side = -1.0; side < 2.0; side += 2.0)
+    {
+      float open = contactArc(g + side * 1.57079633, side * vec2(-ofG.y, ofG.x), ofG);
+      float last = 0.0;
+      for (float tap = 0.0; tap < contactCounts.y; ++tap)
+      {
+        float part = (tap + begin + 0.125 * mod(slice, 2.0) + 0.03125 * (2.0 + side)) / contactCounts.y;
+        vec2 at = texCoord + side * max(part * part, 1.5 / max(length(reach * size), 1.5)) * reach;
+        at = (floor(at * size) + 0.5) / size;
+        vec3 off = contactPlace(at, texture(contactWays, at).r) - place;
+        float away = length(off);
+        float far = away / contactRadius;
+        off /= away;
+        if (far < 1.0 && dot(off, normal) > 0.03 && at == clamp(at, 0.0, 1.0))
+        {
+          // Directions weigh 1 - (s / r)2 by their distances s  (Bavoil and Sainz 2008), here from the tap before to this
+          float c = clamp(dot(off, eye), -1.0, 1.0);
+          float now = contactArc(side * contactAngle(c), vec2(c, side * sqrt(1.0 - c * c)), ofG);
+          hidden += max(open - now, 0.0) * (1.0 - 0.5 * (far * far + last * last)) * flat_ * vec4(off, 1.0);
+          open = min(open, now);
+        }
+        last = part * part;
+      }
+    }
+  }
+  hidden *= seen / max(slices, 1.0);
+  // Another process has what is nearer.
+  bool isOwn = contactOwnWay() <= way;
+  gl_FragData[0] = vec4(hidden.w, (contactToWorld * hidden.xyz).xy, isOwn ? way : 0.0);
+}
+#endif

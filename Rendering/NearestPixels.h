@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralNearestPixels_h
+#define LittoralNearestPixels_h
+
+class vtkMultiProcessController;
+class vtkTextureObject;
+
+namespace littoral
+{
+
+/// Takes the nearest pixels of a picture that processes have, all together. A pixel has three numbers, and in the
+/// fourth channel its distance, 0 where there is none.
+void TakeNearestPixels(vtkTextureObject* picture, vtkMultiProcessController* processes);
+
+}
+
+#endif
