@@ -77,12 +77,14 @@ void main()
   ivec2 pixel = ivec2(gl_FragCoord.xy) & 1;
   float turn = 0.5 * float(pixel.x ^ pixel.y) + 0.25 * float(pixel.y);
   float begin = 0.5 * float(pixel.y) + 0.25 * float(pixel.x);
-  // Less than a pixel is none, nor is what no light changes, and sprites are not where they are drawn. A loop without
+  // Less than two pixels are none, nor is what no light changes, and sprites are not where they are drawn. A loop without
   // turns costs nothing.
   vec2 size = vec2(textureSize(contactWays, 0));
-  float seen = clamp(scale / abs(contactRays.w) * size.y - 1.0, 0.0, 1.0);
+  float pixels = scale / abs(contactRays.w) * size.y;
+  float seen = clamp(0.5 * pixels - 1.0, 0.0, 1.0);
   bool isFlat = surface.z < -0.5 || surface.w <= 0.0 || way > 1e8 || seen <= 0.0;
   float slices = isFlat ? 0.0 : contactCounts.x;
+  float taps = clamp(ceil(0.25 * pixels), 1.0, contactCounts.y); // not closer than four pixels
   vec4 hidden = vec4(0.0); // its direction, and how much
   for (float slice = 0.0; slice < slices; ++slice)
   {
@@ -99,21 +101,22 @@ void main()
     {
       float open = contactArc(g + side * 1.57079633, side * vec2(-ofG.y, ofG.x), ofG);
       float last = 0.0;
-      for (float tap = 0.0; tap < contactCounts.y; ++tap)
+      for (float tap = 0.0; tap < taps; ++tap)
       {
-        float part = (tap + begin + 0.125 * mod(slice, 2.0) + 0.03125 * (2.0 + side)) / contactCounts.y;
+        float part = (tap + begin + 0.125 * mod(slice, 2.0) + 0.03125 * (2.0 + side)) / taps;
         vec2 at = texCoord + side * max(part * part, 1.5 / max(length(reach * size), 1.5)) * reach;
         at = (floor(at * size) + 0.5) / size;
-        vec3 off = contactPlace(at, texture(contactWays, at).r) - place;
+        vec3 off = contactPlace(at, texelFetch(contactWays, ivec2(at * size), 0).r) - place;
         float away = length(off);
         float far = away / contactRadius;
         off /= away;
         if (far < 1.0 && dot(off, normal) > 0.03 && at == clamp(at, 0.0, 1.0))
         {
-          // Directions weigh 1 - (s / r)2 by their distances s  (Bavoil and Sainz 2008), here from the tap before to this
+          // Directions weigh 1 - (s / r)2 by their distances s  (Bavoil and Sainz 2008), not less than that of the tap
+          // before: this makes up for what lies beyond the last tap that finds anything.
           float c = clamp(dot(off, eye), -1.0, 1.0);
           float now = contactArc(side * contactAngle(c), vec2(c, side * sqrt(1.0 - c * c)), ofG);
-          hidden += max(open - now, 0.0) * (1.0 - 0.5 * (far * far + last * last)) * flat_ * vec4(off, 1.0);
+          hidden += max(open - now, 0.0) * (1.0 - last * last) * flat_ * vec4(off, 1.0);
           open = min(open, now);
         }
         last = part * part;

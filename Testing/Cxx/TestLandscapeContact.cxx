@@ -93,9 +93,9 @@ bool TestWall()
             mean += picture.LightAt(0.04 * (k - 4), -distance, 0.0, albedo) / 9.0;
           }
           const double expected = WithReflections(OpenBeside(distance), albedo);
-          // Few taps miss what is seen at an angle, as from above the wall, but find nothing that is not there.
-          const double bound = distance > Radius ? 0.005 : isBest ? 0.06 : 0.075;
-          good &= Check(mean - expected < bound && mean - expected > -0.01,
+          // Few taps miss some of what is seen at an angle.
+          const double bound = distance > Radius ? 0.005 : isBest ? 0.03 : 0.045;
+          good &= Check(mean - expected < bound && mean - expected > -0.02,
             "Light at " + std::to_string(distance) + " m from a wall is " + std::to_string(mean) + " for " +
               std::to_string(expected) + " from x = " + std::to_string(from[0]));
         }
