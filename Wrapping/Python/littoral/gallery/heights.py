@@ -7,6 +7,7 @@ A height field is an array z[row, column] [m], rows from south to north, with a 
 
 import numpy as np
 
+from ..elevation import array_from_image
 from ..glb import direction
 
 
@@ -105,8 +106,9 @@ def smoothstep(value, low, high):
     return t * t * (3.0 - 2.0 * t)
 
 
-def sampled(values, spacing, x, y):
-    """Bilinear samples of a grid that starts at (0, 0)."""
+def sampled(image, x, y, name="Elevation"):
+    """Bilinear samples of a point array of an image that starts at (0, 0), at positions x, y [m]."""
+    values, spacing = array_from_image(image, name).astype(float), image.GetSpacing()
     u, v = np.asarray(x) / spacing[0], np.asarray(y) / spacing[1]
     i = np.clip(u.astype(int), 0, values.shape[1] - 2)
     j = np.clip(v.astype(int), 0, values.shape[0] - 2)
