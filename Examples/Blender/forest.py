@@ -16,7 +16,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from littoral import vtkPlantScatterFilter, vtkReevesTreeSource
 from littoral.gallery.country import jacksboro, wood_sites
 from littoral.gallery.heights import sampled
-from littoral.gallery.meshes import vertices
+from littoral.gallery.meshes import add_array, vertices
 from littoral.glb import write_glb
 from littoral.properties import set_properties
 
@@ -36,6 +36,8 @@ NEAR_TREES = (
 #: camera and at the reach.
 GROVE, APART, GLADE = 620.0, 7.0, (12.0, 34.0)
 GRASS_REACH = 95.0  # [m]
+#: Color of the ground: hay, and trodden earth.
+HAY = (150, 134, 88)
 #: Half the width of the path [m].
 PATH = 0.55
 #: A tuft of grass, as a shrub without wood.
@@ -200,6 +202,7 @@ def plant(settings, leaf, bark):
 def write_scene(filename, frame=0):
     """Write the scene at a frame of the walk."""
     country = jacksboro().GetOutput()
+    add_array(country, "RGB", np.full((country.GetNumberOfPoints(), 3), HAY, np.uint8))
     share = frame / FRAMES
     place = (1.0 - share) * np.array(FIRST) + share * np.array(LAST)
     eye = (*place, sampled(country, *place) + EYE_HEIGHT)

@@ -45,9 +45,7 @@ from littoral import (
     vtkCovarianceFitFilter, vtkDrainageFilter, vtkGroundStatisticsFilter, vtkTurningBandsTerrainSource)
 from littoral.chart import save_variogram_chart, slope_area_chart
 from littoral.elevation import array_from_image, image_from_array, read_elevation, write_vti
-from littoral.gallery import relief
-from littoral.gallery.colors import height_color
-from littoral.gallery.pictures import save_grounds, save_pair
+from littoral.gallery.pictures import chart_panel, save_blocks, table_panel
 from littoral.tables import column, model_names, write_csv
 
 #: The examples for point patterns, the forest and the underwater scene.
@@ -147,13 +145,8 @@ def semivariances(image, lags):
 
 def draw_grounds(filename, grounds, note, size):
     """Place, Gaussian twin and twin with valleys as blocks with lakes and rivers, above their statistics."""
-    waters, numbers, profiles = [], [], []
+    numbers, profiles = [], []
     for ground in grounds:
-        water = vtkDrainageFilter()
-        water.SetInputData(ground)
-        water.CarveOff()
-        water.Update()
-        waters.append((water.GetOutput(0), water.GetOutputDataObject(1)))
         statistics = vtkGroundStatisticsFilter()
         statistics.SetInputData(ground)
         statistics.Update()
@@ -167,17 +160,17 @@ def draw_grounds(filename, grounds, note, size):
 
     lags = np.unique(np.geomspace(1, 100, 20).astype(int))
     ratios = [semivariances(ground, lags) / semivariances(grounds[0], lags) for ground in grounds]
-    names = "Jacksboro fault, Tennessee", "Gaussian twin", "Twin with valleys"
-    save_grounds(
-        filename, [water[0] for water in waters], [water[1] for water in waters], names,
-        (f"measured \u00b7 {note}", "of the fitted model: water stands", "carved: water runs"),
-        (("Semivariance over the place's", "1", *(f"{ratio.min():.2f} to {ratio.max():.2f}" for ratio in ratios[1:])),
-         row("Depression fraction", "DepressionFraction", "{:.1f} %", 100.0, 5.0),
-         row("Hypsometric integral", "HypsometricIntegral", "{:.2f}", 1.0, 0.03),
-         row("Skewness of elevation", "ElevationSkewness", "{:.2f}", 1.0, 0.15),
-         row("Concavity", "Concavity", "{:.2f}", 1.0, 0.1),
-         row("Skewness of curvature", "CurvatureSkewness", "{:.2f}", 1.0, 1.0)),
-        slope_area_chart(profiles, names), EXAGGERATION, size)
+    names = "Jacksboro fault", "Gaussian twin", "Twin with valleys"
+    notes = f"measured \u00b7 {note}", "of the fitted model: water stands", "carved: water runs"
+    table = table_panel(names, (
+        ("Semivariance over the place's", "1", *(f"{ratio.min():.2f} to {ratio.max():.2f}" for ratio in ratios[1:])),
+        row("Depression fraction", "DepressionFraction", "{:.1f} %", 100.0, 5.0),
+        row("Hypsometric integral", "HypsometricIntegral", "{:.2f}", 1.0, 0.03),
+        row("Skewness of elevation", "ElevationSkewness", "{:.2f}", 1.0, 0.15),
+        row("Concavity", "Concavity", "{:.2f}", 1.0, 0.1),
+        row("Skewness of curvature", "CurvatureSkewness", "{:.2f}", 1.0, 1.0)))
+    chart = chart_panel(slope_area_chart(profiles, names), size)
+    save_blocks(filename, grounds, EXAGGERATION, list(zip(names, notes)), size, water=True, panels=(table, chart))
 
 
 def print_fits(fits):
@@ -264,11 +257,10 @@ def stills(folder, quick=False):
 
     progress.begin("drawing figure2.png")
     dimension = 2.15  # the paper's: this terrain has no single dimension, since its periodogram bends
-    save_pair(
-        file("figure2.png"), (place, grow_fractal(place, fits, dimension)),
-        ("(a) Real terrain", "(b) Turning bands"),
-        ("Jacksboro fault", f"fractal field, D = {dimension:.2f} as in the paper"),
-        EXAGGERATION, height_color, sized(1600, 760))
+    fractal = grow_fractal(place, fits, dimension)
+    texts = (("(a) Real terrain", "Jacksboro fault"),
+             ("(b) Turning bands", f"fractal field, D = {dimension:.2f} as in the paper"))
+    save_blocks(file("figure2.png"), (place, fractal), EXAGGERATION, texts, sized(1600, 760))
 
     progress.begin("drawing patterns.png")
     runpy.run_path(PATTERNS)["main"](folder)
@@ -297,7 +289,6 @@ def films(folder, frames=48):
 def main(folder, *options):
     """Pictures and data; with `--films` and perhaps a number of frames the films; with `--quick` small pictures."""
     if options == ("--quick",):
-        relief.CELLS = 0
         stills(folder, quick=True)
     elif options[:1] == ("--films",):
         films(folder, *map(int, options[1:2]))

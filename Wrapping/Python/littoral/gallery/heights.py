@@ -23,14 +23,6 @@ def subdivide(z):
     return z
 
 
-def refined(z, spacing, cells):
-    """Subdivide until the longer side has at least `cells`; returns heights and spacing of x and y."""
-    spacing = tuple(spacing[:2])
-    while max(z.shape) < cells:
-        z, spacing = subdivide(z), (0.5 * spacing[0], 0.5 * spacing[1])
-    return z, spacing
-
-
 def blur(z, radius):
     """Three box filters of 2 radius + 1 cells: nearly a Gaussian."""
     size = 2 * radius + 1
@@ -47,15 +39,6 @@ def normals(z, spacing):
     slope_y, slope_x = np.gradient(z, spacing[1], spacing[0])
     n = np.stack((-slope_x, -slope_y, np.ones_like(z)), axis=-1)
     return n / np.linalg.norm(n, axis=-1, keepdims=True)
-
-
-def steepness(z, spacing):
-    """Angle between the ground and the horizontal [degrees].
-
-    Of contiguous numbers: the last bit of NumPy's arccos of others depends on where they are in memory.
-    """
-    slope_y, slope_x = np.gradient(z, spacing[1], spacing[0])
-    return np.degrees(np.arccos(1.0 / np.sqrt(slope_x**2 + slope_y**2 + 1.0)))
 
 
 def sunlight(z, spacing, azimuth, elevation, softness=0.07):
