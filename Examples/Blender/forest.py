@@ -36,8 +36,8 @@ NEAR_TREES = (
 #: camera and at the reach.
 GROVE, APART, GLADE = 620.0, 7.0, (12.0, 34.0)
 GRASS_REACH = 95.0  # [m]
-#: Color of the ground: hay, and trodden earth.
-HAY = (150, 134, 88)
+#: Color of the ground, hay, also where it is trodden.
+HAY = (144, 138, 84)
 #: Half the width of the path [m].
 PATH = 0.55
 #: A tuft of grass, as a shrub without wood.

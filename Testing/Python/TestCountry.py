@@ -11,7 +11,6 @@ from vtkmodules.vtkFiltersCore import vtkProbeFilter
 
 from littoral.elevation import array_from_image
 from littoral.gallery.country import BROOK, WOODS, jacksboro, wood_sites
-from littoral.gallery.heights import subdivide
 
 #: Two trees that stand alone: positions [m] and species.
 ALONE = np.array(((5000.0, 5000.0), (5200.0, 5000.0))), np.array((3, 1))
@@ -62,10 +61,6 @@ class Country(unittest.TestCase):
 
         self.assertGreater(density(15.0, 25.0), 2.0 * density(0.0, 5.0))
         self.assertEqual(set(self.species), {0, 1, 2, 3})
-
-    def test_subdivision_keeps_a_plane(self):
-        y, x = np.mgrid[0:20, 0:30].astype(float)
-        np.testing.assert_allclose(subdivide(2.0 * x - y)[::2, ::2], 2.0 * x - y)
 
 
 if __name__ == "__main__":
