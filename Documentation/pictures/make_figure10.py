@@ -135,9 +135,9 @@ def draw(folder):
                 ExposureCompensation=0.4, ShadowDistance=400.0, CoverRadius=120.0, CoverHeight=0.5, Quality="Best")
     views.look(view, eye, (*FOCUS, sampled(terrain, *FOCUS) + 6.0), VIEW_ANGLE)
     view.ViewTime = TIME
-    views.show_surface(simple.TerrainLevelOfDetail(Input=country), view)
-    views.show_surface(homes, view)
-    views.show_surface(sway, view, [f"/Root/{part}" for part in ("High/Skin", "High/Leaves", "Medium", "Low")])
+    simple.Show(simple.TerrainLevelOfDetail(Input=country), view)
+    views.show_colored(homes, view)
+    simple.Show(sway, view).BlockSelectors = [f"/Root/{part}" for part in ("High/Skin", "High/Leaves", "Medium", "Low")]
     sway.UpdatePipeline(TIME)
     simple.Render(view)
     table = forest.GetFieldDataInformation()

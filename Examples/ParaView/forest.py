@@ -38,8 +38,6 @@ NEAR_TREES = (
     (52, -21, 1), (78, -27, 2), (86, -34, 2), (70, 24, 2), (95, 33, 1), (118, 22, 0), (135, 30, 0),
     (150, 41, 0), (47, 17, 3), (160, -50, 1), (185, -36, 0), (200, -44, 0),
     (170, 10, 3), (210, 62, 1), (235, 48, 2), (140, -16, 2), (240, -10, 1), (260, 2, 1))
-#: Visible blocks of scattered plants; the skeletons are lines.
-PLANT_PARTS = ("/Root/High/Skin", "/Root/High/Leaves", "/Root/Medium/Trunk", "/Root/Medium/Crown", "/Root/Low")
 #: Camera motion [m] and rotation [degrees] after which levels of detail are updated.
 STEADY = dict(MoveTolerance=10.0, TurnTolerance=2.0)
 #: A morning's sun from the side. The brooks are above the level of the water, at which an eye goes under.
@@ -95,10 +93,10 @@ def build(folder, view, quick=False):
 
     views.light(view, Quality="Good" if quick else "Best", **LIGHT)
     look(drainage.GetOutput(), view, 0.0)
-    views.show_surface(ground, view)
-    views.show_surface(brooks, view)
-    views.show_surface(sway, view, PLANT_PARTS[:-1])
-    views.show_surface(forest, view, PLANT_PARTS[-1:])  # what does not move is not made again for each frame
+    for each in (ground, brooks):
+        simple.Show(each, view)
+    simple.Show(sway, view).BlockSelectors = ["/Root/High/Skin", "/Root/High/Leaves", "/Root/Medium"]
+    simple.Show(forest, view).BlockSelectors = ["/Root/Low"]  # what does not move is not made again for each frame
     if hasattr(littoral, "vtkVDBVolumeWriter"):
         views.save_volume(os.path.join(folder, "wind.vdb"), wind)
     return drainage.GetOutput()

@@ -20,9 +20,9 @@ def subdivide(z):
 
 
 def sampled(image, x, y, name="Elevation"):
-    """Bilinear samples of a point array of an image that starts at (0, 0), at positions x, y [m]."""
-    values, spacing = array_from_image(image, name).astype(float), image.GetSpacing()
-    u, v = np.asarray(x) / spacing[0], np.asarray(y) / spacing[1]
+    """Bilinear samples of a point array of an image at positions x, y [m]."""
+    values = array_from_image(image, name).astype(float)
+    u, v = ((np.asarray(at) - image.GetOrigin()[k]) / image.GetSpacing()[k] for k, at in enumerate((x, y)))
     i = np.clip(u.astype(int), 0, values.shape[1] - 2)
     j = np.clip(v.astype(int), 0, values.shape[0] - 2)
     u, v = u - i, v - j

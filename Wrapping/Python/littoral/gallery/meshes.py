@@ -38,12 +38,6 @@ def polygons(places, corners, colors=None):
     return data
 
 
-def quads(rows, columns):
-    """Corners of the quadrilaterals between positions in rows."""
-    corner = (np.arange(rows - 1)[:, None] * columns + np.arange(columns - 1)).ravel()
-    return np.column_stack((corner, corner + 1, corner + columns + 1, corner + columns))
-
-
 def vertices(places, **arrays):
     """Vertices at positions [n, 3], with point arrays."""
     data = _data_of(places)

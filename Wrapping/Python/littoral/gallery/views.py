@@ -8,10 +8,9 @@ import os
 
 from paraview import simple
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+from vtkmodules.vtkIOXML import vtkXMLDataSetWriter
 
 from .. import display, files
-from ..elevation import write_vti
 from ..film import save_film
 
 
@@ -66,15 +65,6 @@ def show_colored(source, view):
     return shown
 
 
-def show_surface(source, view, blocks=()):
-    """Show a surface, or some blocks of one, with the colors and textures that it carries."""
-    shown = show_colored(source, view)
-    shown.SetRepresentationType("Full Surface")
-    if blocks:
-        shown.BlockSelectors = list(blocks)
-    return shown
-
-
 def show_particles(source, view):
     """Show particles as spheres of their Radius."""
     shown = show_colored(source, view)
@@ -101,22 +91,14 @@ def show_fog(source, view, color=(0.28, 0.62, 0.70)):
 def light(view, **settings):
     """Light a view by sun and sky, without widgets; settings: properties of the display of Landscape Light."""
     view.OrientationAxesVisibility = 0
-    shown = simple.Show(simple.LandscapeLight(registrationName="Light"), view)
-    for name, value in settings.items():
-        shown.SetPropertyWithName(name, value)
-    return shown
+    return simple.Show(simple.LandscapeLight(registrationName="Light"), view, **settings)
 
 
 def reader(name, data, folder):
     """A reader of an image or polygons, which are written into a folder as a file that every version can read."""
-    image = data.IsA("vtkImageData")
-    filename = os.path.join(folder, f"{name}.{'vti' if image else 'vtp'}")
-    if image:
-        write_vti(data, filename)
-    else:
-        writer = vtkXMLPolyDataWriter()
-        writer.SetInputData(data)
-        writer.SetDataModeToBinary()
-        files.write(writer, filename)
-    kind = simple.XMLImageDataReader if image else simple.XMLPolyDataReader
-    return kind(registrationName=name, FileName=[filename], TimeArray="None")
+    writer = vtkXMLDataSetWriter()
+    writer.SetInputData(data)
+    writer.SetDataModeToBinary()
+    filename = os.path.join(folder, f"{name}.{'vti' if data.IsA('vtkImageData') else 'vtp'}")
+    files.write(writer, filename)
+    return simple.OpenDataFile(filename, registrationName=name, TimeArray="None")
