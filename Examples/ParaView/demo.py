@@ -40,12 +40,14 @@ import time
 
 import numpy as np
 from paraview import simple
+from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from littoral import (
     vtkCovarianceFitFilter, vtkDrainageFilter, vtkGroundStatisticsFilter, vtkTurningBandsTerrainSource)
-from littoral.chart import save_variogram_chart, slope_area_chart
+from littoral.chart import chart_renderer, save_variogram_chart, slope_area_chart
 from littoral.elevation import array_from_image, image_from_array, read_elevation, write_vti
-from littoral.gallery.pictures import chart_panel, save_blocks, table_panel
+from littoral.gallery.pictures import BELOW, PAPER, save_blocks
+from littoral.picture import FAINT, INK, label
 from littoral.tables import column, model_names, write_csv
 
 #: The examples for point patterns, the forest and the underwater scene.
@@ -143,6 +145,22 @@ def semivariances(image, lags):
     return np.array([0.25 * (np.mean((z[lag:] - z[:-lag]) ** 2) + np.mean((z[:, lag:] - z[:, :-lag]) ** 2)) for lag in lags])
 
 
+def table_renderer(titles, rows):
+    """A table below blocks: texts of rows, each with its name first, a column for each title; `*` before a text: bold."""
+    renderer = vtkRenderer()
+    renderer.SetViewport(0.0, 0.0, 0.62, BELOW)
+    renderer.SetBackground(*PAPER)
+    for k, row in enumerate([("", *titles), *rows]):
+        for column, text in enumerate(row):
+            place = 0.40 + 0.60 * (column - 0.5) / len(titles) if column else 0.04
+            actor = label(text.lstrip("*"), (place, 0.93 - 0.86 * k / (len(rows) + 1)), 34, INK if k else FAINT)
+            if column == 0:
+                actor.GetTextProperty().SetJustificationToLeft()
+            actor.GetTextProperty().SetBold(text.startswith("*"))
+            renderer.AddActor(actor)
+    return renderer
+
+
 def draw_grounds(filename, grounds, note, size):
     """Place, Gaussian twin and twin with valleys as blocks with lakes and rivers, above their statistics."""
     numbers, profiles = [], []
@@ -162,14 +180,15 @@ def draw_grounds(filename, grounds, note, size):
     ratios = [semivariances(ground, lags) / semivariances(grounds[0], lags) for ground in grounds]
     names = "Jacksboro fault", "Gaussian twin", "Twin with valleys"
     notes = f"measured \u00b7 {note}", "of the fitted model: water stands", "carved: water runs"
-    table = table_panel(names, (
+    table = table_renderer(names, (
         ("Semivariance over the place's", "1", *(f"{ratio.min():.2f} to {ratio.max():.2f}" for ratio in ratios[1:])),
         row("Depression fraction", "DepressionFraction", "{:.1f} %", 100.0, 5.0),
         row("Hypsometric integral", "HypsometricIntegral", "{:.2f}", 1.0, 0.03),
         row("Skewness of elevation", "ElevationSkewness", "{:.2f}", 1.0, 0.15),
         row("Concavity", "Concavity", "{:.2f}", 1.0, 0.1),
         row("Skewness of curvature", "CurvatureSkewness", "{:.2f}", 1.0, 1.0)))
-    chart = chart_panel(slope_area_chart(profiles, names), size)
+    chart = chart_renderer(slope_area_chart(profiles, names), (0.38 * size[0], BELOW * size[1]),
+                           viewport=(0.62, 0.0, 1.0, BELOW), paper=PAPER)
     save_blocks(filename, grounds, EXAGGERATION, list(zip(names, notes)), size, water=True, panels=(table, chart))
 
 

@@ -1,13 +1,8 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of terrains as blocks in a row, off screen with plain VTK.
-
-Positions in an image are fractions of its width and height, from the lower left.
-"""
+"""Pictures of terrains as blocks in a row, off screen with plain VTK."""
 
 import numpy as np
-from vtkmodules.vtkCommonDataModel import vtkRectf
-from vtkmodules.vtkRenderingContext2D import vtkContextActor
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 from ..LittoralRendering import vtkLandscapePass
@@ -42,38 +37,6 @@ def save_blocks(filename, images, exaggeration=1.0, texts=(), size=(1200, 800), 
     for each in (renderer, *panels):
         window.AddRenderer(each)
     write_png(window, filename, size)
-
-
-def _panel(left, right):
-    """A renderer of a part of the width below blocks."""
-    renderer = vtkRenderer()
-    renderer.SetViewport(left, 0.0, right, BELOW)
-    renderer.SetBackground(*PAPER)
-    return renderer
-
-
-def table_panel(titles, rows, left=0.0, right=0.62):
-    """A table below blocks: texts of rows, each with its name first, a column for each title; `*` before a text: bold."""
-    renderer, count = _panel(left, right), len(titles)
-    for k, row in enumerate([("", *titles), *rows]):
-        for column, text in enumerate(row):
-            place = 0.40 + 0.60 * (column - 0.5) / count if column else 0.04
-            actor = label(text.lstrip("*"), (place, 0.93 - 0.86 * k / (len(rows) + 1)), 34, INK if k else FAINT)
-            if column == 0:
-                actor.GetTextProperty().SetJustificationToLeft()
-            actor.GetTextProperty().SetBold(text.startswith("*"))
-            renderer.AddActor(actor)
-    return renderer
-
-
-def chart_panel(chart, size, left=0.62, right=1.0):
-    """A vtkChartXY below blocks in a picture of a size [pixels], twice as large as it is written."""
-    renderer, actor = _panel(left, right), vtkContextActor()
-    chart.SetAutoSize(False)
-    chart.SetSize(vtkRectf(0.0, 40.0, 2.0 * size[0] * (right - left) - 40.0, 2.0 * size[1] * BELOW - 70.0))
-    actor.GetScene().AddItem(chart)
-    renderer.AddActor(actor)
-    return renderer
 
 
 def pale_renderer():

@@ -37,16 +37,14 @@ def block(image, exaggeration=1.0, center=(0.0, 0.0), water=False):
     exaggeration: of the heights, whose tints then color the ground; without it, 1, the ground is that of a landscape.
     """
     width, bounds = width_of(image), image.GetBounds()
-    rivers = None
-    if water:
-        image, rivers = drained(image)
+    level, rivers = drained(image) if water else (image, None)
     ground = set_properties(vtkTerrainLevelOfDetailFilter(), dict(NumberOfLevels=1, UseCulling=False))
-    ground.SetInputData(image)
+    ground.SetInputData(level)
     ground.Update()
     top = ground.GetOutput().GetBlock(0)
     low, high = top.GetBounds()[4:]
     actors = [_ground_actor(top, exaggeration), _walls(top, BASE * width / exaggeration + high - low)]
-    actors += _water_actors(top, rivers, image, 1e-3 * width / exaggeration) if water else []
+    actors += _water_actors(top, rivers, level, 1e-3 * width / exaggeration) if water else []
     for actor in actors:
         actor.SetScale(1.0, 1.0, exaggeration)
         actor.AddPosition(center[0] - 0.5 * (bounds[0] + bounds[1]), center[1] - 0.5 * (bounds[2] + bounds[3]),
@@ -137,9 +135,6 @@ def actor_of(data, colors=()):
         mapper.UseLookupTableScalarRangeOn()
         mapper.InterpolateScalarsBeforeMappingOn()
     return actor
-
-
-# Blocks in a row ----------------------------------------------------------------------------------
 
 
 def width_of(image):
