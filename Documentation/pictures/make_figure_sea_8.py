@@ -62,7 +62,7 @@ def build(folder, view):
     view.ViewTime = TIME
     views.show_particles(riding, view)
     for each in (bending, simple.TerrainLevelOfDetail(Input=reader("Bed", sand, folder)), surface):
-        simple.Show(each, view)
+        simple.Show(each, view).SetRepresentationType("Full Surface")
 
 
 def main(folder):

@@ -107,7 +107,7 @@ def build(folder, view, quick=False):
     for near in specks:
         views.show_particles(near, view)
     for each in (floor, bending, surface):
-        simple.Show(each, view)
+        simple.Show(each, view).SetRepresentationType("Full Surface")
 
 
 def film(view, folder, frames, told):
