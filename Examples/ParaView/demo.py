@@ -146,7 +146,7 @@ def semivariances(image, lags):
 
 
 def table_renderer(titles, rows):
-    """A table below blocks: texts of rows, each with its name first, a column for each title; `*` before a text: bold."""
+    """A table below blocks: texts of rows, their names first, a column for each title; `*` before a text: bold."""
     renderer = vtkRenderer()
     renderer.SetViewport(0.0, 0.0, 0.62, BELOW)
     renderer.SetBackground(*PAPER)

@@ -37,7 +37,8 @@ def show_block(name, terrain, place, center, view):
                                          UseCulling=0, FollowCamera=0)
     surface = simple.ExtractBlock(registrationName=f"Surface of {name}", Input=ground, Selectors=["/Root/Level0"])
     edge = simple.FeatureEdges(registrationName=f"Edge of {name}", Input=surface, FeatureEdges=0, NonManifoldEdges=0)
-    sides = simple.LinearExtrusion(registrationName=f"Sides of {name}", Input=edge, Vector=[0.0, 0.0, -depth], Capping=0)
+    sides = simple.LinearExtrusion(
+        registrationName=f"Sides of {name}", Input=edge, Vector=[0.0, 0.0, -depth], Capping=0)
     beds_of = simple.Elevation(registrationName=f"Beds of {name}", Input=sides, ScalarRange=[0.0, 1.0],
                                LowPoint=[0.0, 0.0, float(heights.max()) - depth],
                                HighPoint=[0.0, 0.0, float(heights.max())])

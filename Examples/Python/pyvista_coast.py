@@ -82,7 +82,8 @@ def main(folder):
     print(f"{len(pv.wrap(forest).field_data['Scale'])} trees, land up to {ground.bounds[5]:.0f} m, "
           f"waves from {water.bounds[4]:.2f} to {water.bounds[5]:.2f} m")
 
-    plotter = pv.Plotter(off_screen=True, window_size=(1280, 640))  # with PyVista's lamps: without one VTK draws no normals
+    # With PyVista's lamps: without one VTK's shaders have no normals.
+    plotter = pv.Plotter(off_screen=True, window_size=(1280, 640))
     vtkLandscapePass.SetMaterial(plotter.add_mesh(ground, scalars="RGB", rgb=True), vtkLandscapePass.Ground)
     vtkLandscapePass.SetMaterial(plotter.add_mesh(water), vtkLandscapePass.Water)
     for leaves in add_plants(plotter, forest, levels=("High", "Medium", "Low")):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A bay: bed with stones, sites of kelp, particles. Lengths are in metres, x is east, y north, z up, the sea level at 0."""
+"""A bay: bed with stones, sites of kelp, particles. Lengths are in metres, y is north, the sea level at 0."""
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -52,7 +52,8 @@ def kelp_sites(bed, count=130, seed=4, top=-0.8):
             (-3.6, 5.9), (-2.4, 6.7), (-4.5, 7.2), (-3.4, 8.0), (-5.4, 8.6), (-1.3, 9.4), (0.9, 10.4))
     number = np.arange(count)
     giant = number % 4 == 0
-    x, y = (groves[number // 4 % len(groves)] + random.normal(0.0, 1.0, (count, 2)) * np.where(giant, 1.7, 2.6)[:, None]).T
+    apart = random.normal(0.0, 1.0, (count, 2)) * np.where(giant, 1.7, 2.6)[:, None]
+    x, y = (groves[number // 4 % len(groves)] + apart).T
     free = (y < 5.0) | (np.abs(x) < 0.12 * y) | (giant & (y < 8.0))  # of plants, for the view
     places = np.concatenate((near, np.column_stack((x, y))[~free]))
     species = np.concatenate((np.zeros(len(near), np.int32), giant[~free])).astype(np.int32)
@@ -73,7 +74,8 @@ def particles(box, count, radius, color, seed=1, clumps=0.0, plants=None, share=
     if clumps > 0.0:
         centers = low + (0.12, 0.35, 0.12) * (high - low) + random.random((max(1, count // 30000), 3)) * (
             0.76, 0.55, 0.6) * (high - low)
-        near = centers[random.integers(len(centers), size=count)] + random.normal(0.0, 1.7, (count, 3)) * (1.5, 1.5, 0.6)
+        near = centers[random.integers(len(centers), size=count)]
+        near = near + random.normal(0.0, 1.7, (count, 3)) * (1.5, 1.5, 0.6)
         inside = ((near > low) & (near < high)).all(axis=1, keepdims=True)
         places = np.where((random.random((count, 1)) < clumps) & inside, near, places)
     if plants is not None:

@@ -51,7 +51,8 @@ def jacksboro(refinements=3, seed=1):
     slope = np.hypot(*np.gradient(z, *spacing[::-1]))
     terrain = image_from_array(z + array_from_image(small.GetOutput()) * np.clip(5.0 * slope, 0.15, 1.5), spacing)
     terrain.GetPointData().AddArray(small.GetOutput().GetPointData().GetArray("Reflectance"))
-    drainage = set_properties(vtkDrainageFilter(), dict(Carve=False, StreamThreshold=max(2, round(BROOK / spacing.prod()))))
+    cells = max(2, round(BROOK / spacing.prod()))
+    drainage = set_properties(vtkDrainageFilter(), dict(Carve=False, StreamThreshold=cells))
     drainage.SetInputData(terrain)
     drainage.Update()
     return drainage

@@ -12,7 +12,7 @@ from . import relief
 
 #: Part of the height of a picture for panels below blocks.
 BELOW = 0.42
-#: Their background, that of the floor in its light; and a pale sky, at the lower and the upper edge of a picture.
+#: Colors of panels, as the floor has in its light, and of a pale sky at the lower and the upper edge of a picture.
 PAPER, SKY = (0.955, 0.950, 0.940), ((0.96, 0.955, 0.945), (0.74, 0.80, 0.86))
 
 

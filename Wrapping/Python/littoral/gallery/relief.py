@@ -74,7 +74,7 @@ def _ground_actor(top, exaggeration):
 
 def tints(heights):
     """Rows of a value and its color for heights [m]."""
-    return [(heights.mean() + deviations * heights.std(), *color) for deviations, *color in TINTS]
+    return [(np.nanmean(heights) + deviations * np.nanstd(heights), *color) for deviations, *color in TINTS]
 
 
 def beds(count=40, seed=5):
@@ -82,7 +82,8 @@ def beds(count=40, seed=5):
     random = np.random.default_rng(seed)
     bounds = np.append(0.0, random.uniform(2.0, 12.0, count).cumsum())
     colors = BEDS[random.integers(len(BEDS), size=count)]
-    return [(bound / bounds[-1], *color) for low, high, color in zip(bounds, bounds[1:], colors) for bound in (low, 0.999 * high)]
+    return [(bound / bounds[-1], *color) for low, high, color in zip(bounds, bounds[1:], colors)
+            for bound in (low, 0.999 * high)]
 
 
 def _walls(top, depth):
@@ -122,7 +123,7 @@ def _water_actors(top, rivers, level, lift):
 
 
 def actor_of(data, colors=()):
-    """Actor of data with the colors of the array `RGB`, or by rows of a value of the array `Elevation` and its color."""
+    """Actor of data with its colors `RGB`, or by rows of a value of the array `Elevation` and its color."""
     mapper, actor, table = vtkPolyDataMapper(), vtkActor(), vtkColorTransferFunction()
     mapper.SetInputData(data)
     actor.SetMapper(mapper)
@@ -170,5 +171,6 @@ def floor(width, count):
 
 def light_of(width, distance):
     """Properties of vtkLandscapePass for blocks of a width, seen from a distance [m]."""
-    return dict(SunAzimuth=248.0, SunElevation=27.0, Turbidity=5.0, Visibility=1e4 * distance, CloudCover=0.0, WoodCover=0.5,
-                FilmCurve=False, ExposureCompensation=0.42, ShadowDistance=2.0 * distance, OcclusionRadius=0.06 * width)
+    return dict(SunAzimuth=248.0, SunElevation=27.0, Turbidity=5.0, Visibility=1e4 * distance, CloudCover=0.0,
+                WoodCover=0.5, FilmCurve=False, ExposureCompensation=0.42,
+                ShadowDistance=2.0 * distance, OcclusionRadius=0.06 * width)

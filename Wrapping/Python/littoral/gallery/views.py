@@ -15,7 +15,7 @@ from ..film import save_film
 
 
 def save_view(filename, view):
-    """Write the picture of a view as a PNG. Raises OSError, with an old file as it was, or RuntimeError without a display."""
+    """Write the picture of a view as a PNG. Raises OSError, an old file being as it was, and RuntimeError without display."""
     display.require(view.GetRenderWindow())
     writer = vtkPNGWriter()
     writer.SetInputData(view.SMProxy.CaptureWindow(1))  # which draws it
@@ -23,7 +23,7 @@ def save_view(filename, view):
 
 
 def film_view(filename, view, frames, rate, turn_to, told):
-    """Write a film of a view, of so many frames with a rate [1/s], and these beside it: `walk.0000.png` ... for `walk.ogv`.
+    """Write a film of a view, of so many frames with a rate [1/s], and these beside it, as `walk.0000.png`.
 
     turn_to: sets up the frame of a number; told: called before, with that number and `frames`.
     """
