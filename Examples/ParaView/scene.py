@@ -43,8 +43,8 @@ def show_block(name, terrain, place, center, view):
                                LowPoint=[0.0, 0.0, float(heights.max()) - depth],
                                HighPoint=[0.0, 0.0, float(heights.max())])
     x, y = (0.5 * sum(place.GetBounds()[2 * k:2 * k + 2]) for k in (0, 1))
-    # The color map editor of ParaView 5.11's window fails on the histogram of what is active and still empty.
-    simple.SetActiveSource(terrain)
+    # The color map editor of ParaView 5.11's window fails on the histogram of what is active and not drawn.
+    simple.SetActiveSource(None)
     for source, colors in ((ground, tints(heights)), (beds_of, beds())):
         shown = simple.Show(source, view)
         shown.ColorArrayName, shown.MapScalars = ["POINTS", "Elevation"], 1

@@ -58,7 +58,9 @@ for terrain in (plane, plane[:2, :2], holed):
     assert abs(west + east - 200.0) < 1e-3 and abs(south + north) < 1e-3, ground.GetBounds()
     assert abs(high - low - 2.0 * np.nanmax(terrain) + 2.0 * np.nanmin(terrain)) < 1e-3
     assert abs(low - BASE * (east - west)) < 1e-3 and sides.GetBounds()[:4] == (west, east, south, north)
-    assert sides.GetBounds()[4] < 1e-3 and sides.GetBounds()[5] == high
+    assert sides.GetBounds()[5] == high
+    depths = vtk_to_numpy(sides.GetMapper().GetInput().GetPoints().GetData())[:, 2]  # first of the edge, then of the feet
+    assert abs(2.0 * depths[len(depths) // 2:].max() + sides.GetPosition()[2]) < 1e-3
 
 # A bowl of 10 m in a plain is a lake as wide as it is, and a ridge beside it is none.
 y, x = np.mgrid[0:60, 0:60].astype(float)

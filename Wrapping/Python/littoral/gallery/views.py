@@ -15,7 +15,7 @@ from ..film import save_film
 
 
 def save_view(filename, view):
-    """Write the picture of a view as a PNG. Raises OSError, an old file being as it was, and RuntimeError without display."""
+    """Write a view as a PNG. Raises OSError, with an old file as it was, or RuntimeError without a display."""
     display.require(view.GetRenderWindow())
     writer = vtkPNGWriter()
     writer.SetInputData(view.SMProxy.CaptureWindow(1))  # which draws it
