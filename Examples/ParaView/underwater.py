@@ -102,7 +102,7 @@ def build(folder, view, quick=False):
         simple.UpdatePipeline(TIME, animated)
     view.ViewTime = TIME
     # The color map editor of ParaView 5.11's window fails on the histogram of a fog that is still empty.
-    simple.SetActiveSource(sea)
+    simple.SetActiveSource(None)
     views.show_fog(fog, view)
     for near in specks:
         views.show_particles(near, view)
