@@ -48,11 +48,6 @@ def smooth_terrain():
     return source.GetOutput()
 
 
-def height(terrain, x, y):
-    """Height of a terrain at places [m]."""
-    return sampled(array_from_image(terrain), (SPACING, SPACING), x, y)
-
-
 def tree_sites(terrain):
     """Clusters of trees, off the houses and the meadow before the eye."""
     source = vtkQuadratPointSource()
@@ -80,7 +75,7 @@ def tree_sites(terrain):
     for k in range(1, len(places)):
         apart[k] = np.hypot(*(places[:k][apart[:k]] - places[k]).T).min(initial=9.0) > 2.6
     places = places[apart]
-    heights = height(terrain, *places.T)
+    heights = sampled(terrain, *places.T)
     pines = random.random(len(places)) < np.clip((heights - array_from_image(terrain).mean()) / 18.0 + 0.45, 0.1, 0.9)
     species = np.where(pines, 0, 1).astype(np.int32)
     return vertices(np.column_stack((places, heights)), Species=species)
@@ -98,7 +93,7 @@ def houses(terrain):
 
     for x, y, turn in HOUSES:
         c, s = np.cos(np.radians(turn)), np.sin(np.radians(turn))
-        ground = float(height(terrain, x, y)) - 1.0
+        ground = float(sampled(terrain, x, y)) - 1.0
 
         def at(u, v, w, x=x, y=y, c=c, s=s, ground=ground):
             return (x + c * u - s * v, y + s * u + c * v, ground + w)
@@ -122,7 +117,7 @@ def draw(folder):
     """Write figure10.png into a folder."""
     terrain = smooth_terrain()
     trees = tree_sites(terrain)
-    eye = np.array((*EYE, height(terrain, *EYE) + EYE_HEIGHT))
+    eye = np.array((*EYE, sampled(terrain, *EYE) + EYE_HEIGHT))
     country, sites, homes = (views.reader(name, data, folder) for name, data in (
         ("country", terrain), ("sites", trees), ("houses", houses(terrain))))
 
@@ -138,11 +133,11 @@ def draw(folder):
     view.ViewSize = list(SIZE)
     views.light(view, SunElevation=17.0, SunAzimuth=262.0, VisibilityDistance=15000.0, CloudCover=0.2, Turbidity=2.0,
                 ExposureCompensation=0.4, ShadowDistance=400.0, CoverRadius=120.0, CoverHeight=0.5, Quality="Best")
-    views.look(view, eye, (*FOCUS, height(terrain, *FOCUS) + 6.0), VIEW_ANGLE)
+    views.look(view, eye, (*FOCUS, sampled(terrain, *FOCUS) + 6.0), VIEW_ANGLE)
     view.ViewTime = TIME
-    views.show_surface(simple.TerrainLevelOfDetail(Input=country), view)
-    views.show_surface(homes, view)
-    views.show_surface(sway, view, [f"/Root/{part}" for part in ("High/Skin", "High/Leaves", "Medium", "Low")])
+    simple.Show(simple.TerrainLevelOfDetail(Input=country), view)
+    views.show_colored(homes, view)
+    simple.Show(sway, view).BlockSelectors = [f"/Root/{part}" for part in ("High/Skin", "High/Leaves", "Medium", "Low")]
     sway.UpdatePipeline(TIME)
     simple.Render(view)
     table = forest.GetFieldDataInformation()

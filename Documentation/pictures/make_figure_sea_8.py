@@ -13,6 +13,7 @@ import numpy as np
 from paraview import simple
 
 from littoral.gallery import bay, views
+from littoral.gallery.heights import sampled
 from littoral.gallery.meshes import vertices
 from littoral.gallery.views import reader
 
@@ -23,7 +24,7 @@ TIME, LEAD = 6.0, 15.0  # the swell has bent the kelp for so long [s]
 PLANTS = 150  # in an area of 40 m along the view and 20 m across
 
 
-def sites(height, seed=11):
+def sites(bed, seed=11):
     """Sites of sugar kelp: in patches, with a lane before the eye."""
     random = np.random.default_rng(seed)
     patches = np.column_stack((random.uniform(-10.0, 10.0, 16), random.uniform(5.0, 36.0, 16)))
@@ -32,9 +33,9 @@ def sites(height, seed=11):
     while len(places) < PLANTS:
         x, y = patches[len(places) % len(patches)] + random.normal(0.0, 0.9, 2)
         if y > 3.6 and abs(x) > 0.16 * y * (y < 14.0):
-            places.append((x, y, float(height(x, y))))
+            places.append((x, y, float(sampled(bed, x, y))))
     return vertices(np.array(places), Species=random.integers(0, 3, PLANTS).astype(np.int32),
-                       Scale=random.uniform(0.75, 1.25, PLANTS))
+                    Scale=random.uniform(0.75, 1.25, PLANTS))
 
 
 def build(folder, view):
@@ -43,8 +44,8 @@ def build(folder, view):
                           MeanDirection=-60.0, NumberOfTrains=60)
     current = simple.FlowPrimitive(Strength=0.05, Axis=[1.0, 0.25, 0.0])
     surface = simple.SeaSurface(Input=sea, Radius=150.0, Sectors=300, Spacing=0.1, WaterColors=0)
-    sand, height = bay.bed(DEPTH, EYE)
-    plants = sites(height)
+    sand = bay.bed(DEPTH, EYE)
+    plants = sites(sand)
     kelp = simple.PlantScatter(Sites=reader("KelpSites", plants, folder), FollowCamera=0, UseLevels=0, UseCulling=0,
                                Prototypes=[simple.Seaweed(Seed=seed, SegmentsPerBranch=14) for seed in (1, 2, 3)])
     bending = simple.SeaweedDeformation(
@@ -60,9 +61,8 @@ def build(folder, view):
         simple.UpdatePipeline(TIME, animated)
     view.ViewTime = TIME
     views.show_particles(riding, view)
-    views.show_surface(bending, view, ["/Root/High/Skin", "/Root/High/Leaves"])
-    views.show_colored(reader("Bed", sand, folder), view)
-    views.show_surface(surface, view)
+    for each in (bending, simple.TerrainLevelOfDetail(Input=reader("Bed", sand, folder)), surface):
+        simple.Show(each, view).SetRepresentationType("Full Surface")
 
 
 def main(folder):

@@ -14,8 +14,8 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from littoral import vtkPlantScatterFilter, vtkReevesTreeSource
-from littoral.gallery.colors import natural_color
-from littoral.gallery.country import WOODS, jacksboro, wood_sites
+from littoral.gallery.country import jacksboro, wood_sites
+from littoral.gallery.heights import sampled
 from littoral.gallery.meshes import add_array, vertices
 from littoral.glb import write_glb
 from littoral.properties import set_properties
@@ -36,6 +36,8 @@ NEAR_TREES = (
 #: camera and at the reach.
 GROVE, APART, GLADE = 620.0, 7.0, (12.0, 34.0)
 GRASS_REACH = 95.0  # [m]
+#: Color of the ground, hay, also where it is trodden.
+HAY = (144, 138, 84)
 #: Half the width of the path [m].
 PATH = 0.55
 #: A tuft of grass, as a shrub without wood.
@@ -68,7 +70,7 @@ def near_trees():
     return FIRST + distance[:, None] * along + aside[:, None] * right, species.astype(int)
 
 
-def grove(country, seed=6):
+def grove(seed=6):
     """Sites and species of a grove with a glade along the view."""
     along, right = ahead()
     random = np.random.default_rng(seed)
@@ -108,23 +110,16 @@ def in_view(places, reach, half_angle):
     return (far < reach) & (far > -40.0) & (np.abs(aside) < 45.0 + np.tan(np.radians(half_angle)) * np.abs(far))
 
 
-def ground(country):
-    """The terrain with its reflectance as RGB: the light comes from Blender."""
-    color = natural_color(country.z, country.spacing)
-    add_array(country.image, "RGB", np.round(255.0 * np.clip(color, 0, 1) ** (1 / 2.2)).astype(np.uint8).reshape(-1, 3))
-    return country.image
-
-
 def trees(country):
     """Sites of all trees in the view."""
-    alone = [np.concatenate(pair) for pair in zip(near_trees(), grove(country))]
-    sites = wood_sites(country, *WOODS, 16.0)
-    places = vtk_to_numpy(sites.GetPoints().GetData()).astype(float)
+    places, species = (np.concatenate(pair) for pair in zip(near_trees(), grove()))
+    sites = wood_sites(country)
+    far = vtk_to_numpy(sites.GetPoints().GetData()).astype(float)
     along, _ = ahead()
-    seen = in_view(places, REACH, HALF_ANGLE) & ((places[:, :2] - FIRST) @ along > GROVE)
-    species = vtk_to_numpy(sites.GetPointData().GetArray("Species"))[seen]
-    places = np.concatenate((places[seen], np.column_stack((alone[0], country.height(*alone[0].T)))))
-    return vertices(places, Species=np.concatenate((species, alone[1])).astype(np.int32))
+    seen = in_view(far, REACH, HALF_ANGLE) & ((far[:, :2] - FIRST) @ along > GROVE)
+    kinds = vtk_to_numpy(sites.GetPointData().GetArray("Species"))[seen]
+    far, near = far[seen], np.column_stack((places, sampled(country, *places.T)))
+    return vertices(np.concatenate((far, near)), Species=np.concatenate((kinds, species)).astype(np.int32))
 
 
 def on_ground(country, count, reach, seed, nearest=3.0, power=1.5):
@@ -134,7 +129,7 @@ def on_ground(country, count, reach, seed, nearest=3.0, power=1.5):
     far = nearest + reach * random.random(count)**power
     aside = random.uniform(-1.0, 1.0, count) * (2.0 + 0.62 * far)
     at = FIRST + far[:, None] * along + aside[:, None] * right
-    return np.column_stack((at, country.height(*at.T))), random
+    return np.column_stack((at, sampled(country, *at.T))), random
 
 
 def tufts(country):
@@ -206,13 +201,14 @@ def plant(settings, leaf, bark):
 
 def write_scene(filename, frame=0):
     """Write the scene at a frame of the walk."""
-    country = jacksboro()
+    country = jacksboro().GetOutput()
+    add_array(country, "RGB", np.full((country.GetNumberOfPoints(), 3), HAY, np.uint8))
     share = frame / FRAMES
     place = (1.0 - share) * np.array(FIRST) + share * np.array(LAST)
-    eye = (*place, country.height(*place) + EYE_HEIGHT)
-    focus = (*TARGET, country.height(*TARGET) - 60.0)
+    eye = (*place, sampled(country, *place) + EYE_HEIGHT)
+    focus = (*TARGET, sampled(country, *TARGET) - 60.0)
     sources = {
-        "Ground": ground(country),
+        "Ground": country,
         "Forest": scattered(trees(country), [tree(*species) for species in SPECIES]),
         "Undergrowth": scattered(
             bushes(country), [plant(HAZEL, (0.50, 0.60, 0.28), (0.42, 0.36, 0.28)), tree("Shrub", 4), tree("Birch", 7),

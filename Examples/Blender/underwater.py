@@ -12,12 +12,15 @@ import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkRectilinearGrid
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkFiltersGeometry import vtkRectilinearGridGeometryFilter
 
 from littoral import (
     vtkFlowPrimitiveSource, vtkParticleOrbitFilter, vtkPlantScatterFilter, vtkSeaStateSource,
     vtkSeaweedDeformationFilter, vtkSeaweedSource)
 from littoral.gallery import bay
+from littoral.gallery.heights import sampled
 from littoral.gallery.meshes import vertices
 from littoral.glb import write_glb
 from littoral.properties import set_properties
@@ -66,9 +69,13 @@ def surface(sea, time):
     out = np.geomspace(0.15, FAR, 70)
     x = np.concatenate((-NEAR[0] - out[::-1], np.arange(-NEAR[0], NEAR[0], SPACING), NEAR[0] + out))
     y = np.concatenate((-10.0 - out[::-1], np.arange(-10.0, NEAR[1], SPACING), NEAR[1] + out))
-    level = bay.mesh(np.stack((*np.meshgrid(x, y), np.zeros((len(y), len(x)))), axis=-1))
+    lattice, level = vtkRectilinearGrid(), vtkRectilinearGridGeometryFilter()
+    lattice.SetDimensions(len(x), len(y), 1)
+    lattice.SetXCoordinates(numpy_to_vtk(x, deep=True))
+    lattice.SetYCoordinates(numpy_to_vtk(y, deep=True))
+    level.SetInputData(lattice)
     orbits = vtkParticleOrbitFilter()
-    orbits.SetInputData(0, level)
+    orbits.SetInputConnection(0, level.GetOutputPort())
     orbits.SetSeaStateConnection(sea.GetOutputPort())
     orbits.UpdateTimeStep(time)
     moved = orbits.GetOutput()
@@ -90,15 +97,15 @@ def seaweed(preset, settings):
     return set_properties(vtkSeaweedSource(), {"Preset": preset, **settings})
 
 
-def kelp_sites(height, seed=9):
+def kelp_sites(bed, seed=9):
     """Sites of sugar kelp on the bed, and of giant kelp up to the surface."""
     random = np.random.default_rng(seed)
-    low = bay.kelp_sites(height, count=240)
+    low = bay.kelp_sites(bed, count=240)
     species = vtk_to_numpy(low.GetPointData().GetArray("Species"))
     scale = vtk_to_numpy(low.GetPointData().GetArray("Scale"))[species == 0]
     places = vtk_to_numpy(low.GetPoints().GetData())[species == 0]
     tall = np.array([(x, y) + random.normal(0.0, 0.55, 2) for x, y, count in TALL for _ in range(count)])
-    feet = height(*tall.T)
+    feet = sampled(bed, *tall.T)
     return vertices(
         np.concatenate((places, np.column_stack((tall, feet)))), Species=np.repeat(np.int32((0, 1)), (len(places), len(tall))),
         Scale=np.concatenate((scale, (-0.5 - feet) / 14.6 * random.uniform(0.85, 1.0, len(tall)))))
@@ -142,8 +149,8 @@ def specks(sea, time, plants):
 def write_scene(filename, frame=0):
     """Write the scene at a frame."""
     time, sea = TIME + frame / FRAMES_A_SECOND, sea_state()
-    sand, height = bay.bed(DEPTH, EYE)
-    plants = kelp_sites(height)
+    sand = bay.bed(DEPTH, EYE)
+    plants = kelp_sites(sand)
     sources = {"Surface": surface(sea, time), "Bed": sand, "Kelp": kelp(sea, plants, time),
                "Particles": specks(sea, time, plants)}
     write_glb(

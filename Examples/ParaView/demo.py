@@ -40,14 +40,14 @@ import time
 
 import numpy as np
 from paraview import simple
+from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from littoral import (
     vtkCovarianceFitFilter, vtkDrainageFilter, vtkGroundStatisticsFilter, vtkTurningBandsTerrainSource)
-from littoral.chart import save_variogram_chart, slope_area_chart
+from littoral.chart import chart_renderer, save_variogram_chart, slope_area_chart
 from littoral.elevation import array_from_image, image_from_array, read_elevation, write_vti
-from littoral.gallery import relief
-from littoral.gallery.colors import height_color
-from littoral.gallery.pictures import save_grounds, save_pair
+from littoral.gallery.pictures import BELOW, PAPER, save_blocks
+from littoral.picture import FAINT, INK, label
 from littoral.tables import column, model_names, write_csv
 
 #: The examples for point patterns, the forest and the underwater scene.
@@ -145,15 +145,26 @@ def semivariances(image, lags):
     return np.array([0.25 * (np.mean((z[lag:] - z[:-lag]) ** 2) + np.mean((z[:, lag:] - z[:, :-lag]) ** 2)) for lag in lags])
 
 
+def table_renderer(titles, rows):
+    """A table below blocks: texts of rows, their names first, a column for each title; `*` before a text: bold."""
+    renderer = vtkRenderer()
+    renderer.SetViewport(0.0, 0.0, 0.62, BELOW)
+    renderer.SetBackground(*PAPER)
+    for k, row in enumerate([("", *titles), *rows]):
+        for column, text in enumerate(row):
+            place = 0.40 + 0.60 * (column - 0.5) / len(titles) if column else 0.04
+            actor = label(text.lstrip("*"), (place, 0.93 - 0.86 * k / (len(rows) + 1)), 34, INK if k else FAINT)
+            if column == 0:
+                actor.GetTextProperty().SetJustificationToLeft()
+            actor.GetTextProperty().SetBold(text.startswith("*"))
+            renderer.AddActor(actor)
+    return renderer
+
+
 def draw_grounds(filename, grounds, note, size):
     """Place, Gaussian twin and twin with valleys as blocks with lakes and rivers, above their statistics."""
-    waters, numbers, profiles = [], [], []
+    numbers, profiles = [], []
     for ground in grounds:
-        water = vtkDrainageFilter()
-        water.SetInputData(ground)
-        water.CarveOff()
-        water.Update()
-        waters.append((water.GetOutput(0), water.GetOutputDataObject(1)))
         statistics = vtkGroundStatisticsFilter()
         statistics.SetInputData(ground)
         statistics.Update()
@@ -167,17 +178,18 @@ def draw_grounds(filename, grounds, note, size):
 
     lags = np.unique(np.geomspace(1, 100, 20).astype(int))
     ratios = [semivariances(ground, lags) / semivariances(grounds[0], lags) for ground in grounds]
-    names = "Jacksboro fault, Tennessee", "Gaussian twin", "Twin with valleys"
-    save_grounds(
-        filename, [water[0] for water in waters], [water[1] for water in waters], names,
-        (f"measured \u00b7 {note}", "of the fitted model: water stands", "carved: water runs"),
-        (("Semivariance over the place's", "1", *(f"{ratio.min():.2f} to {ratio.max():.2f}" for ratio in ratios[1:])),
-         row("Depression fraction", "DepressionFraction", "{:.1f} %", 100.0, 5.0),
-         row("Hypsometric integral", "HypsometricIntegral", "{:.2f}", 1.0, 0.03),
-         row("Skewness of elevation", "ElevationSkewness", "{:.2f}", 1.0, 0.15),
-         row("Concavity", "Concavity", "{:.2f}", 1.0, 0.1),
-         row("Skewness of curvature", "CurvatureSkewness", "{:.2f}", 1.0, 1.0)),
-        slope_area_chart(profiles, names), EXAGGERATION, size)
+    names = "Jacksboro fault", "Gaussian twin", "Twin with valleys"
+    notes = f"measured \u00b7 {note}", "of the fitted model: water stands", "carved: water runs"
+    table = table_renderer(names, (
+        ("Semivariance over the place's", "1", *(f"{ratio.min():.2f} to {ratio.max():.2f}" for ratio in ratios[1:])),
+        row("Depression fraction", "DepressionFraction", "{:.1f} %", 100.0, 5.0),
+        row("Hypsometric integral", "HypsometricIntegral", "{:.2f}", 1.0, 0.03),
+        row("Skewness of elevation", "ElevationSkewness", "{:.2f}", 1.0, 0.15),
+        row("Concavity", "Concavity", "{:.2f}", 1.0, 0.1),
+        row("Skewness of curvature", "CurvatureSkewness", "{:.2f}", 1.0, 1.0)))
+    chart = chart_renderer(slope_area_chart(profiles, names), (0.38 * size[0], BELOW * size[1]),
+                           viewport=(0.62, 0.0, 1.0, BELOW), paper=PAPER)
+    save_blocks(filename, grounds, EXAGGERATION, list(zip(names, notes)), size, water=True, panels=(table, chart))
 
 
 def print_fits(fits):
@@ -264,11 +276,10 @@ def stills(folder, quick=False):
 
     progress.begin("drawing figure2.png")
     dimension = 2.15  # the paper's: this terrain has no single dimension, since its periodogram bends
-    save_pair(
-        file("figure2.png"), (place, grow_fractal(place, fits, dimension)),
-        ("(a) Real terrain", "(b) Turning bands"),
-        ("Jacksboro fault", f"fractal field, D = {dimension:.2f} as in the paper"),
-        EXAGGERATION, height_color, sized(1600, 760))
+    fractal = grow_fractal(place, fits, dimension)
+    texts = (("(a) Real terrain", "Jacksboro fault"),
+             ("(b) Turning bands", f"fractal field, D = {dimension:.2f} as in the paper"))
+    save_blocks(file("figure2.png"), (place, fractal), EXAGGERATION, texts, sized(1600, 760))
 
     progress.begin("drawing patterns.png")
     runpy.run_path(PATTERNS)["main"](folder)
@@ -297,7 +308,6 @@ def films(folder, frames=48):
 def main(folder, *options):
     """Pictures and data; with `--films` and perhaps a number of frames the films; with `--quick` small pictures."""
     if options == ("--quick",):
-        relief.CELLS = 0
         stills(folder, quick=True)
     elif options[:1] == ("--films",):
         films(folder, *map(int, options[1:2]))

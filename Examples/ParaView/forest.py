@@ -22,9 +22,10 @@ import numpy as np
 from paraview import simple
 
 import littoral
-from littoral.gallery import country as countries
 from littoral.gallery import views
 from littoral.gallery.arguments import folder_size_frames
+from littoral.gallery.country import jacksboro, wood_sites
+from littoral.gallery.heights import sampled
 
 #: Start, end and focal point of the walk [m].
 FIRST, LAST, TARGET = (7000.0, 8250.0), (6968.0, 8218.0), (4200.0, 3200.0)
@@ -35,12 +36,8 @@ SPECIES = (("Pine", 3), ("Oak", 5), ("Birch", 2), ("Shrub", 4))  # and seed of t
 #: Trees along the walk: distance ahead and to the right [m], and species.
 NEAR_TREES = (
     (52, -21, 1), (78, -27, 2), (86, -34, 2), (70, 24, 2), (95, 33, 1), (118, 22, 0), (135, 30, 0),
-    (150, 41, 0), (47, 17, 3), (60, -8, 3), (160, -50, 1), (185, -36, 0), (200, -44, 0),
+    (150, 41, 0), (47, 17, 3), (160, -50, 1), (185, -36, 0), (200, -44, 0),
     (170, 10, 3), (210, 62, 1), (235, 48, 2), (140, -16, 2), (240, -10, 1), (260, 2, 1))
-#: Distance of brooks from the walk [m].
-BROOK_REACH = 2500.0
-#: Visible blocks of scattered plants; the skeletons are lines.
-PLANT_PARTS = ("/Root/High/Skin", "/Root/High/Leaves", "/Root/Medium/Trunk", "/Root/Medium/Crown", "/Root/Low")
 #: Camera motion [m] and rotation [degrees] after which levels of detail are updated.
 STEADY = dict(MoveTolerance=10.0, TurnTolerance=2.0)
 #: A morning's sun from the side. The brooks are above the level of the water, at which an eye goes under.
@@ -49,21 +46,19 @@ LIGHT = dict(SunElevation=18.0, SunAzimuth=106.0, Turbidity=2.0, VisibilityDista
              CoverColor=[0.50, 0.52, 0.25], WaterLevel=-100.0, WaterSlopeVariance=0.04)
 
 
-def eye_at(country, share):
+def eye_at(terrain, share):
     """Position of the camera at a fraction of the walk."""
     place = (1.0 - share) * np.array(FIRST) + share * np.array(LAST)
-    return np.array((*place, country.height(*place) + EYE_HEIGHT))
+    return np.array((*place, sampled(terrain, *place) + EYE_HEIGHT))
 
 
-def near_trees(country, count=None):
-    """The first so many or all trees along the walk, but for those that would stand in a brook: positions and species."""
+def near_trees(count=None):
+    """The first so many or all trees along the walk: positions and species."""
     ahead = np.array(TARGET) - FIRST
     ahead /= np.hypot(*ahead)
     right = np.array((ahead[1], -ahead[0]))
     distance, aside, species = np.array(NEAR_TREES[:count]).T
-    places = FIRST + distance[:, None] * ahead + aside[:, None] * right
-    dry = country.water.distance_to(places) > 1.5
-    return places[dry], species[dry].astype(int)
+    return FIRST + distance[:, None] * ahead + aside[:, None] * right, species
 
 
 def wind_center():
@@ -73,16 +68,16 @@ def wind_center():
 
 
 def build(folder, view, quick=False):
-    """Build the pipeline and show it in a view; quick: with coarse ground and few trees. Returns the country."""
+    """Build the pipeline and show it in a view; quick: with coarse ground and few trees. Returns the terrain."""
     data = os.path.join(folder, "data")
     os.makedirs(data, exist_ok=True)
-    country = countries.jacksboro(1 if quick else 3)
-    woods = countries.wood_sites(
-        country, *countries.WOODS, 80.0 if quick else 13.0, alone=near_trees(country, 4 if quick else None))
+    drainage = jacksboro(1 if quick else 3)
+    woods = wood_sites(drainage.GetOutput(), *(80.0, near_trees(4)) if quick else (9.0, near_trees()))
 
-    terrain = views.reader("Country", country.image, data)
+    terrain = views.reader("Country", drainage.GetOutput(), data)
     sites = views.reader("Sites", woods, data)
-    brooks = views.reader("Brooks", countries.brook_bands(country, eye_at(country, 0.5), BROOK_REACH), data)
+    brooks = simple.RiverSurface(registrationName="Brooks", Input=views.reader(
+        "Courses", drainage.GetOutputDataObject(1), data), Terrain=terrain)
     trees = [simple.ReevesTree(registrationName=name, Preset=name, Seed=seed)
              for name, seed in SPECIES]
     ground = simple.TerrainLevelOfDetail(
@@ -97,42 +92,42 @@ def build(folder, view, quick=False):
         registrationName="Forest in the wind", Input=forest, Wind=wind, Prototypes=trees)
 
     views.light(view, Quality="Good" if quick else "Best", **LIGHT)
-    look(country, view, 0.0)
-    views.show_surface(ground, view)
-    views.show_surface(brooks, view)
-    views.show_surface(sway, view, PLANT_PARTS[:-1])
-    views.show_surface(forest, view, PLANT_PARTS[-1:])  # what does not move is not made again for each frame
+    look(drainage.GetOutput(), view, 0.0)
+    for each in (ground, brooks):
+        simple.Show(each, view)
+    simple.Show(sway, view).BlockSelectors = ["/Root/High/Skin", "/Root/High/Leaves", "/Root/Medium"]
+    simple.Show(forest, view).BlockSelectors = ["/Root/Low"]  # what does not move is not made again for each frame
     if hasattr(littoral, "vtkVDBVolumeWriter"):
         views.save_volume(os.path.join(folder, "wind.vdb"), wind)
-    return country
+    return drainage.GetOutput()
 
 
-def look(country, view, share):
+def look(terrain, view, share):
     """Point the camera at a fraction of the walk."""
-    target = np.array((*TARGET, country.height(*TARGET) - 60.0))
-    views.look(view, eye_at(country, share), target, VIEW_ANGLE)
+    target = np.array((*TARGET, sampled(terrain, *TARGET) - 60.0))
+    views.look(view, eye_at(terrain, share), target, VIEW_ANGLE)
 
 
-def plan_walk(country, view, frames):
+def plan_walk(terrain, view, frames):
     """Set the camera path of a view; Play in ParaView follows it."""
     scene = simple.GetAnimationScene()
     scene.PlayMode, scene.NumberOfFrames = "Sequence", frames
     scene.StartTime, scene.EndTime = 0.0, (frames - 1) / RATE
     stops = []
     for share in np.linspace(0.0, 1.0, 5):
-        look(country, view, share)
+        look(terrain, view, share)
         stops.append(simple.CameraKeyFrame(
             KeyTime=share, Position=view.CameraPosition, FocalPoint=view.CameraFocalPoint,
             ViewUp=view.CameraViewUp, ViewAngle=VIEW_ANGLE))
     track = simple.GetCameraTrack(view)
     track.Mode, track.KeyFrames = "Interpolate Camera", stops
-    look(country, view, 0.0)
+    look(terrain, view, 0.0)
 
 
-def film_walk(country, view, folder, frames, told):
+def film_walk(terrain, view, folder, frames, told):
     """Write the frames of the walk and the film; `told` is called before each frame."""
     def turn_to(frame):
-        look(country, view, frame / max(1, frames - 1))
+        look(terrain, view, frame / max(1, frames - 1))
         view.ViewTime = frame / RATE
 
     views.film_view(os.path.join(folder, "walk.ogv"), view, frames, RATE, turn_to, told)
@@ -144,11 +139,11 @@ def main(folder, size, frames=0, quick=False, told=lambda frame, frames: None):
     os.makedirs(folder, exist_ok=True)
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = list(size)
-    country = build(folder, view, quick)
-    plan_walk(country, view, frames or 120)
+    terrain = build(folder, view, quick)
+    plan_walk(terrain, view, frames or 120)
     views.save_view(os.path.join(folder, "forest.png"), view)
     if frames:
-        film_walk(country, view, folder, frames, told)
+        film_walk(terrain, view, folder, frames, told)
 
 
 if __name__ != "forest":  # another script has run this one for its functions

@@ -18,10 +18,9 @@ import tempfile
 
 from paraview import servermanager, simple
 
-from littoral.elevation import array_from_image, image_from_array, read_elevation, write_vti
-from littoral.gallery import relief as reliefs
-from littoral.gallery.relief import light_of, row_camera, row_centers, width_of
-from littoral.gallery.views import light, look, show_colored
+from littoral.elevation import array_from_image, image_from_array, read_elevation
+from littoral.gallery.relief import BASE, beds, floor, light_of, row_camera, row_centers, tints, width_of
+from littoral.gallery.views import light, look, reader, show_colored
 from littoral.tables import model_names
 
 EXAGGERATION = 3.0
@@ -29,29 +28,30 @@ EXAGGERATION = 3.0
 #: Red, green, blue of the measured points and of the models, best first.
 COLOURS = ("0.2 0.2 0.25", "0.8 0.27 0.12", "0.15 0.45 0.7", "0.3 0.6 0.35", "0.75 0.55 0.15")
 
-RELIEF = """
-from littoral.gallery.relief import relief_block
-image = self.GetInputDataObject(0, 0)
-block = relief_block(image, exaggeration={exaggeration}, center={center})
-self.GetPolyDataOutput().ShallowCopy(block)
-"""
 
-FLOOR = """
-from littoral.gallery.relief import floor
-self.GetPolyDataOutput().ShallowCopy(floor({width}, {count}))
-"""
-
-
-def polydata_filter(name, inputs, script):
-    """A Programmable Filter with polydata as output."""
-    return simple.ProgrammableFilter(
-        registrationName=name, Input=inputs, OutputDataSetType="vtkPolyData", Script=script)
-
-
-def relief(name, terrain, center):
-    """A terrain as a block."""
-    script = RELIEF.format(exaggeration=EXAGGERATION, center=tuple(float(c) for c in center[:2]))
-    return polydata_filter(name, terrain, script)
+def show_block(name, terrain, place, center, view):
+    """Show a terrain as a block beside others, with tints of the heights of a place and cut sides."""
+    heights, width = array_from_image(place), width_of(place)
+    depth = BASE * width / EXAGGERATION + float(heights.max() - heights.min())
+    ground = simple.TerrainLevelOfDetail(registrationName=f"Ground of {name}", Input=terrain, NumberOfLevels=1,
+                                         UseCulling=0, FollowCamera=0)
+    surface = simple.ExtractBlock(registrationName=f"Surface of {name}", Input=ground, Selectors=["/Root/Level0"])
+    edge = simple.FeatureEdges(registrationName=f"Edge of {name}", Input=surface, FeatureEdges=0, NonManifoldEdges=0)
+    sides = simple.LinearExtrusion(
+        registrationName=f"Sides of {name}", Input=edge, Vector=[0.0, 0.0, -depth], Capping=0)
+    beds_of = simple.Elevation(registrationName=f"Beds of {name}", Input=sides, ScalarRange=[0.0, 1.0],
+                               LowPoint=[0.0, 0.0, float(heights.max()) - depth],
+                               HighPoint=[0.0, 0.0, float(heights.max())])
+    x, y = (0.5 * sum(place.GetBounds()[2 * k:2 * k + 2]) for k in (0, 1))
+    # The color map editor of ParaView 5.11's window fails on the histogram of what is active and not drawn.
+    simple.SetActiveSource(None)
+    for source, colors in ((ground, tints(heights)), (beds_of, beds())):
+        shown = simple.Show(source, view)
+        shown.ColorArrayName, shown.MapScalars = ["POINTS", "Elevation"], 1
+        shown.LookupTable = simple.CreateLookupTable(
+            RGBPoints=[number for row in colors for number in row], ColorSpace="RGB", AutomaticRescaleRangeMode="Never")
+        shown.Scale = [1.0, 1.0, EXAGGERATION]
+        shown.Position = [center[0] - x, center[1] - y, BASE * width - float(heights.min()) * EXAGGERATION]
 
 
 def grown_like(fits, place):
@@ -85,11 +85,9 @@ def show_variogram(fit, view):
     simple.Render(view)
 
 
-def prepare_view(view, width, count):
+def prepare_view(view, folder, width, count):
     """Set up a view for a row of blocks: floor, camera and light."""
-    ground = simple.ProgrammableSource(registrationName="Floor", OutputDataSetType="vtkPolyData",
-                                       Script=FLOOR.format(width=width, count=count))
-    show_colored(ground, view)
+    show_colored(reader("Floor", floor(width, count), folder), view)
     eye, focus, angle = row_camera(width, count, view.ViewSize[0] / view.ViewSize[1])
     settings = light_of(width, sum((a - b) ** 2 for a, b in zip(eye, focus)) ** 0.5)
     light(view, VisibilityDistance=settings.pop("Visibility"), **settings)
@@ -101,11 +99,8 @@ def build(folder, size, quick=False):
     place = read_elevation()
     if quick:
         place = image_from_array(array_from_image(place)[::3, ::3], [3.0 * side for side in place.GetSpacing()])
-    filename = os.path.join(folder, "jacksboro.vti")
-    write_vti(place, filename)
-    reader = simple.XMLImageDataReader(
-        registrationName="Jacksboro fault", FileName=[filename], TimeArray="None")
-    fit = simple.CovarianceFit(registrationName="Fit", Input=reader)
+    measured = reader("Jacksboro fault", place, folder)
+    fit = simple.CovarianceFit(registrationName="Fit", Input=measured)
     twin = grown_like(fit, place)
 
     # The ParaView window already has a view; a script has to create one.
@@ -113,17 +108,13 @@ def build(folder, size, quick=False):
     view.ViewSize = size
     layout = simple.GetLayout(view)
     width = width_of(place)
-    centers = row_centers(width, 2)
-    blocks = [
-        relief("Relief of the place", reader, centers[0]),
-        relief("Relief of the twin", twin, centers[1])]
-    for block in blocks:
-        show_colored(block, view)
+    for name, terrain, center in zip(("the place", "the twin"), (measured, twin), row_centers(width, 2)):
+        show_block(name, terrain, place, center, view)
 
     chart = simple.CreateView("XYChartView")
     simple.AssignViewToLayout(chart, layout, layout.SplitVertical(0, 0.6))
     show_variogram(fit, chart)
-    prepare_view(view, width, 2)
+    prepare_view(view, folder, width, 2)
     simple.SetActiveView(view)
     simple.SetActiveSource(twin)
     simple.Render(view)
@@ -136,8 +127,6 @@ def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else tempfile.mkdtemp(prefix="littoral-")
     os.makedirs(folder, exist_ok=True)
     quick = "--quick" in sys.argv
-    if quick:
-        reliefs.CELLS = 0
     view = build(folder, [400, 190] if quick else [1600, 760], quick)
     if __name__ == "__main__" and len(sys.argv) > 1:
         simple.SaveScreenshot(os.path.join(folder, "scene.png"), view)

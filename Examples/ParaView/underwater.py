@@ -68,9 +68,9 @@ def build(folder, view, quick=False):
                           PeakPeriod=6.2, WaterDepth=DEPTH, MeanDirection=-70.0, NumberOfTrains=60)
     surface = simple.SeaSurface(registrationName="Surface", Input=sea, Radius=150.0, Sectors=60 if quick else 300,
                                 Spacing=0.5 if quick else 0.1, WaterColors=0)
-    sand, height = bay.bed(DEPTH, EYE, samples=200 if quick else 900)
-    floor = views.reader("Bed", sand, data)
-    plants = bay.kelp_sites(height, count=8 if quick else 130)
+    sand = bay.bed(DEPTH, EYE, samples=200 if quick else 900)
+    floor = simple.TerrainLevelOfDetail(registrationName="Bed", Input=views.reader("Sand", sand, data))
+    plants = bay.kelp_sites(sand, count=8 if quick else 130)
     sites = views.reader("KelpSites", plants, data)
     kelp = simple.PlantScatter(
         registrationName="Kelp", Sites=sites, FollowCamera=0, UseLevels=0, UseCulling=0, Prototypes=[
@@ -102,13 +102,12 @@ def build(folder, view, quick=False):
         simple.UpdatePipeline(TIME, animated)
     view.ViewTime = TIME
     # The color map editor of ParaView 5.11's window fails on the histogram of a fog that is still empty.
-    simple.SetActiveSource(sea)
+    simple.SetActiveSource(None)
     views.show_fog(fog, view)
     for near in specks:
         views.show_particles(near, view)
-    views.show_colored(floor, view)
-    views.show_surface(bending, view, ["/Root/High/Skin", "/Root/High/Leaves"])
-    views.show_surface(surface, view)
+    for each in (floor, bending, surface):
+        simple.Show(each, view).SetRepresentationType("Full Surface")
 
 
 def film(view, folder, frames, told):

@@ -13,8 +13,7 @@ import tempfile
 
 from littoral import vtkTurningBandsTerrainSource
 from littoral.elevation import write_vti
-from littoral.gallery import relief
-from littoral.gallery.pictures import save_block
+from littoral.gallery.pictures import save_blocks
 
 words = [word for word in sys.argv[1:] if word != "--quick"]
 quick = "--quick" in sys.argv
@@ -25,9 +24,8 @@ source = vtkTurningBandsTerrainSource()
 source.SetSeed(7)
 if quick:
     source.SetWholeExtent(0, 100, 0, 100, 0, 0)
-    relief.CELLS = 0
 source.Update()
 
 write_vti(source.GetOutput(), os.path.join(folder, "terrain.vti"))
-save_block(os.path.join(folder, "terrain.png"), source.GetOutput(), size=(300, 200) if quick else (1200, 800))
+save_blocks(os.path.join(folder, "terrain.png"), [source.GetOutput()], size=(300, 200) if quick else (1200, 800))
 print("terrain.vti and terrain.png are in", folder)

@@ -25,8 +25,9 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 from littoral import stand
-from littoral.gallery.floor import BROADLEAVED, SAVANNA, light, plant_actors, woods_beyond
+from littoral.gallery.floor import BROADLEAVED, SAVANNA, light, plant_actors
 from littoral.picture import INK, label, write_jpg
+from littoral.plants import level_actors
 
 PICTURE = (1500, 700)  # pixels
 MAP = 0.42  # part of the width
@@ -115,6 +116,19 @@ def draw_map(trees, title, window):
         place = (k + 0.5) / len(species_of(trees)), 0.055
         renderer.AddActor(label(name, place, 34, tuple(0.75 * c for c in COLORS[k % len(COLORS)])))
     renderer.ResetCameraClippingRange()
+
+
+def woods_beyond(trees, side, rings=2):
+    """Actors of the trees of a stand, seen from its southern edge, again in squares around it, at their lowest level."""
+    forest = stand.plant(trees, UseLevels=True, NearDistance=0.0, FarDistance=1e-3)
+    forest.Update()
+    actors = []
+    for row in range(rings + 1):
+        for column in range(-rings, rings + 1):
+            for actor in level_actors(forest, "Low") if row or column else ():
+                actor.SetPosition(column * side, row * side, 0.0)
+                actors.append(actor)
+    return actors
 
 
 def draw_wood(trees, eye, heading, colors, settings, window):

@@ -14,7 +14,6 @@ from paraview.servermanager import Fetch
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from littoral import plants
-from littoral.gallery import views
 
 
 def leaves_of(proxy):
@@ -85,7 +84,8 @@ with tempfile.TemporaryDirectory() as folder:
     picture = os.path.join(folder, "leaves.png")
     simple.SaveData(picture, simple.OutputPort(forest, 2))
     texels = vtk_to_numpy(Fetch(simple.PNGSeriesReader(FileNames=[picture])).GetPointData().GetScalars())
-    forest_shown = views.show_surface(forest, view, [f"/Root/{part}" for part in ("High/Skin", "High/Leaves", "Medium", "Low")])
+    forest_shown = simple.Show(forest, view)
+    forest_shown.BlockSelectors = [f"/Root/{part}" for part in ("High/Skin", "High/Leaves", "Medium", "Low")]
     cut_out = 300 * 300 - background(folder)
     forest_shown.SetRepresentationType("Surface")
     covered = 300 * 300 - background(folder)

@@ -17,7 +17,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 
 import littoral
 from littoral import blender
-from littoral.gallery.bay import mesh
+from littoral.gallery.meshes import add_array, polygons
 from TestBlender import ABOVE, pixels, square, write_glb
 
 
@@ -35,7 +35,13 @@ def grid(x, y, height, color=None):
     across, along = np.gradient(z, x[0], axis=1), np.gradient(z, y[:, 0], axis=0)
     normals = np.stack((-across, -along, np.ones_like(z)), axis=-1)
     normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
-    return mesh(np.stack((x, y, z), axis=-1), normals, None if color is None else np.broadcast_to(color, normals.shape))
+    rows, columns = z.shape
+    corner = (np.arange(rows - 1)[:, None] * columns + np.arange(columns - 1)).ravel()
+    corners = np.column_stack((corner, corner + 1, corner + columns + 1, corner + columns))
+    colors = None if color is None else np.broadcast_to(color, (z.size, 3))
+    data = polygons(np.column_stack((x.ravel(), y.ravel(), z.ravel())), corners, colors)
+    data.GetPointData().SetNormals(add_array(data, "Normals", normals.reshape(-1, 3).astype(np.float32)))
+    return data
 
 
 def write_volume(name, array, values, grid_name=""):

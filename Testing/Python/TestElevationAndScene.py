@@ -11,9 +11,8 @@ from vtkmodules.vtkCommonCore import vtkStringArray
 
 from littoral.elevation import (
     array_from_image, image_from_array, metres_per_degree, read_elevation, write_vti)
-from littoral.gallery import relief
-from littoral.gallery.heights import blur, normals, openness, subdivide, sunlight
-from littoral.gallery.relief import floor, relief_block, row_camera
+from littoral.gallery.heights import sampled, subdivide
+from littoral.gallery.relief import BASE, beds, block, floor, row_camera, tints
 from littoral.glb import direction
 from littoral.tables import column, model_names, one_model, table_of
 
@@ -43,45 +42,38 @@ assert np.array_equal(array_from_image(again), heights)
 assert again.GetSpacing() == place.GetSpacing()
 assert raises(FileNotFoundError, read_elevation, "no such file.npz")
 
-# Subdivision keeps a plane, blur keeps the mean of a wave, and a plane has one normal.
+# Subdivision keeps a plane, and samples of it are exact.
 y, x = np.mgrid[0:20, 0:30].astype(float)
 plane = 2.0 * x - y
 assert np.allclose(subdivide(plane)[::2, ::2], plane)
-assert np.allclose(blur(np.full((9, 9), 3.0), 2), 3.0)
-assert np.allclose(normals(plane, (1.0, 1.0)), np.array((-2.0, 1.0, 1.0)) / 6.0**0.5)
+assert abs(sampled(image_from_array(plane, (10.0, 10.0)), 123.0, 57.0) - (2.0 * 12.3 - 5.7)) < 1e-5
 assert np.allclose(direction(90.0, 0.0), (1.0, 0.0, 0.0))
 
-# A wall of 20 m in the west throws a shadow of 20 m / tan 45 degrees to the east of it.
-wall = np.zeros((5, 101))
-wall[:, :10] = 20.0
-seen = sunlight(wall, (1.0, 1.0), 270.0, 45.0, softness=0.01)[2]
-length = np.count_nonzero(seen[10:] < 0.5)
-assert abs(length - 20) <= 1, length
-assert np.all(seen[:10] > 0.99) and np.all(seen[35:] > 0.99)
-assert np.all(openness(np.zeros((8, 8)), (1.0, 1.0)) == 1.0)
-assert openness(wall, (1.0, 1.0))[2, 10] < 0.9
+# A block stands above z = 0 round its center, its sides reach down to there; terrains with a hole have one as well.
+holed = np.where((x > 8.0) & (x < 12.0) & (y > 8.0) & (y < 12.0), np.nan, plane)
+for terrain in (plane, plane[:2, :2], holed):
+    image = image_from_array(terrain, (10.0, 10.0), (40.0, 70.0))
+    ground, sides = block(image, 2.0, center=(100.0, 0.0))
+    west, east, south, north, low, high = ground.GetBounds()
+    assert abs(west + east - 200.0) < 1e-3 and abs(south + north) < 1e-3, ground.GetBounds()
+    assert abs(high - low - 2.0 * np.nanmax(terrain) + 2.0 * np.nanmin(terrain)) < 1e-3
+    assert abs(low - BASE * (east - west)) < 1e-3 and sides.GetBounds()[:4] == (west, east, south, north)
+    assert sides.GetBounds()[5] == high
+    depths = vtk_to_numpy(sides.GetMapper().GetInput().GetPoints().GetData())[:, 2]  # first of the edge, then of the feet
+    assert abs(2.0 * depths[len(depths) // 2:].max() + sides.GetPosition()[2]) < 1e-3
 
-relief.CELLS = 60
-# A block stands on z = 0 round its center; flat, tiny and holed terrains have one as well.
-holed = np.where(x + y > 40.0, np.nan, plane)
-for terrain in (plane, np.full((4, 5), 7.0), plane[:2, :2], holed):
-    block = relief_block(image_from_array(terrain, (10.0, 10.0)), center=(100.0, 0.0))
-    low, high = np.array(block.GetBounds()).reshape(3, 2).T
-    assert low[2] == 0.0 and abs(low[0] + high[0] - 200.0) < 1e-3 and np.isfinite(high).all()
-    rgb = vtk_to_numpy(block.GetPointData().GetArray("RGB"))
-    assert rgb.shape == (block.GetNumberOfPoints(), 3) and rgb.max() > 50
-# A face's normal is on the side from which its corners turn to the left: outside.
-block.GetPointData().SetActiveNormals("Normals")
-normal = vtk_to_numpy(block.GetPointData().GetNormals())
-corners = vtk_to_numpy(block.GetPolys().GetConnectivityArray()).reshape(-1, 4)
-places = vtk_to_numpy(block.GetPoints().GetData()).astype(float)
-across = np.cross(places[corners[:, 2]] - places[corners[:, 0]], places[corners[:, 3]] - places[corners[:, 1]])
-assert ((across * normal[corners[:, 0]]).sum(axis=1) > -1e-6).all()
-sides = places[np.abs(normal[:, 2]) < 1e-6], normal[np.abs(normal[:, 2]) < 1e-6]
-assert (((sides[0] - (100.0, 0.0, 0.0)) * sides[1]).sum(axis=1) > 0.0).all()
-empty = image_from_array(plane, (1.0, 1.0))
-empty.GetPointData().Initialize()
-assert raises(ValueError, relief_block, empty)
+# A bowl of 10 m in a plain is a lake as wide as it is, and a ridge beside it is none.
+y, x = np.mgrid[0:60, 0:60].astype(float)
+bowl = 20.0 - 10.0 * np.exp(-((x - 20.0)**2 + (y - 30.0)**2) / 36.0) + 10.0 * np.exp(-((x - 45.0) / 4.0)**2)
+_, _, lakes, _ = block(image_from_array(bowl, (1.0, 1.0)), 2.0, water=True)
+west, east, south, north, low, high = lakes.GetBounds()
+assert abs(west + east + 59.0 - 40.0) < 1.0 and abs(south + north + 59.0 - 60.0) < 1.0, lakes.GetBounds()
+assert 14.0 < east - west < 34.0 and high - low < 0.1
+
+# Tints are those of deviations from the mean, beds fill the whole height of a side.
+assert tints(np.array((0.0, 2.0)))[2] == (1.0, 0.71, 0.67, 0.50)
+layers = np.array(beds())
+assert layers[0, 0] == 0.0 and 0.99 < layers[-1, 0] < 1.0 and (np.diff(layers[:, 0]) > 0.0).all()
 
 # The camera of a row sees all blocks from above, and nothing but the floor behind them.
 eye, focus, angle = row_camera(1000.0, 2, 2.0)

@@ -46,10 +46,9 @@ def check_forest():
     """The walk."""
     forest, told = example("forest")
     forest.scattered = lambda *sites, **options: None
-    forest.ground = lambda country: None
     country = jacksboro()
     forest.jacksboro = lambda: country  # made once for all frames
-    image = country.image
+    image = country.GetOutput()
     eyes = []
     for frame in (0, 30, 120):
         forest.write_scene("none.glb", frame)

@@ -221,8 +221,8 @@ class Shortages(Program):
     def test_no_display(self):
         name = self.path("picture.png")
         script = ("import sys; import numpy; from littoral.elevation import image_from_array\n"
-                  "from littoral.gallery import relief; from littoral.gallery.pictures import save_block; relief.CELLS = 0\n"
-                  "save_block(sys.argv[1], image_from_array(numpy.eye(9), (1.0, 1.0)))")
+                  "from littoral.gallery.pictures import save_blocks\n"
+                  "save_blocks(sys.argv[1], [image_from_array(numpy.eye(9), (1.0, 1.0))])")
         absent = next(k for k in range(77, 10000) if not os.path.exists(f"/tmp/.X11-unix/X{k}"))
         for display in (None, f":{absent}"):
             with self.subTest(display):

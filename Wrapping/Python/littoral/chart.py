@@ -12,7 +12,8 @@ import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401, draws charts
 from vtkmodules.vtkChartsCore import (
     vtkAxis, vtkChart, vtkChartLegend, vtkChartXY, vtkPlotPoints)
 from vtkmodules.vtkCommonDataModel import vtkRectf
-from vtkmodules.vtkViewsContext2D import vtkContextView
+from vtkmodules.vtkRenderingContext2D import vtkContextActor
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 from .picture import write_png
 from .tables import column, table_of
@@ -96,14 +97,22 @@ def save_spectrum_chart(filename, spectra, components, size=(1200, 750), oversam
     _write(chart, filename, size, oversampling)
 
 
-def _write(chart, filename, size, oversampling):
-    margin = 30 * oversampling
+def chart_renderer(chart, size, oversampling=2, viewport=(0.0, 0.0, 1.0, 1.0), paper=(1.0, 1.0, 1.0)):
+    """A renderer of a chart in a part of a window, of a size [pixels] when it is written; margins are of 30 pixels."""
+    renderer, actor, margin = vtkRenderer(), vtkContextActor(), 30 * oversampling
+    renderer.SetViewport(*viewport)
+    renderer.SetBackground(*paper)
     chart.SetAutoSize(False)
     chart.SetSize(vtkRectf(margin, margin, *(s * oversampling - 2 * margin for s in size)))
-    view = vtkContextView()
-    view.GetScene().AddItem(chart)
-    view.GetRenderer().SetBackground(1.0, 1.0, 1.0)
-    write_png(view.GetRenderWindow(), filename, size, oversampling)
+    actor.GetScene().AddItem(chart)
+    renderer.AddActor(actor)
+    return renderer
+
+
+def _write(chart, filename, size, oversampling):
+    window = vtkRenderWindow()
+    window.AddRenderer(chart_renderer(chart, size, oversampling))
+    write_png(window, filename, size, oversampling)
 
 
 def _add_line(chart, table, model, rank, oversampling):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Countries of the pictures: ground with small relief, brooks and woods, and the trees on it.
+"""The country of the forests: ground with small relief and brooks, and the trees on it.
 
 Lengths are in metres, x is east, y north, z up.
 """
@@ -9,132 +9,75 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from ..elevation import array_from_image, image_from_array, read_elevation
-from ..LittoralFilters import vtkSitePreferenceFilter
+from ..LittoralFilters import vtkDrainageFilter, vtkSitePreferenceFilter
 from ..LittoralSources import vtkQuadratPointSource, vtkTurningBandsTerrainSource
+from ..properties import set_properties
 from ..stand import table_of_words
-from . import brooks
-from .colors import site_factors, wooded
-from .heights import sampled, steepness, subdivide
-from .meshes import add_array, polygons, vertices
+from .heights import sampled, subdivide
+from .meshes import add_array, vertices
 
-#: Lower left corner and size of the part of `jacksboro` with trees [m].
+#: Lower left corner and size of the country in the elevation model of the Jacksboro fault, Tennessee [m].
+COUNTRY = (10500.0, 6500.0), 10000.0
+#: Lower left corner and size of its part with trees [m].
 WOODS = (2500.0, 2500.0), (5600.0, 6200.0)
-#: Fraction of a cell under water from which no tree grows there.
-WET_CELL = 0.12
+#: Drainage area from which there is a brook [m2].
+BROOK = 4e4
 #: Preferences of the species of woods, as vtkSitePreferenceFilter reads them: pines on ridges and warm slopes, oaks on
-#: low ground, birches where it is moist, shrubs on what is steep.
+#: low slopes, birches where it is moist, shrubs on what is steep.
 PREFERENCES = {
     "species": ("pine", "oak", "birch", "shrub"), "abundance": (1.0, 1.4, 0.8, 0.3),
     "relative_elevation": (0.75, 0.3, "", ""), "relative_elevation_tolerance": (0.3, 0.3, "", ""),
-    "slope": (18.0, 8.0, 0.0, 30.0), "slope_tolerance": (12.0, 12.0, 16.0, 8.0),
+    "slope": (22.0, 20.0, 14.0, 30.0), "slope_tolerance": (9.0, 8.0, 7.0, 8.0),
     "aspect": (200.0, "", "", ""), "aspect_tolerance": (90.0, "", "", ""),
     "wetness": ("", "", 8.5, ""), "wetness_tolerance": ("", "", 2.5, "")}
 
 
-class Country:
-    """A refined part of an elevation model, with synthetic small relief, brooks and woods.
+def jacksboro(refinements=3, seed=1):
+    """An updated vtkDrainageFilter of the country, without carving: its ground, with Reflectance, and its rivers.
 
-    image: the terrain, with the point arrays Elevation [m], Reflectance and DrainageArea [m2], which color it; wood:
-    fraction of the ground covered by trees, by row and column; water: where it runs, a `brooks.Water`. Meadows are along
-    it, woods on what is drier and steeper.
+    refinements: times that the cells of the elevation model are halved; relief that it does not resolve is added.
     """
-
-    def __init__(self, model, corner, size, refinements=3, seed=1):
-        """A square of an elevation model. corner: x and y [m]; size [m]; refinements: times that cells are halved."""
-        spacing = model.GetSpacing()[:2]
-        column, row = (int(corner[k] / spacing[k]) for k in (0, 1))
-        columns, rows = (int(size / spacing[k]) for k in (0, 1))
-        z = array_from_image(model).astype(float)[row:row + rows, column:column + columns]
-        for _ in range(refinements):
-            z, spacing = subdivide(z), (0.5 * spacing[0], 0.5 * spacing[1])
-        relief, reflectance = _small_relief(z.shape, spacing, seed)
-        self.z = z + relief * np.clip(steepness(z, spacing) / 12.0, 0.15, 1.5)
-        self.spacing = spacing
-        self.water = brooks.Water(image_from_array(self.z.astype(np.float32), (*spacing, 1.0)))
-        self.image = self.water.image
-        add_array(self.image, "Reflectance", reflectance.ravel())
-        cover = site_factors(self.z, spacing, reflectance, self.water.wetness)
-        self.wood = wooded(*cover) * (self.water.cover < WET_CELL)
-
-    def height(self, x, y):
-        """Height of the ground at positions x, y [m]."""
-        return sampled(self.z, self.spacing, x, y)
+    model = read_elevation()
+    spacing = np.array(model.GetSpacing()[:2])
+    column, row = (np.array(COUNTRY[0]) / spacing).astype(int)
+    columns, rows = (COUNTRY[1] / spacing).astype(int)
+    z = array_from_image(model).astype(float)[row:row + rows, column:column + columns]
+    for _ in range(refinements):
+        z, spacing = subdivide(z), 0.5 * spacing
+    small = set_properties(vtkTurningBandsTerrainSource(), dict(
+        FractalDimension=2.25, Range=400.0, StandardDeviation=3.0, Mean=0.0, Spacing=(*spacing, 1.0), Seed=seed,
+        WholeExtent=(0, z.shape[1] - 1, 0, z.shape[0] - 1, 0, 0), Reflectance=True))
+    small.Update()
+    slope = np.hypot(*np.gradient(z, *spacing[::-1]))
+    terrain = image_from_array(z + array_from_image(small.GetOutput()) * np.clip(5.0 * slope, 0.15, 1.5), spacing)
+    terrain.GetPointData().AddArray(small.GetOutput().GetPointData().GetArray("Reflectance"))
+    cells = max(2, round(BROOK / spacing.prod()))
+    drainage = set_properties(vtkDrainageFilter(), dict(Carve=False, StreamThreshold=cells))
+    drainage.SetInputData(terrain)
+    drainage.Update()
+    return drainage
 
 
-def jacksboro(refinements=3):
-    """The country of the forests: a part of the Jacksboro fault, Tennessee, in which brooks gather."""
-    return Country(read_elevation(), (10500.0, 6500.0), 10000.0, refinements)
+def wood_sites(terrain, mean_distance=9.0, alone=((), ()), seed=1):
+    """Sites of trees in WOODS, with the point array Species: 0 pine, 1 oak, 2 birch, 3 shrub.
 
+    Candidates are clustered by the Neyman type A law; the ground decides which of them stay, and as which species.
 
-def _small_relief(shape, spacing, seed):
-    """Heights and reflectance that the elevation model does not resolve."""
-    source = vtkTurningBandsTerrainSource()
-    source.SetModelToFractal()
-    source.SetFractalDimension(2.25)
-    source.SetRange(400.0)
-    source.SetStandardDeviation(3.0)
-    source.SetMean(0.0)
-    source.SetWholeExtent(0, shape[1] - 1, 0, shape[0] - 1, 0, 0)
-    source.SetSpacing(*spacing, 1.0)
-    source.SetSeed(seed)
-    source.ReflectanceOn()
-    source.Update()
-    image = source.GetOutput()
-    return array_from_image(image), array_from_image(image, "Reflectance")
-
-
-def preferred_species(water, x, y, seed=1):
-    """Indices of the species of PREFERENCES that grow at positions x, y [m], by the heights and the drainage of the ground."""
-    sites = vtkSitePreferenceFilter()
-    sites.SetInputData(vertices(np.column_stack((x, y, np.zeros(len(x))))))
-    sites.SetInputData(1, water.image)
+    terrain: of `jacksboro`; alone: further trees, positions [n, 2] and species [n]; no other tree stands within 25 m.
+    """
+    candidates = set_properties(vtkQuadratPointSource(), dict(
+        Origin=WOODS[0], Size=WOODS[1], Quadrats=[int(side / mean_distance) for side in WOODS[1]],
+        Law=vtkQuadratPointSource.PoissonPoisson, ClusterMean=1.5, Mode=vtkQuadratPointSource.Sampling, Seed=seed))
+    sites = set_properties(vtkSitePreferenceFilter(), dict(Thinning=True, Seed=seed))
+    sites.SetInputConnection(candidates.GetOutputPort())
+    sites.SetInputData(1, terrain)
     sites.SetInputData(2, table_of_words(PREFERENCES, PREFERENCES.values()))
-    sites.SetSeed(seed)
     sites.Update()
-    arrays = sites.GetOutput().GetPointData()
-    species = np.ones(len(x), int)  # oaks where nothing feels at home
-    species[vtk_to_numpy(arrays.GetArray("SiteId"))] = vtk_to_numpy(arrays.GetArray("Species"))
-    return species
-
-
-def wood_sites(country, origin, size, mean_distance=13.0, seed=1, alone=None):
-    """Sites of trees on a rectangle, with the point array Species: 0 pine, 1 oak, 2 birch, 3 shrub.
-
-    Candidates are clustered by the Neyman type A law; they are kept in woods, a few also on meadows. Which species
-    they are is decided by the ground (PREFERENCES); half of those on meadows are shrubs.
-
-    alone: further trees, positions [n, 2] and species [n]; no other tree stands within 25 m.
-    """
-    source = vtkQuadratPointSource()
-    source.SetOrigin(*origin)
-    source.SetSize(*size)
-    source.SetQuadrats(*(max(1, int(s / mean_distance)) for s in size))
-    source.SetLaw(source.PoissonPoisson)
-    source.SetClusterMean(1.5)
-    source.SetMode(source.Sampling)
-    source.SetSeed(seed)
-    source.Update()
-    points = vtk_to_numpy(source.GetOutput().GetPoints().GetData())
-    x, y = points[:, 0].astype(float), points[:, 1].astype(float)
-    chance = np.random.default_rng(seed).random((2, len(x)))
-    wood = sampled(country.wood, country.spacing, x, y)
-    z = country.height(x, y)
-    stays = chance[0] < np.clip(1.25 * wood - 0.2, 0.03, 1.0)
-    species = preferred_species(country.water, x, y, seed)
-    species[(wood < 0.35) & (chance[1] < 0.5)] = 3
-    if alone is not None:
-        places, kinds = alone
-        apart = np.hypot(x[:, None] - places[:, 0], y[:, None] - places[:, 1]).min(axis=1)
-        stays &= apart > 25.0
-        x, y = (np.concatenate((v[stays], places[:, k])) for k, v in enumerate((x, y)))
-        z, species = country.height(x, y), np.concatenate((species[stays], kinds))
-        stays = np.ones(len(x), bool)
-    return vertices(np.column_stack((x, y, z))[stays], Species=species[stays].astype(np.int32))
-
-
-def brook_bands(country, near, reach):
-    """Brooks within a distance [m] of a place as bands of water on the ground, with a Jacobian of 1: without foam."""
-    places, triangles = brooks.bands(country.water.courses, country.height, np.asarray(near)[:2], reach)
-    data = polygons(places, triangles)
-    add_array(data, "Jacobian", np.ones(len(places), np.float32))
-    return data
+    places = vtk_to_numpy(sites.GetOutput().GetPoints().GetData())[:, :2].astype(float)
+    species = vtk_to_numpy(sites.GetOutput().GetPointData().GetArray("Species"))
+    stays = sampled(terrain, *places.T, "DrainageArea") < BROOK
+    for place in alone[0]:
+        stays &= np.hypot(*(places - place).T) > 25.0
+    places = np.concatenate((places[stays], np.reshape(alone[0], (-1, 2))))
+    species = np.concatenate((species[stays], alone[1])).astype(np.int32)
+    return vertices(np.column_stack((places, sampled(terrain, *places.T))), Species=species)

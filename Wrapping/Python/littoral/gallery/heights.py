@@ -1,13 +1,10 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Height fields: refinement, slopes, and how much of the sun and the sky each point sees.
-
-A height field is an array z[row, column] [m], rows from south to north, with a spacing (dx, dy) [m]. Angles are in degrees.
-"""
+"""Heights of terrains: refined, and at places. Rows of arrays are from south to north."""
 
 import numpy as np
 
-from ..glb import direction
+from ..elevation import array_from_image
 
 
 def subdivide(z):
@@ -22,92 +19,10 @@ def subdivide(z):
     return z
 
 
-def refined(z, spacing, cells):
-    """Subdivide until the longer side has at least `cells`; returns heights and spacing of x and y."""
-    spacing = tuple(spacing[:2])
-    while max(z.shape) < cells:
-        z, spacing = subdivide(z), (0.5 * spacing[0], 0.5 * spacing[1])
-    return z, spacing
-
-
-def blur(z, radius):
-    """Three box filters of 2 radius + 1 cells: nearly a Gaussian."""
-    size = 2 * radius + 1
-    for axis in (0, 1) * 3:
-        z = np.moveaxis(z, axis, 0)
-        padded = np.concatenate((z[:1].repeat(radius + 1, 0), z, z[-1:].repeat(radius, 0)))
-        sums = padded.cumsum(axis=0, dtype=np.float64)
-        z = np.moveaxis((sums[size:] - sums[:-size]) / size, 0, axis)
-    return z
-
-
-def normals(z, spacing):
-    """Unit normals [row, column, 3]."""
-    slope_y, slope_x = np.gradient(z, spacing[1], spacing[0])
-    n = np.stack((-slope_x, -slope_y, np.ones_like(z)), axis=-1)
-    return n / np.linalg.norm(n, axis=-1, keepdims=True)
-
-
-def steepness(z, spacing):
-    """Angle between the ground and the horizontal [degrees].
-
-    Of contiguous numbers: the last bit of NumPy's arccos of others depends on where they are in memory.
-    """
-    slope_y, slope_x = np.gradient(z, spacing[1], spacing[0])
-    return np.degrees(np.arccos(1.0 / np.sqrt(slope_x**2 + slope_y**2 + 1.0)))
-
-
-def sunlight(z, spacing, azimuth, elevation, softness=0.07):
-    """Fraction [0..1] of the sun visible from each point; shadows fade over `softness` of slope."""
-    rise = np.tan(np.radians(elevation))
-    clear = np.ones(z.shape)
-    for slope in _march(z, spacing, azimuth, np.ptp(z) / rise, growth=1.04):
-        np.minimum(clear, np.subtract(rise, slope, out=slope), out=clear)
-    return smoothstep(clear, -0.5 * softness, 0.5 * softness)
-
-
-def openness(z, spacing, farthest=None, directions=12):
-    """Fraction [0..1] of the sky visible from each point, by relief up to `farthest` [m]."""
-    farthest = farthest or 40.0 * max(spacing)
-    total = np.zeros(z.shape)
-    for azimuth in np.arange(directions) * 360.0 / directions:
-        horizon = np.zeros(z.shape)
-        for slope in _march(z, spacing, azimuth, farthest, growth=1.6):
-            np.maximum(horizon, slope, out=horizon)
-        total += 1.0 / (1.0 + horizon**2)
-    return total / directions
-
-
-def _march(z, spacing, azimuth, farthest, growth):
-    """March from every point along an azimuth: yields the slopes of the lines of sight, in an array that is used again.
-
-    Beyond the border the ground is as high as there.
-    """
-    towards, last = direction(azimuth, 0.0), np.subtract(z.shape, 1)
-    steps, distance = [], min(spacing)
-    while distance < farthest:
-        steps.append([round(towards[1] * distance / spacing[1]), round(towards[0] * distance / spacing[0])])
-        distance = max(distance + min(spacing), distance * growth)
-    if not steps:
-        return
-    shifts = np.clip(steps, -last, last)
-    before, after = np.maximum(-shifts.min(axis=0), 0), np.maximum(shifts.max(axis=0), 0)
-    around, slope = np.pad(z, np.column_stack((before, after)), mode="edge"), np.empty(z.shape)
-    for (rows, columns), (row, column) in zip(steps, before + shifts):
-        np.subtract(around[row:row + z.shape[0], column:column + z.shape[1]], z, out=slope)
-        slope /= np.hypot(columns * spacing[0], rows * spacing[1])
-        yield slope
-
-
-def smoothstep(value, low, high):
-    """0 below low, 1 above high, smooth between them."""
-    t = np.clip((value - low) / (high - low), 0.0, 1.0)
-    return t * t * (3.0 - 2.0 * t)
-
-
-def sampled(values, spacing, x, y):
-    """Bilinear samples of a grid that starts at (0, 0)."""
-    u, v = np.asarray(x) / spacing[0], np.asarray(y) / spacing[1]
+def sampled(image, x, y, name="Elevation"):
+    """Bilinear samples of a point array of an image at positions x, y [m]."""
+    values = array_from_image(image, name).astype(float)
+    u, v = ((np.asarray(at) - image.GetOrigin()[k]) / image.GetSpacing()[k] for k, at in enumerate((x, y)))
     i = np.clip(u.astype(int), 0, values.shape[1] - 2)
     j = np.clip(v.astype(int), 0, values.shape[0] - 2)
     u, v = u - i, v - j

@@ -38,24 +38,6 @@ def polygons(places, corners, colors=None):
     return data
 
 
-def quads(rows, columns):
-    """Corners of the quadrilaterals between positions in rows."""
-    corner = (np.arange(rows - 1)[:, None] * columns + np.arange(columns - 1)).ravel()
-    return np.column_stack((corner, corner + 1, corner + columns + 1, corner + columns))
-
-
-def grids(*parts):
-    """Quadrilaterals between rows of positions [row, column, 3], for each triple of these, their colors and normals."""
-    corners, first = [], 0
-    for places, *_ in parts:
-        corners.append(first + quads(*places.shape[:2]))
-        first += places[..., 0].size
-    places, colors, normals = (np.concatenate([part[k].reshape(-1, 3) for part in parts]) for k in range(3))
-    data = polygons(places, np.concatenate(corners), colors)
-    data.GetPointData().SetNormals(add_array(data, "Normals", normals.astype(np.float32)))
-    return data
-
-
 def vertices(places, **arrays):
     """Vertices at positions [n, 3], with point arrays."""
     data = _data_of(places)

@@ -1,115 +1,141 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Relief models: a terrain as a block on a floor, in natural colors, for vtkLandscapePass.
+"""Relief models: terrains as blocks in a row on a floor, for vtkLandscapePass.
 
-Lengths are in metres, angles in degrees. x is east, y north, z up; an azimuth counts from north to the east. Height
-fields and colors are as in `heights` and `colors`.
+Lengths are in metres, angles in degrees. x is east, y north, z up; an azimuth counts from north to the east.
 """
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkClipPolyData, vtkElevationFilter, vtkFeatureEdges
+from vtkmodules.vtkFiltersModeling import vtkLinearExtrusionFilter
+from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkPolyDataMapper
 
 from ..elevation import array_from_image, image_from_array
 from ..glb import direction
-from .colors import LAKE, mix, natural_color, section_color, to_bytes
-from .heights import normals, refined, smoothstep
-from .meshes import grids, polygons
+from ..LittoralFilters import vtkDrainageFilter, vtkRiverSurfaceFilter, vtkTerrainLevelOfDetailFilter
+from ..LittoralRendering import vtkLandscapePass
+from ..properties import set_properties
+from .meshes import add_array, polygons
 
-#: Albedo of a model over that of the land.
-PAINT = 1.55
-#: Cells along the longer side of a block, at least.
-CELLS = 600
 #: Angle by which blocks are turned from facing the camera, and elevation of the camera above them [degrees].
 TURN, LIFT = 32.0, 39.0
-#: Albedos of the floor, sRGB, before and behind the blocks.
-FLOOR = (0.97, 0.945, 0.935), (0.66, 0.73, 0.82)
+#: Height of a block below its terrain, over its width.
+BASE = 0.07
+#: Colors of the floor before and behind the blocks, of water, and of beds of rock.
+FLOOR, WATER = ((0.97, 0.945, 0.935), (0.66, 0.73, 0.82)), (0.15, 0.40, 0.62)
+BEDS = np.array(((0.71, 0.64, 0.54), (0.59, 0.54, 0.48), (0.65, 0.55, 0.45), (0.67, 0.64, 0.59)))
+#: Colors of heights, by standard deviations from their mean.
+TINTS = ((-2.3, 0.42, 0.53, 0.47), (-1.1, 0.56, 0.62, 0.48), (0.0, 0.71, 0.67, 0.50), (1.1, 0.69, 0.55, 0.41),
+         (2.3, 0.76, 0.71, 0.67))
 
 
-def relief_block(image, exaggeration=1.0, coloring=natural_color, center=(0.0, 0.0)):
-    """The terrain of an image as a block with cut sides that stands on z = 0, with albedos in `RGB`.
+def block(image, exaggeration=1.0, center=(0.0, 0.0), water=False):
+    """Actors of the terrain of an image as a block that stands on z = 0: ground, cut sides, and water where it gathers.
 
-    exaggeration: of the heights; center: of the block [m].
-    An optional array `Reflectance` controls the colors. Missing heights become the lowest.
+    exaggeration: of the heights, whose tints then color the ground; without it, 1, the ground is that of a landscape.
     """
-    ground = array_from_image(image)
-    if ground is None:
-        raise ValueError("the image has no point array Elevation")
-    ground = np.nan_to_num(ground.astype(np.float64), nan=np.nanmin(ground))
-    reflectance = array_from_image(image, "Reflectance")
-    if reflectance is not None:
-        reflectance, _ = refined(reflectance, image.GetSpacing(), CELLS)
-    ground, spacing = refined(ground, image.GetSpacing(), CELLS)
-    rows, columns = ground.shape
-    x = (np.arange(columns) - 0.5 * (columns - 1)) * spacing[0] + center[0]
-    y = (np.arange(rows) - 0.5 * (rows - 1)) * spacing[1] + center[1]
-    thickness = 0.07 * np.ptp(x)
-    z = thickness + (ground - ground.min()) * exaggeration
-    top = np.stack(np.broadcast_arrays(x, y[:, None], z), axis=-1)
-    sides = (
-        (top[0, ::-1], (0.0, -1.0, 0.0)), (top[::-1, -1], (1.0, 0.0, 0.0)),
-        (top[-1], (0.0, 1.0, 0.0)), (top[:, 0], (-1.0, 0.0, 0.0)))
-    walls = [_wall(*side, thickness) for side in sides]
-    return grids((top, to_bytes(PAINT * coloring(ground, spacing, reflectance)), normals(z, spacing)), *walls)
+    width, bounds = width_of(image), image.GetBounds()
+    level, rivers = drained(image) if water else (image, None)
+    ground = set_properties(vtkTerrainLevelOfDetailFilter(), dict(NumberOfLevels=1, UseCulling=False))
+    ground.SetInputData(level)
+    ground.Update()
+    top = ground.GetOutput().GetBlock(0)
+    low, high = top.GetBounds()[4:]
+    actors = [_ground_actor(top, exaggeration), _walls(top, BASE * width / exaggeration + high - low)]
+    actors += _water_actors(top, rivers, level, 1e-3 * width / exaggeration) if water else []
+    for actor in actors:
+        actor.SetScale(1.0, 1.0, exaggeration)
+        actor.AddPosition(center[0] - 0.5 * (bounds[0] + bounds[1]), center[1] - 0.5 * (bounds[2] + bounds[3]),
+                          BASE * width - low * exaggeration)
+    return actors
 
 
-def lake_block(ground, exaggeration=1.0, center=(0.0, 0.0)):
-    """The block of a terrain whose depressions are full of water: output of `vtkDrainageFilter`, not carved."""
-    depth = array_from_image(ground, "DepressionDepth")
-    level = image_from_array(array_from_image(ground) + depth, ground.GetSpacing())
-    deep, _ = refined(depth, ground.GetSpacing(), CELLS)
-
-    def coloring(z, spacing, reflectance):
-        water = smoothstep(deep, 0.0, 0.02 * np.std(z))
-        return mix(natural_color(z, spacing, reflectance), LAKE, 0.92 * water)
-
-    return relief_block(level, exaggeration, coloring=coloring, center=center)
+def drained(image):
+    """A terrain with its depressions full of water, and lines of its rivers."""
+    drainage = set_properties(vtkDrainageFilter(), {"Carve": False})
+    drainage.SetInputData(image)
+    drainage.Update()
+    depth = array_from_image(drainage.GetOutput(), "DepressionDepth")
+    level = image_from_array(array_from_image(image) + depth, image.GetSpacing(), image.GetOrigin())
+    add_array(level, "Depth", depth.ravel())
+    return level, drainage.GetOutputDataObject(1)
 
 
-def river_lines(rivers, ground, exaggeration=1.0, center=(0.0, 0.0)):
-    """Rivers on the block of a terrain: pairs of a `vtkPolyData` with `RGB` and its stream order, low orders first.
-
-    What runs through lakes is left out, but for shallow pools.
-    """
-    bounds, depth = ground.GetBounds(), array_from_image(ground, "DepressionDepth")
-    level = array_from_image(ground) + depth
-    middle = 0.5 * np.array((bounds[0] + bounds[1], bounds[2] + bounds[3]))
-    width = bounds[1] - bounds[0]
-    places = vtk_to_numpy(rivers.GetPoints().GetData()).astype(np.float64)
-    columns = np.round((places[:, 0] - bounds[0]) / ground.GetSpacing()[0]).astype(int)
-    rows = np.round((places[:, 1] - bounds[2]) / ground.GetSpacing()[1]).astype(int)
-    places[:, :2] += np.array(center)[:2] - middle
-    places[:, 2] = 0.07 * width + (level[rows, columns] - level.min()) * exaggeration + 0.0025 * width
-    dry = depth[rows, columns] <= 0.05 * np.std(level)  # shallow pools are part of a river
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(places, deep=True))
-    orders = vtk_to_numpy(rivers.GetCellData().GetArray("StreamOrder"))
-    for order in np.unique(orders):
-        lines, cells = vtkPolyData(), vtkCellArray()
-        for cell in np.flatnonzero(orders == order):
-            ids = rivers.GetCell(int(cell)).GetPointIds()
-            path = [ids.GetId(k) for k in range(ids.GetNumberOfIds())]
-            for upper, lower in zip(path, path[1:]):
-                if dry[upper] or dry[lower]:
-                    cells.InsertNextCell(2, (upper, lower))
-        lines.SetPoints(points)
-        lines.SetLines(cells)
-        lines.GetPointData().SetScalars(rivers.GetPointData().GetArray("RGB"))
-        yield lines, int(order)
+def _ground_actor(top, exaggeration):
+    """The ground with tints of heights or as that of a landscape, which steeper than nature would be rock."""
+    if exaggeration == 1.0:
+        actor = actor_of(top)
+        vtkLandscapePass.SetMaterial(actor, vtkLandscapePass.Ground)
+        return actor
+    return actor_of(top, tints(vtk_to_numpy(top.GetPointData().GetArray("Elevation"))))
 
 
-def _wall(edge, normal, thickness):
-    """A cut from an edge [n, 3] of the terrain down to z = 0."""
-    points = np.repeat(edge[None], 120, axis=0)
-    points[..., 2] *= np.linspace(1.0, 0.0, 120)[:, None]
-    height = points[..., 2]
-    along = np.hypot(*(points - edge[0])[..., :2].transpose(2, 0, 1))
-    color = section_color(along, height, edge[:, 2] - height, thickness)
-    return points, to_bytes(PAINT * color), np.broadcast_to(normal, points.shape)
+def tints(heights):
+    """Rows of a value and its color for heights [m]."""
+    return [(np.nanmean(heights) + deviations * np.nanstd(heights), *color) for deviations, *color in TINTS]
 
 
-# Blocks in a row ----------------------------------------------------------------------------------
+def beds(count=40, seed=5):
+    """Rows of a value, from 0 to 1, and its color for beds of rock."""
+    random = np.random.default_rng(seed)
+    bounds = np.append(0.0, random.uniform(2.0, 12.0, count).cumsum())
+    colors = BEDS[random.integers(len(BEDS), size=count)]
+    return [(bound / bounds[-1], *color) for low, high, color in zip(bounds, bounds[1:], colors)
+            for bound in (low, 0.999 * high)]
+
+
+def _walls(top, depth):
+    """Cuts from the edge of the ground downwards, in beds that bend with it; the floor hides their lower end."""
+    edge = set_properties(vtkFeatureEdges(), dict(FeatureEdges=False, NonManifoldEdges=False, Coloring=False))
+    sides = set_properties(vtkLinearExtrusionFilter(), dict(Vector=(0.0, 0.0, -depth), Capping=False))
+    share = vtkElevationFilter()
+    edge.SetInputData(top)
+    sides.SetInputConnection(edge.GetOutputPort())
+    sides.SetExtrusionTypeToVectorExtrusion()
+    share.SetInputConnection(sides.GetOutputPort())
+    share.SetLowPoint(0.0, 0.0, top.GetBounds()[5] - depth)
+    share.SetHighPoint(0.0, 0.0, top.GetBounds()[5])
+    share.Update()
+    return actor_of(share.GetOutput(), beds())
+
+
+def _water_actors(top, rivers, level, lift):
+    """Lakes and rivers, a little above the ground [m]."""
+    deep, lakes, bands = vtkPolyData(), vtkClipPolyData(), vtkRiverSurfaceFilter()
+    deep.ShallowCopy(top)
+    deep.GetPointData().SetActiveScalars("Depth")
+    lakes.SetInputData(deep)
+    lakes.SetValue(0.02 * np.std(array_from_image(level)))
+    lakes.Update()
+    bands.SetInputData(0, rivers)
+    bands.SetInputData(1, level)
+    bands.SetWidthOfUnitArea(1.5e-3 * width_of(level))
+    bands.SetLift(lift)
+    bands.Update()
+    actors = [actor_of(source.GetOutput()) for source in (lakes, bands)]
+    actors[0].AddPosition(0.0, 0.0, lift)
+    for actor in actors:
+        actor.GetMapper().ScalarVisibilityOff()
+        actor.GetProperty().SetColor(*WATER)
+    return actors
+
+
+def actor_of(data, colors=()):
+    """Actor of data with its colors `RGB`, or by rows of a value of the array `Elevation` and its color."""
+    mapper, actor, table = vtkPolyDataMapper(), vtkActor(), vtkColorTransferFunction()
+    mapper.SetInputData(data)
+    actor.SetMapper(mapper)
+    if colors:
+        for row in colors:
+            table.AddRGBPoint(*row)
+        mapper.SetScalarModeToUsePointFieldData()
+        mapper.SelectColorArray("Elevation")
+        mapper.SetLookupTable(table)
+        mapper.UseLookupTableScalarRangeOn()
+        mapper.InterpolateScalarsBeforeMappingOn()
+    return actor
 
 
 def width_of(image):
@@ -140,11 +166,11 @@ def floor(width, count):
     ahead, aside = direction(-TURN, 0.0), direction(90.0 - TURN, 0.0)
     reach = 3.0 * width * (1.0 + count)
     corners = np.array([v * reach * ahead + u * reach * aside for u, v in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
-    shade = np.array(FLOOR)[[0, 0, 1, 1]]
-    return polygons(corners, np.array(((0, 1, 2, 3),)), shade)
+    return polygons(corners, np.array(((0, 1, 2, 3),)), np.array(FLOOR)[[0, 0, 1, 1]])
 
 
 def light_of(width, distance):
     """Properties of vtkLandscapePass for blocks of a width, seen from a distance [m]."""
     return dict(SunAzimuth=248.0, SunElevation=27.0, Turbidity=5.0, Visibility=1e4 * distance, CloudCover=0.0,
-                FilmCurve=False, ExposureCompensation=0.42, ShadowDistance=2.0 * distance, OcclusionRadius=0.06 * width)
+                WoodCover=0.5, FilmCurve=False, ExposureCompensation=0.42,
+                ShadowDistance=2.0 * distance, OcclusionRadius=0.06 * width)

@@ -8,15 +8,14 @@ import os
 
 from paraview import simple
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+from vtkmodules.vtkIOXML import vtkXMLDataSetWriter
 
 from .. import display, files
-from ..elevation import write_vti
 from ..film import save_film
 
 
 def save_view(filename, view):
-    """Write the picture of a view as a PNG. Raises OSError, with an old file as it was, or RuntimeError without a display."""
+    """Write a view as a PNG. Raises OSError, with an old file as it was, or RuntimeError without a display."""
     display.require(view.GetRenderWindow())
     writer = vtkPNGWriter()
     writer.SetInputData(view.SMProxy.CaptureWindow(1))  # which draws it
@@ -24,7 +23,7 @@ def save_view(filename, view):
 
 
 def film_view(filename, view, frames, rate, turn_to, told):
-    """Write a film of a view, of so many frames with a rate [1/s], and these beside it: `walk.0000.png` ... for `walk.ogv`.
+    """Write a film of a view, of so many frames with a rate [1/s], and these beside it, as `walk.0000.png`.
 
     turn_to: sets up the frame of a number; told: called before, with that number and `frames`.
     """
@@ -66,15 +65,6 @@ def show_colored(source, view):
     return shown
 
 
-def show_surface(source, view, blocks=()):
-    """Show a surface, or some blocks of one, with the colors and textures that it carries."""
-    shown = show_colored(source, view)
-    shown.SetRepresentationType("Full Surface")
-    if blocks:
-        shown.BlockSelectors = list(blocks)
-    return shown
-
-
 def show_particles(source, view):
     """Show particles as spheres of their Radius."""
     shown = show_colored(source, view)
@@ -101,22 +91,14 @@ def show_fog(source, view, color=(0.28, 0.62, 0.70)):
 def light(view, **settings):
     """Light a view by sun and sky, without widgets; settings: properties of the display of Landscape Light."""
     view.OrientationAxesVisibility = 0
-    shown = simple.Show(simple.LandscapeLight(registrationName="Light"), view)
-    for name, value in settings.items():
-        shown.SetPropertyWithName(name, value)
-    return shown
+    return simple.Show(simple.LandscapeLight(registrationName="Light"), view, **settings)
 
 
 def reader(name, data, folder):
     """A reader of an image or polygons, which are written into a folder as a file that every version can read."""
-    image = data.IsA("vtkImageData")
-    filename = os.path.join(folder, f"{name}.{'vti' if image else 'vtp'}")
-    if image:
-        write_vti(data, filename)
-    else:
-        writer = vtkXMLPolyDataWriter()
-        writer.SetInputData(data)
-        writer.SetDataModeToBinary()
-        files.write(writer, filename)
-    kind = simple.XMLImageDataReader if image else simple.XMLPolyDataReader
-    return kind(registrationName=name, FileName=[filename], TimeArray="None")
+    writer = vtkXMLDataSetWriter()
+    writer.SetInputData(data)
+    writer.SetDataModeToBinary()
+    filename = os.path.join(folder, f"{name}.{'vti' if data.IsA('vtkImageData') else 'vtp'}")
+    files.write(writer, filename)
+    return simple.OpenDataFile(filename, registrationName=name, TimeArray="None")
