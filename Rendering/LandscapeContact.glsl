@@ -79,8 +79,8 @@ void main()
   ivec2 pixel = ivec2(gl_FragCoord.xy) & 1;
   float turn = 0.5 * float(pixel.x ^ pixel.y) + 0.25 * float(pixel.y);
   float begin = 0.5 * float(pixel.y) + 0.25 * float(pixel.x);
-  // Less than two pixels are none, nor is what no light changes, and sprites are not where they are drawn. A loop without
-  // turns costs nothing.
+  // Less than two pixels are none, nor is what no light changes, and sprites are not where they are drawn. A loop
+  // without turns costs nothing.
   vec2 size = vec2(textureSize(contactWays, 0));
   float pixels = scale / abs(contactRays.w) * size.y;
   float seen = clamp(0.5 * pixels - 1.0, 0.0, 1.0);
