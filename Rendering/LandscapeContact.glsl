@@ -15,6 +15,8 @@ uniform float contactRadius;      // [m]
 uniform vec2 contactCounts;       // slices, and taps on each of their sides
 //VTK::Output::Dec
 
+const float contactThin = 0.6; // part of what leaves and grass hide by their horizons, by eye
+
 vec3 contactPlace(vec2 at, float way)
 {
   vec2 xy = contactRays.xy + contactRays.zw * at;
@@ -77,8 +79,8 @@ void main()
   ivec2 pixel = ivec2(gl_FragCoord.xy) & 1;
   float turn = 0.5 * float(pixel.x ^ pixel.y) + 0.25 * float(pixel.y);
   float begin = 0.5 * float(pixel.y) + 0.25 * float(pixel.x);
-  // Less than two pixels are none, nor is what no light changes, and sprites are not where they are drawn. A loop without
-  // turns costs nothing.
+  // Less than two pixels are none, nor is what no light changes, and sprites are not where they are drawn. A loop
+  // without turns costs nothing.
   vec2 size = vec2(textureSize(contactWays, 0));
   float pixels = scale / abs(contactRays.w) * size.y;
   float seen = clamp(0.5 * pixels - 1.0, 0.0, 1.0);
@@ -123,7 +125,9 @@ void main()
       }
     }
   }
-  hidden *= seen / max(slices, 1.0);
+  // Among leaves and grass light comes between what is thin, of which the picture shows the front alone.
+  bool isThin = (surface.z > 0.0 && surface.z < 1.5) || surface.z > 2.5;
+  hidden *= (isThin ? contactThin : 1.0) * seen / max(slices, 1.0);
   // Another process has what is nearer.
   bool isOwn = contactOwnWay() <= way;
   gl_FragData[0] = vec4(hidden.w, (contactToWorld * hidden.xyz).xy, isOwn ? way : 0.0);

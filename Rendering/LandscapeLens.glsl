@@ -13,8 +13,8 @@ uniform float lensLargest; // radius of blur, and side of a tile
 uniform float lensTaps;
 //VTK::Output::Dec
 
-// Radius of the circle that a point at a distance s becomes: A F/2 |1/f - 1/s|, with the lens' diameter A, the focus f and
-// the distance F in pixels at which the picture has its angle of view  (Potmesil and Chakravarty 1981)
+// Radius of the circle that a point at a distance s becomes: A F/2 |1/f - 1/s|, with the lens' diameter A, the focus f
+// and the distance F in pixels at which the picture has its angle of view  (Potmesil and Chakravarty 1981)
 float lensRadius(float way)
 {
   return way <= 0.0 ? 0.0 : min(lensBlur * abs(1.0 / lensFocus - 1.0 / way), lensLargest);

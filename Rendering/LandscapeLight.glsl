@@ -156,7 +156,8 @@ float landscapeSkySeen(vec3 placeV, vec3 normalV)
     vec3 flat_ = vec3(cos(around), sin(around), 0.0);
     vec3 high = landscapeZenithAxes * (landscapeOcclusion * 0.7071 * (flat_ + vec3(0.0, 0.0, zenith)));
     vec3 low = landscapeZenithAxes * (landscapeOcclusion * (0.966 * flat_.yxz + vec3(0.0, 0.0, 0.259 * zenith)));
-    seen += 0.05 * landscapeOpenNear(flat_.xy) * (landscapeReaches(3, at + 0.4 * high) + landscapeReaches(3, at + high));
+    seen += 0.05 * landscapeOpenNear(flat_.xy) *
+      (landscapeReaches(3, at + 0.4 * high) + landscapeReaches(3, at + high));
     seen += 0.025 * landscapeOpenNear(flat_.yx) * (landscapeReaches(3, at + 0.4 * low) + landscapeReaches(3, at + low));
   }
   return mix(near, seen, share);

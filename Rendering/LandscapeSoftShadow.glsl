@@ -31,8 +31,8 @@ vec2 landscapeInMap(int map, vec2 at, vec2 off)
   return 0.5 * place + 0.5 * vec2(map & 1, map >> 1);
 }
 
-// Mean distance of what casts a shadow on a place, in three times the cone of the sun's disk, for all that is in the cone is
-// found where some of it is; 0 without anything (Fernando, Percentage-closer soft shadows, 2005).
+// Mean distance of what casts a shadow on a place, in three times the cone of the sun's disk, for all that is in the
+// cone is found where some of it is; 0 without anything (Fernando, Percentage-closer soft shadows, 2005).
 float landscapeCasterAway(int map, vec3 at)
 {
   vec2 sum = vec2(0.0);
