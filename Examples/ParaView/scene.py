@@ -22,6 +22,7 @@ from littoral.elevation import array_from_image, image_from_array, read_elevatio
 from littoral.gallery.relief import BASE, beds, floor, light_of, row_camera, row_centers, tints, width_of
 from littoral.gallery.views import light, look, reader, show_colored
 from littoral.tables import model_names
+from littoral.versions import move_display
 
 EXAGGERATION = 3.0
 
@@ -51,7 +52,7 @@ def show_block(name, terrain, place, center, view):
         shown.LookupTable = simple.CreateLookupTable(
             RGBPoints=[number for row in colors for number in row], ColorSpace="RGB", AutomaticRescaleRangeMode="Never")
         shown.Scale = [1.0, 1.0, EXAGGERATION]
-        shown.Position = [center[0] - x, center[1] - y, BASE * width - float(heights.min()) * EXAGGERATION]
+        move_display(shown, [center[0] - x, center[1] - y, BASE * width - float(heights.min()) * EXAGGERATION])
 
 
 def grown_like(fits, place):
@@ -90,7 +91,7 @@ def prepare_view(view, folder, width, count):
     show_colored(reader("Floor", floor(width, count), folder), view)
     eye, focus, angle = row_camera(width, count, view.ViewSize[0] / view.ViewSize[1])
     settings = light_of(width, sum((a - b) ** 2 for a, b in zip(eye, focus)) ** 0.5)
-    light(view, VisibilityDistance=settings.pop("Visibility"), **settings)
+    light(view, VisibilityDistance=settings.pop("Visibility"), LightsColorMaps=1, **settings)
     look(view, eye, focus, angle)
 
 

@@ -19,6 +19,14 @@ def set_plot_color(plot, color):
     plot.SetColor(*(round(255.0 * c) for c in color), 255)
 
 
+def move_display(display, way):
+    """Move what a display of ParaView shows.
+
+    ParaView 5.13 calls Translation what was Position.
+    """
+    setattr(display, "Position" if "Position" in display.ListProperties() else "Translation", way)
+
+
 def create_texture(file):
     """A texture proxy of an image file, for the Texture of a representation.
 
