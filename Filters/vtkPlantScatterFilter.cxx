@@ -103,7 +103,8 @@ void WriteTexture(const littoral::TextureImage& texture, vtkInformation* output)
 struct Prototypes : littoral::ScatterPrototypes
 {
   std::vector<littoral::DataStamp> Stamps;
-  vtkNew<vtkMultiBlockDataSet> Levels; ///< as instances refer to them, behind the empty block of the instances
+  /// As instances refer to them, behind the empty block of the instances.
+  vtkSmartPointer<vtkMultiBlockDataSet> Levels = vtkSmartPointer<vtkMultiBlockDataSet>::New();
 };
 
 /// All plants at their sites.
