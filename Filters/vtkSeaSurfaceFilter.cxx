@@ -40,6 +40,9 @@ constexpr std::size_t RangeLength = 4096;
 /// Memory of a point and its triangles [bytes].
 constexpr double BytesOfPoint = 110.0;
 
+/// Memory of a point's foam and displacement [bytes].
+constexpr double BytesOfFoam = 12.0;
+
 /// Height over the sea of the eye for which the water is colored [m]: that of a ship's bridge.
 constexpr double EyeHeight = 9.0;
 
@@ -206,11 +209,12 @@ void vtkSeaSurfaceFilter::MakeSurface(const littoral::SeaState& sea, double time
 {
   const littoral::SeaSurfaceParameters parameters = this->MakeParameters();
   const littoral::SeaSurfaceGrid grid(parameters);
+  const bool hasFoam = this->FoamLifetime > 0.0;
+  const double bytesOfPoint = BytesOfPoint + (hasFoam ? BytesOfFoam : 0.0);
   littoral::RequireMemory(
-    BytesOfPoint * static_cast<double>(grid.GetNumberOfPoints()), "the surface", "take fewer points along its sides");
+    bytesOfPoint * static_cast<double>(grid.GetNumberOfPoints()), "the surface", "take fewer points along its sides");
   const double waveHeight = std::max(1e-9, 4.0 * std::sqrt(littoral::EnergyOf(sea.Trains)));
   const double center[3] = { this->Center[0], this->Center[1], sea.SeaLevel };
-  const bool hasFoam = this->FoamLifetime > 0.0;
   Arrays arrays(static_cast<vtkIdType>(grid.GetNumberOfPoints()), hasFoam, this->WaterColors);
   littoral::ForRanges(
     littoral::AbortableFor(this), grid.GetNumberOfPoints(), RangeLength, [&](std::size_t begin, std::size_t end) {
