@@ -208,7 +208,7 @@ DepthMaps::Place DepthMaps::PlaceOf(int map, vtkRenderer* renderer, const Whole&
 }
 
 //----------------------------------------------------------------------------
-void DepthMaps::Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& casters, const Wish& wish,
+bool DepthMaps::Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& casters, const Wish& wish,
   const Drawing& drawCasters, vtkMultiProcessController* processes)
 {
   const vtkBoundingBox box = Joint(BoundsOf(casters), processes);
@@ -253,6 +253,7 @@ void DepthMaps::Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& casters
       this->DrawOne(map, renderer, drawCasters, processes);
     }
   }
+  return std::any_of(areOld.begin(), areOld.end(), [](int isOld) { return isOld != 0; });
 }
 
 //----------------------------------------------------------------------------

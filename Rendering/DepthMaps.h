@@ -59,9 +59,9 @@ public:
   /// A function that draws all that is seen by a map with the renderer's camera.
   using Drawing = std::function<void(int map)>;
 
-  /// Draws the maps that are out of date. The processes of a controller, if there is one, do so together, and have the
-  /// maps of what casts shadows on all.
-  void Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& casters, const Wish& wish, const Drawing& drawCasters,
+  /// Draws the maps that are out of date, and tells whether there are any. The processes of a controller, if there is
+  /// one, do so together, and have the maps of what casts shadows on all.
+  bool Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& casters, const Wish& wish, const Drawing& drawCasters,
     vtkMultiProcessController* processes);
 
   /// A texture of depths, which compares with them or tells them.

@@ -100,6 +100,17 @@ bool IsWater(vtkProp* prop)
   return IsSea(prop) || vtkLandscapePass::GetMaterial(prop) == vtkLandscapePass::River;
 }
 
+/// Lets shaders take the lights' directions anew: VTK keeps those that a map saw until lights or camera change.
+void TouchLights(vtkLightCollection* lights)
+{
+  vtkCollectionSimpleIterator next;
+  lights->InitTraversal(next);
+  while (vtkLight* light = lights->GetNextLight(next))
+  {
+    light->Modified();
+  }
+}
+
 /**
  * Key of a picture of a level white surface of a luminance [kcd/m2]: its place between black and white, which an eye
  * that is used to the light lowers as it gets dark (Krawczyk, Myszkowski, Seidel, Perceptual effects in real-time tone
@@ -510,13 +521,9 @@ void vtkLandscapePass::RenderMaps(vtkRenderer* renderer, vtkMultiProcessControll
       }
     }
   };
-  own.Light.Maps.Draw(renderer, own.Shown, wish, drawCasters, processes);
-  // VTK keeps the lights' directions, seen by a map, in its shaders until lights or camera change.
-  vtkCollectionSimpleIterator next;
-  renderer->GetLights()->InitTraversal(next);
-  while (vtkLight* light = renderer->GetLights()->GetNextLight(next))
+  if (own.Light.Maps.Draw(renderer, own.Shown, wish, drawCasters, processes))
   {
-    light->Modified();
+    TouchLights(renderer->GetLights());
   }
   own.Surfaces->End(&all);
 }

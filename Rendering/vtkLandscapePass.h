@@ -106,7 +106,7 @@ public:
   ///@}
 
   ///@{
-  /** Visibility in dense fog [m]; default 0: there is none. */
+  /** Visibility in dense fog [m], not negative; default 0: there is none. */
   vtkSetMacro(FogVisibility, double);
   vtkGetMacro(FogVisibility, double);
   ///@}
