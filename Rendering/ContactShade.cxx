@@ -3,6 +3,7 @@
 #include "ContactShade.h"
 
 #include "LandscapeContact.h"
+#include "LandscapeUnfolded.h"
 #include "NearestPixels.h"
 #include "OpenGL.h"
 #include "Uniforms.h"
@@ -13,6 +14,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <string>
 #include <vector>
 
 namespace littoral
@@ -35,8 +37,8 @@ glm::dvec4 RaysOf(const ContactShade::View& view)
 
 //----------------------------------------------------------------------------
 ContactShade::ContactShade()
-  : ToWays(LandscapeContact, "#define ContactPart ContactWays\n")
-  , ToHidden(LandscapeContact, "#define ContactPart ContactHidden\n")
+  : ToWays(LandscapeContact, std::string("#define ContactPart ContactWays\n") + LandscapeUnfolded)
+  , ToHidden(LandscapeContact, std::string("#define ContactPart ContactHidden\n") + LandscapeUnfolded)
 {
 }
 

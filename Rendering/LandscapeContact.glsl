@@ -23,14 +23,6 @@ vec3 contactPlace(vec2 at, float way)
   return vec3(contactIsParallel == 1 ? xy : xy * way, -way);
 }
 
-// Normal of a place of the unfolded octahedron.
-vec3 contactUnfolded(vec2 o)
-{
-  vec3 n = vec3(o, 1.0 - abs(o.x) - abs(o.y));
-  vec2 s = vec2(o.x >= 0.0 ? 1.0 : -1.0, o.y >= 0.0 ? 1.0 : -1.0);
-  return normalize(n.z >= 0.0 ? n : vec3((1.0 - abs(o.yx)) * s, n.z));
-}
-
 // Angle from 0 to pi of a cosine  (Abramowitz and Stegun 1964, 4.4.45)
 float contactAngle(float c)
 {
@@ -69,7 +61,7 @@ void main()
   vec3 place = contactPlace(texCoord, way);
   vec3 eye = contactIsParallel == 1 ? vec3(0.0, 0.0, 1.0) : normalize(-place);
   // Normals of small parts may point away from the eye: those at right angles to it are taken for them.
-  vec3 normal = contactUnfolded(surface.xy);
+  vec3 normal = landscapeUnfolded(surface.xy);
   normal = normalize(normal + max(0.02 - dot(normal, eye), 0.0) * eye);
   vec3 right = normalize(vec3(eye.z, 0.0, -eye.x));
   vec3 up = cross(eye, right);

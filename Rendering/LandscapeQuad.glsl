@@ -36,14 +36,6 @@ vec3 landscapePlace(float depth)
   return place.xyz / place.w;
 }
 
-// Normal of a place of the unfolded octahedron.
-vec3 landscapeUnfolded(vec2 o)
-{
-  vec3 n = vec3(o, 1.0 - abs(o.x) - abs(o.y));
-  vec2 s = vec2(o.x >= 0.0 ? 1.0 : -1.0, o.y >= 0.0 ? 1.0 : -1.0);
-  return normalize(n.z >= 0.0 ? n : vec3((1.0 - abs(o.yx)) * s, n.z));
-}
-
 // Luminance of the sky, the sun and clouds in a direction.
 vec3 landscapeBehindAll(vec3 d)
 {

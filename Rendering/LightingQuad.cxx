@@ -7,6 +7,7 @@
 #include "LandscapeNoise.h"
 #include "LandscapeQuad.h"
 #include "LandscapeSoftShadow.h"
+#include "LandscapeUnfolded.h"
 #include "LandscapeWater.h"
 #include "LandscapeWetness.h"
 #include "Lighting.h"
@@ -77,8 +78,8 @@ vtkShaderProgram* Ready(
   {
     std::string source = LandscapeQuad;
     vtkShaderProgram::Substitute(source, "//VTK::Landscape::Dec",
-      defined + LandscapeNoise + LandscapeLight + LandscapeSoftShadow + LandscapeGround + LandscapeWater +
-        LandscapeWetness);
+      defined + LandscapeUnfolded + LandscapeNoise + LandscapeLight + LandscapeSoftShadow + LandscapeGround +
+        LandscapeWater + LandscapeWetness);
     quad = std::make_unique<vtkOpenGLQuadHelper>(window, Corners, source.c_str(), "");
   }
   else
