@@ -5,8 +5,8 @@
     ./littoral mutate [--rooms] [WORD...]
 
 builds and tests each mutation of the lists `*.txt` beside this file, or those whose file or text holds one of the words,
-in a copy of the tree. A mutation is killed by a build that fails or a test that fails; a survivor shows a formula that
-no test looks at. A list names a file and its mutations:
+in a copy of the tree. A mutation is killed by a test that fails; a survivor shows a formula that no test looks at. One
+that does not build shows nothing, and is a fault of its list. A list names a file and its mutations:
 
     Common/Sea/WaveNumber.cxx
     - std::tanh(k * depth)
@@ -19,7 +19,8 @@ fails, those of a line `?`, or all of Testing/Cxx if there is none. With `--room
 the copy is built without VTK, and the lists of files outside of Common are left out. Mutations of the plugin ask tests
 of Testing/ParaView alone, as `ParaView/TestTextures`, in a build of their own, unless they name one of Testing/Cxx; so
 do those that name tests of Testing/Python. A mutation that no test can notice, since the results are the same, has a
-line `=` with the reason; it must survive. Tests of the tier `all` are not asked.
+line `=` with the reason; it must survive. Tests of the tier `all` are asked where a list names them: a script that shares
+a process with others in the standard tier has an entry of its own there.
 
 Built are only the programs that are asked. A second run builds what has changed since the first.
 """
@@ -49,6 +50,9 @@ PLUGIN = ("build-plugin", USUAL)
 
 #: Folders of tests that are scripts.
 SCRIPTS = ("ParaView", "Python")
+
+#: What stands in place of a test that fails where nothing was shown: a mutation is no code, or a list names no test.
+NO_CODE, NO_TEST = SHOWS_NOTHING = "NO CODE", "NO TEST"
 
 #: The program of the tests in Testing/Cxx.
 CLASSES = "LittoralCxxTests"
@@ -194,10 +198,10 @@ def build(log, folder, targets):
     return run(["cmake", "--build", folder, "--target", *targets], log)
 
 
-def ctest(folder):
-    """The tests of a build that the standard tier has."""
-    return ["ctest", "--test-dir", folder, "--stop-on-failure", "--no-tests=error", "--timeout", str(LONGEST),
-            "-LE", "^all$"]
+def ctest(folder, *chosen):
+    """The chosen tests of a build; of those chosen by a label, the ones that the standard tier has."""
+    tier = ["-LE", "^all$"] if "-L" in chosen else []
+    return ["ctest", "--test-dir", folder, "--stop-on-failure", "--no-tests=error", "--timeout", str(LONGEST), *tier, *chosen]
 
 
 def failing_test(mutation, rooms, log):
@@ -207,20 +211,21 @@ def failing_test(mutation, rooms, log):
     environment = os.path.join(COPY, folder, "bin", "littoral-env")
     programs = [] if kind is PLUGIN else room_tests(mutation)
     if programs and not build(log, folder, programs):
-        return "the build"
+        return NO_CODE
     for program in programs:
-        if not run([environment, *ctest(folder), "-R", rf"^common\.{program}(\.standard)?$"], log):
+        if not run([environment, *ctest(folder, "-R", rf"^common\.{program}(\.standard)?$")], log):
             return program
     chosen = {ROOMS[0]: [], PLUGIN[0]: plugin_tests(mutation)}.get(folder, class_tests(mutation))
     if not chosen:
         return ""
     if not build(log, folder, ["all"] if kind is PLUGIN else [CLASSES]):
-        return "the build"
-    if run([environment, "xvfb-run", "-a", *ctest(folder), "--parallel", str(os.cpu_count()), *chosen], log):
+        return NO_CODE
+    if run([environment, "xvfb-run", "-a", *ctest(folder, "--parallel", str(os.cpu_count()), *chosen)], log):
         return ""
     with open(log, encoding="utf-8", errors="replace") as output:
-        failed = re.findall(r"(?:Cxx-|paraview\.|python\.)(\w+) .*\*\*\*", output.read())
-    return " ".join(failed) or "ctest"
+        text = output.read()
+    failed = re.findall(r"(?:Cxx-|paraview\.|python\.)(\w+) .*\*\*\*", text)
+    return NO_TEST if "No tests were found" in text else " ".join(failed) or "ctest"
 
 
 def killer_of(mutation, rooms):
@@ -257,10 +262,11 @@ def main(words):
             same += 1
         else:
             tried[field] += 1
-            killed[field] += killer != ""
-        if bool(killer) == bool(mutation.reason):
+            killed[field] += killer not in ("", *SHOWS_NOTHING)
+        if bool(killer) == bool(mutation.reason) or killer in SHOWS_NOTHING:
             wrong.append(mutation)
-        word = f"killed by {killer}" if killer else "the same" if mutation.reason else "SURVIVED"
+        word = killer if killer in SHOWS_NOTHING else f"killed by {killer}" if killer else ""
+        word = word or ("the same" if mutation.reason else "SURVIVED")
         left = (time.time() - begin) / (number + 1) * (len(mutations) - number - 1)
         print(f"[{number + 1} of {len(mutations)}, about {left / 60:.0f} min left] {word}: {mutation.file}: "
               f"{mutation.old.strip()}  ->  {mutation.new.strip()}", flush=True)
