@@ -19,6 +19,7 @@
 #include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -94,6 +95,20 @@ bool CheckKeptNumbers(Shown& blocks, Shown& plain, const std::string& when)
   return Check(blocks.KeptNumbers("vertexMC") == 0, when + ": vertices are sent and kept") && good;
 }
 
+/// A point that no cell uses, 20 m east of the ball, is within the bounds of the mapper, which are those of the points.
+bool CheckBounds()
+{
+  vtkNew<vtkPolyData> ball;
+  FillBall(ball);
+  ball->GetPoints()->InsertNextPoint(East + 20.0, North, 0.0);
+  vtkNew<littoral::BlockMapper> mapper;
+  mapper->SetInputData(ball);
+  const double* bounds = mapper->GetBounds();
+  const double* expected = ball->GetPoints()->GetBounds();
+  return Check(
+    std::equal(bounds, bounds + 6, expected) && bounds[1] == East + 20.0, "other bounds than those of the points");
+}
+
 }
 
 int TestBlockMapper(int, char*[])
@@ -132,5 +147,6 @@ int TestBlockMapper(int, char*[])
   ofBlocks->ReleaseGraphicsResources(blocks.Window);
   good &= Check(blocks.Picture() == colored, "after a release: another picture than VTK's");
   good &= CheckKeptNumbers(blocks, plain, "after a release");
+  good &= CheckBounds();
   return good ? 0 : 1;
 }
