@@ -144,7 +144,8 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "littoral (= ${PROJECT_VERSION}), l
 if (LITTORAL_WITH_PARAVIEW)
   set(CPACK_DEBIAN_LITTORAL_PACKAGE_DEPENDS "paraview")
   string(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS ", python3-paraview")
-  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", paraview-dev")
+  # Its CMake files ask for the last two where a program draws, without depending on them.
+  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", paraview-dev, libglew-dev, libx11-dev")
 endif ()
 
 include(CPack)
