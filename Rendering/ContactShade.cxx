@@ -68,8 +68,10 @@ void ContactShade::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* surface
     SetUniform(program, "contactToWorld", view.ToWorld);
     SetUniform(program, "contactRadius", view.Radius);
     SetUniform(program, "contactCounts", glm::dvec2(view.Counts));
+    SetUniform(program, "contactStep", static_cast<double>(Step));
   };
-  this->Allocate(window, static_cast<int>(surface->GetWidth()), static_cast<int>(surface->GetHeight()));
+  const auto part = [](unsigned int side) { return (static_cast<int>(side) + Step - 1) / Step; };
+  this->Allocate(window, part(surface->GetWidth()), part(surface->GetHeight()));
   this->ToWays.Draw(window, this->Ways, { { "contactSurface", surface }, { "contactDepth", depth } }, setUniforms);
   if (processes)
   {

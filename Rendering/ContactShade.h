@@ -36,6 +36,9 @@ public:
     glm::ivec2 Counts;   ///< slices, and taps on each of their sides
   };
 
+  /// Pixels of the picture, along its sides, from one whose shade is found to the next.
+  static constexpr int Step = 2;
+
   ContactShade();
   ~ContactShade();
 

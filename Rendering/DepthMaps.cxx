@@ -215,6 +215,7 @@ bool DepthMaps::Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& casters
   const bool isShown = box.IsValid() && box.GetDiagonalLength() > 0.0;
   Whole whole;
   this->Lowest = isShown ? box.GetMinPoint()[2] : 0.0;
+  this->Highest = isShown ? box.GetMaxPoint()[2] : 0.0;
   if (isShown)
   {
     this->Allocate(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), wish.Size);

@@ -79,6 +79,8 @@ public:
   int GetSize() const { return this->Size; }
   /// Lowest height of all that is shown [m]; 0 without anything.
   double GetLowest() const { return this->Lowest; }
+  /// Greatest height of it [m].
+  double GetHighest() const { return this->Highest; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -115,6 +117,7 @@ private:
   vtkNew<vtkCamera> Camera;
   int Size = 0;
   double Lowest = 0.0;
+  double Highest = 0.0;
 };
 
 }

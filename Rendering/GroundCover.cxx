@@ -17,11 +17,9 @@
 #include "vtkCellArray.h"
 #include "vtkCommand.h"
 #include "vtkFloatArray.h"
-#include "vtkLandscapePass.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -32,6 +30,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -59,6 +58,7 @@ constexpr Tile Tiles[GroundCover::Densities] = {
   { 1.0, 170000, 0.045, 0.15, 0.5 },
   { 2.0, 100000, 0.085, 0.4, 1.0 },
 };
+constexpr int Cells = 8;        // of a tile along its sides
 constexpr double MeanUp = 0.75; // part of the blades' normal that is upward, as of the grass that they stand for
 
 /// A blade as two quadrangles and a tip, bent over; its five points are relative to its foot.
@@ -96,7 +96,27 @@ void AddBlade(const Tile& tile, const RandomStream& random, std::uint64_t blade,
   data->GetStrips()->InsertNextCell(5, strip);
 }
 
-vtkSmartPointer<vtkPolyData> BladesOf(const Tile& tile)
+/// The blades of a tile by cells, with the ends of these among them.
+std::vector<int> ByCells(const Tile& tile, const RandomStream& random, std::vector<int>& ends)
+{
+  std::vector<std::vector<int>> cells(Cells * Cells);
+  for (int blade = 0; blade < tile.Count; ++blade)
+  {
+    const std::array<double, 2> foot = random.UniformPair(static_cast<std::uint64_t>(blade), 0);
+    const int cell = static_cast<int>(Cells * foot[0]) + Cells * static_cast<int>(Cells * foot[1]);
+    cells[static_cast<std::size_t>(cell)].push_back(blade);
+  }
+  std::vector<int> blades;
+  ends = { 0 };
+  for (const std::vector<int>& cell : cells)
+  {
+    blades.insert(blades.end(), cell.begin(), cell.end());
+    ends.push_back(static_cast<int>(blades.size()));
+  }
+  return blades;
+}
+
+vtkSmartPointer<vtkPolyData> BladesOf(const Tile& tile, std::vector<int>& ends)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(vtkNew<vtkPoints>());
@@ -111,7 +131,7 @@ vtkSmartPointer<vtkPolyData> BladesOf(const Tile& tile)
   shades->SetName("Shade");
   shades->SetNumberOfComponents(3);
   const RandomStream random(tile.Count, RandomPurpose::GrassBlades);
-  for (int blade = 0; blade < tile.Count; ++blade)
+  for (const int blade : ByCells(tile, random, ends))
   {
     AddBlade(tile, random, static_cast<std::uint64_t>(blade), data, feet, normals, shades);
   }
@@ -135,23 +155,42 @@ public:
   std::function<void(vtkShaderProgram*)> Set;
 };
 
-void Prepare(vtkActor* actor, const Tile& tile, const std::function<void(vtkShaderProgram*)>& setUniforms)
+/// Copies of a cell of a tile along an axis that are the nearest to the eye for some of its blades, from the first to
+/// the last one; eye over the side of the tile.
+std::array<double, 2> CopiesOf(int cell, double eye)
 {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(BladesOf(tile));
-  mapper->MapDataArrayToVertexAttribute("coverFoot", "Foot", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
-  vtkNew<UniformCommand> uniforms;
-  uniforms->Set = setUniforms;
-  mapper->AddObserver(vtkCommand::UpdateShaderEvent, uniforms);
-  actor->SetMapper(mapper);
-  vtkLandscapePass::SetMaterial(actor, vtkLandscapePass::Cover);
-  vtkShaderProperty* shader = actor->GetShaderProperty();
-  shader->AddVertexShaderReplacement("//VTK::Normal::Dec", true,
-    std::string(LandscapeNoise) + LandscapeGround + GroundCoverDec + "//VTK::Normal::Dec\n", false);
-  shader->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true, GroundCoverImpl, false);
+  const auto nearest = [eye](double foot) { return std::floor(eye - foot + 0.5); };
+  return { nearest((cell + 1.0) / Cells), nearest(static_cast<double>(cell) / Cells) };
 }
 
 }
+
+/// What of the world a picture shows.
+struct GroundCover::Sight
+{
+  double Planes[24]; ///< of the view's frustum: a x + b y + c z + d is not negative in it
+  double Lowest;     ///< heights of all that is shown [m]
+  double Highest;
+
+  /// Whether some of a box is seen.
+  bool Sees(const glm::dvec3& low, const glm::dvec3& high) const
+  {
+    for (const double* plane = this->Planes; plane < this->Planes + 24; plane += 4)
+    {
+      // Of the corner that is farthest inwards
+      double inside = plane[3];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        inside += std::max(plane[axis] * low[axis], plane[axis] * high[axis]);
+      }
+      if (inside < 0.0)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+};
 
 //----------------------------------------------------------------------------
 GroundCover::GroundCover() = default;
@@ -176,23 +215,92 @@ std::vector<vtkProp*> GroundCover::GetProps() const
 }
 
 //----------------------------------------------------------------------------
+void GroundCover::Prepare(int density, const DepthMaps& maps)
+{
+  const Tile& tile = Tiles[density];
+  vtkActor* actor = this->Blades[density];
+  GroundCoverMapper* mapper = this->Mappers[density];
+  mapper->SetInputData(BladesOf(tile, this->Ends[density]));
+  mapper->MapDataArrayToVertexAttribute("coverFoot", "Foot", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+  vtkNew<UniformCommand> uniforms;
+  uniforms->Set = [this, &tile, &maps](vtkShaderProgram* program) { this->SetUniforms(program, tile, maps); };
+  mapper->AddObserver(vtkCommand::UpdateShaderEvent, uniforms);
+  actor->SetMapper(mapper);
+  vtkLandscapePass::SetMaterial(actor, vtkLandscapePass::Cover);
+  vtkShaderProperty* shader = actor->GetShaderProperty();
+  shader->AddVertexShaderReplacement("//VTK::Normal::Dec", true,
+    std::string(LandscapeNoise) + LandscapeGround + GroundCoverDec + "//VTK::Normal::Dec\n", false);
+  shader->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true, GroundCoverImpl, false);
+}
+
+//----------------------------------------------------------------------------
+bool GroundCover::IsCellSeen(const Tile& tile, int column, int row, const Sight& sight) const
+{
+  const double side = tile.Side * this->Radius;
+  const double margin = 1.3 * this->Height; // blades are up to 1.2 times as high, and bend as far aside
+  const std::array<double, 2> columns = CopiesOf(column, this->Eye.x / side);
+  const std::array<double, 2> rows = CopiesOf(row, this->Eye.y / side);
+  for (double x = columns[0]; x <= columns[1]; ++x)
+  {
+    for (double y = rows[0]; y <= rows[1]; ++y)
+    {
+      const glm::dvec2 low = side * (glm::dvec2(x, y) + glm::dvec2(column, row) / static_cast<double>(Cells));
+      const glm::dvec2 high = low + side / Cells;
+      const glm::dvec2 eye(this->Eye);
+      const double near = glm::distance(eye, glm::clamp(eye, low, high));
+      const double far = glm::length(glm::max(glm::abs(low - eye), glm::abs(high - eye)));
+      if (near < tile.Reach * this->Radius && far > tile.From * this->Radius &&
+        sight.Sees({ low - margin, sight.Lowest }, { high + margin, sight.Highest + margin }))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+//----------------------------------------------------------------------------
+/// The blades of the cells that a picture shows.
+std::vector<GroundCoverMapper::Run> GroundCover::RunsOf(int density, const Sight& sight) const
+{
+  const std::vector<int>& ends = this->Ends[density];
+  std::vector<GroundCoverMapper::Run> runs;
+  for (int cell = 0; cell < Cells * Cells; ++cell)
+  {
+    if (this->IsCellSeen(Tiles[density], cell % Cells, cell / Cells, sight))
+    {
+      if (runs.empty() || runs.back().To != ends[cell])
+      {
+        runs.push_back({ ends[cell], ends[cell] });
+      }
+      runs.back().To = ends[cell + 1];
+    }
+  }
+  return runs;
+}
+
+//----------------------------------------------------------------------------
 void GroundCover::Draw(vtkRenderer* renderer, const DepthMaps& maps)
 {
-  glm::dvec3 eye;
-  renderer->GetActiveCamera()->GetPosition(&eye.x);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->GetPosition(&this->Eye.x);
+  Sight sight;
+  camera->GetFrustumPlanes(renderer->GetTiledAspectRatio(), sight.Planes);
+  sight.Lowest = maps.GetLowest();
+  sight.Highest = maps.GetHighest();
   for (int k = 0; k < Densities; ++k)
   {
     const Tile& tile = Tiles[k];
     vtkActor* actor = this->Blades[k];
     if (!actor->GetMapper())
     {
-      Prepare(actor, tile, [this, &tile, &maps](vtkShaderProgram* program) { this->SetUniforms(program, tile, maps); });
+      this->Prepare(k, maps);
     }
     // Blades are relative to a corner of the tiles near the eye, so that single precision holds them.
     const double side = tile.Side * this->Radius;
     const auto corner = [&](double x) { return side * std::floor(x / side); };
-    this->Eye = eye;
-    this->Anchor = { corner(eye.x), corner(eye.y), std::floor(eye.z) };
+    this->Anchor = { corner(this->Eye.x), corner(this->Eye.y), std::floor(this->Eye.z) };
+    this->Mappers[k]->SetRuns(this->RunsOf(k, sight));
     actor->SetPosition(this->Anchor.x, this->Anchor.y, this->Anchor.z);
     actor->RenderOpaqueGeometry(renderer);
   }

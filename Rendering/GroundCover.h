@@ -3,6 +3,8 @@
 #ifndef LittoralGroundCover_h
 #define LittoralGroundCover_h
 
+#include "GroundCoverMapper.h"
+
 #include "vtkNew.h"
 
 #include <glm/vec3.hpp>
@@ -25,7 +27,7 @@ class DepthMaps;
  * Grass around the eye. Its blades are in square tiles that are repeated over the plane, of dense blades near the eye
  * and of sparser and broader ones farther off; the vertex shader moves each blade to the copy that is nearest to the
  * eye and onto the ground, whose height it reads from a map of depths seen from the zenith. So they cost the same on
- * any ground.
+ * any ground. Tiles have square cells; those that the picture does not show are not drawn.
  */
 class GroundCover
 {
@@ -46,12 +48,18 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
   struct Tile;
+  struct Sight;
   static constexpr int Densities = 3;
 
 private:
+  void Prepare(int density, const DepthMaps& maps);
+  bool IsCellSeen(const Tile& tile, int column, int row, const Sight& sight) const;
+  std::vector<GroundCoverMapper::Run> RunsOf(int density, const Sight& sight) const;
   void SetUniforms(vtkShaderProgram* program, const Tile& tile, const DepthMaps& maps) const;
 
   std::array<vtkNew<vtkActor>, Densities> Blades;
+  std::array<vtkNew<GroundCoverMapper>, Densities> Mappers;
+  std::array<std::vector<int>, Densities> Ends; ///< of the blades of each cell, and a 0 before the first
   double Height = 0.0;
   double Radius = 0.0;
   double SeaLevel = -1e9;

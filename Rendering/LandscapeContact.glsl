@@ -13,6 +13,7 @@ uniform int contactIsParallel;    // 1: at each distance
 uniform mat3 contactToWorld;
 uniform float contactRadius;      // [m]
 uniform vec2 contactCounts;       // slices, and taps on each of their sides
+uniform float contactStep;        // pixels of the picture from one told of to the next
 //VTK::Output::Dec
 
 const float contactThin = 0.6; // part of what leaves and grass hide by their horizons, by eye
@@ -38,12 +39,24 @@ float contactArc(float h, vec2 ofH, vec2 ofG)
   return 0.5 * (ofG.x * ofH.y * ofH.y + ofG.y * (h - ofH.x * ofH.y));
 }
 
-// Distance of what the picture of this process shows.
-float contactOwnWay()
+// The pixel of these pictures at texCoord.
+ivec2 contactPixel()
 {
-  float depth = texture(contactDepth, texCoord).r;
-  float w = texture(contactSurface, texCoord).w;
-  vec4 place = contactToView * vec4(2.0 * vec3(texCoord, depth) - 1.0, 1.0);
+  return ivec2(texCoord * ceil(vec2(textureSize(contactDepth, 0)) / contactStep));
+}
+
+// Texture coordinates of the pixel of the picture that one of these pictures tells of.
+vec2 contactCoord(ivec2 pixel)
+{
+  return (contactStep * vec2(pixel) + 0.5) / vec2(textureSize(contactDepth, 0));
+}
+
+// Distance of what the picture of this process shows.
+float contactOwnWay(vec2 at)
+{
+  float depth = texture(contactDepth, at).r;
+  float w = texture(contactSurface, at).w;
+  vec4 place = contactToView * vec4(2.0 * vec3(at, depth) - 1.0, 1.0);
   float way = contactIsParallel == 1 || w <= 0.0 ? -place.z / place.w : w;
   return depth >= 1.0 ? 1e9 : way;
 }
@@ -51,14 +64,16 @@ float contactOwnWay()
 #if ContactPart == ContactWays
 void main()
 {
-  gl_FragData[0] = vec4(contactOwnWay());
+  gl_FragData[0] = vec4(contactOwnWay(contactCoord(contactPixel())));
 }
 #else
 void main()
 {
-  float way = texture(contactWays, texCoord).r;
-  vec4 surface = texture(contactSurface, texCoord);
-  vec3 place = contactPlace(texCoord, way);
+  ivec2 pixel = contactPixel();
+  vec2 here = contactCoord(pixel);
+  float way = texelFetch(contactWays, pixel, 0).r;
+  vec4 surface = texture(contactSurface, here);
+  vec3 place = contactPlace(here, way);
   vec3 eye = contactIsParallel == 1 ? vec3(0.0, 0.0, 1.0) : normalize(-place);
   // Normals of small parts may point away from the eye: those at right angles to it are taken for them.
   vec3 normal = landscapeUnfolded(surface.xy);
@@ -68,14 +83,14 @@ void main()
   vec2 ahead = contactIsParallel == 1 ? vec2(0.0) : place.xy / way;
   float scale = contactRadius / (contactIsParallel == 1 ? 1.0 : way);
   // Four neighbours have other turns of the slices each, and all of their sides have taps at other places.
-  ivec2 pixel = ivec2(gl_FragCoord.xy) & 1;
+  pixel &= 1;
   float turn = 0.5 * float(pixel.x ^ pixel.y) + 0.25 * float(pixel.y);
   float begin = 0.5 * float(pixel.y) + 0.25 * float(pixel.x);
   // Less than two pixels are none, nor is what no light changes, and sprites are not where they are drawn. A loop
   // without turns costs nothing.
-  vec2 size = vec2(textureSize(contactWays, 0));
+  vec2 size = vec2(textureSize(contactDepth, 0)) / contactStep;
   float pixels = scale / abs(contactRays.w) * size.y;
-  float seen = clamp(0.5 * pixels - 1.0, 0.0, 1.0);
+  float seen = clamp(0.5 * contactStep * pixels - 1.0, 0.0, 1.0);
   bool isFlat = surface.z < -0.5 || surface.w <= 0.0 || way > 1e8 || seen <= 0.0;
   float slices = isFlat ? 0.0 : contactCounts.x;
   float taps = clamp(ceil(0.25 * pixels), 1.0, contactCounts.y); // not closer than four pixels
@@ -98,9 +113,10 @@ void main()
       for (float tap = 0.0; tap < taps; ++tap)
       {
         float part = (tap + begin + 0.125 * mod(slice, 2.0) + 0.03125 * (2.0 + side)) / taps;
-        vec2 at = texCoord + side * max(part * part, 1.5 / max(length(reach * size), 1.5)) * reach;
-        at = (floor(at * size) + 0.5) / size;
-        vec3 off = contactPlace(at, texelFetch(contactWays, ivec2(at * size), 0).r) - place;
+        vec2 at = here + side * max(part * part, 1.5 / max(length(reach * size), 1.5)) * reach;
+        ivec2 there = ivec2(floor(at * size + 0.5 - 0.5 / contactStep));
+        at = contactCoord(there);
+        vec3 off = contactPlace(at, texelFetch(contactWays, there, 0).r) - place;
         float away = length(off);
         float far = away / contactRadius;
         off /= away;
@@ -121,7 +137,7 @@ void main()
   bool isThin = (surface.z > 0.0 && surface.z < 1.5) || surface.z > 2.5;
   hidden *= (isThin ? contactThin : 1.0) * seen / max(slices, 1.0);
   // Another process has what is nearer.
-  bool isOwn = contactOwnWay() <= way;
+  bool isOwn = contactOwnWay(here) <= way;
   gl_FragData[0] = vec4(hidden.w, (contactToWorld * hidden.xyz).xy, isOwn ? way : 0.0);
 }
 #endif

@@ -77,22 +77,26 @@ vec3 landscapePlaceOf(float depth, float w, vec3 sight)
 #ifdef LandscapeHasContact
 uniform sampler2D landscapeContact;   // of ContactShade
 uniform float landscapeContactRadius; // [m]
+uniform int landscapeContactStep;     // pixels from one that it tells of to the next
 
-// What is hidden near by: the mean of four neighbours, which have other directions each, but for those off the plane.
+// What is hidden near by: the mean of the four pixels around that it tells of, which have other directions each, but for
+// those off the plane; where all are, the nearest to it.
 vec3 landscapeContactAt(vec3 place, vec3 normal)
 {
-  ivec2 at = ivec2(gl_FragCoord.xy);
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  ivec2 first = (pixel + landscapeContactStep - 1) / landscapeContactStep - 1;
   ivec2 end = textureSize(landscapeContact, 0) - 1;
   vec2 line_ = landscapeIsParallel == 1 ? place.xy : -place.xy / place.z;
   vec4 sum = vec4(0.0);
   for (int k = 0; k < 4; ++k)
   {
-    ivec2 off = ivec2(k & 1, k >> 1) - 1;
-    vec4 near = texelFetch(landscapeContact, clamp(at + off, ivec2(0), end), 0);
+    ivec2 at = clamp(first + ivec2(k & 1, k >> 1), ivec2(0), end);
+    vec4 near = texelFetch(landscapeContact, at, 0);
     float scale = landscapeIsParallel == 1 ? 1.0 : near.w;
-    vec3 there = vec3(scale * (line_ + landscapePixel * vec2(off)), -near.w);
-    float high = dot(there - place, normal) / (0.1 * landscapeContactRadius);
-    sum += max(1.0 - abs(high), k == 3 ? 1e-3 : 0.0) * vec4(near.xyz, 1.0);
+    vec2 off = vec2(landscapeContactStep * at - pixel);
+    vec3 there = vec3(scale * (line_ + landscapePixel * off), -near.w);
+    float high = abs(dot(there - place, normal)) / (0.1 * landscapeContactRadius);
+    sum += max(1.0 - high, 1e-4 / (1.0 + high)) * vec4(near.xyz, 1.0);
   }
   return sum.xyz / sum.w;
 }

@@ -390,6 +390,7 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   }
   SetUniform(program, "landscapePixel", 2.0 / (projection[1][1] * this->Height));
   SetUniform(program, "landscapeContactRadius", light.ContactRadius);
+  SetUniform(program, "landscapeContactStep", ContactShade::Step);
   this->Parts[defined]->Render();
   if (hidden)
   {

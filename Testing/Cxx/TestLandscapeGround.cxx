@@ -94,6 +94,93 @@ bool TestGrassAtSea()
       " pixels");
 }
 
+/// A picture has the grass of the middle of one three times as wide and high, level, downwards and along a slope.
+bool TestGrassAtEdges()
+{
+  bool good = true;
+  for (const Color& ahead : { Color{ 3.0, 0.3, -0.2 }, Color{ -2.0, -2.0, -2.5 }, Color{ 0.1, -3.0, 0.6 } })
+  {
+    Picture picture;
+    picture.Pass->SetSkyToEven();
+    picture.Pass->ShadowsOff();
+    picture.Pass->SetOcclusionRadius(0.0);
+    picture.Pass->SetContactRadius(0.0);
+    picture.Pass->SetCoverHeight(0.5);
+    vtkActor* ground = picture.Add(Plane({ -40.0, -40.0, 12.0 }, { 40.0, -40.0, 12.0 }, { -40.0, 40.0, -12.0 }), 0.3);
+    vtkLandscapePass::SetMaterial(ground, vtkLandscapePass::Ground);
+    const Color eye{ 3.7, 1.2, 1.5 };
+    picture.Look(eye, { eye[0] + ahead[0], eye[1] + ahead[1], eye[2] + ahead[2] }, { 0.0, 0.0, 1.0 });
+    vtkCamera* camera = picture.Renderer->GetActiveCamera();
+    camera->SetViewAngle(24.0);
+    camera->SetClippingRange(0.05, 200.0);
+    picture.Draw();
+    int grass = 0;
+    for (int k = 0; k < Width * Height; ++k)
+    {
+      grass += picture.Pixels->GetValue(4 * k) != picture.Pixels->GetValue(4 * (Width * Height - 1));
+    }
+    camera->SetViewAngle(
+      2.0 * vtkMath::DegreesFromRadians(std::atan(3.0 * std::tan(vtkMath::RadiansFromDegrees(12.0)))));
+    picture.Window->SetSize(3 * Width, 3 * Height);
+    picture.Window->Render();
+    vtkNew<vtkUnsignedCharArray> middle;
+    picture.Window->GetRGBACharPixelData(Width, Height, 2 * Width - 1, 2 * Height - 1, 0, middle);
+    int others = 0;
+    for (int k = 0; k < Width * Height; ++k)
+    {
+      others += std::abs(middle->GetValue(4 * k) - picture.Pixels->GetValue(4 * k)) > 4;
+    }
+    good &= Check(grass > Width * Height / 4 && others < Width * Height / 500,
+      std::to_string(others) + " pixels of grass are others than in a wider picture, of " + std::to_string(grass));
+  }
+  return good;
+}
+
+/// Places with grass in a square of 2 m on a level ground, of 400, from 40 m above another place.
+int GrassSeen(const Color& square, const Color& eye)
+{
+  Picture picture;
+  picture.Pass->SetSkyToEven();
+  picture.Pass->ShadowsOff();
+  picture.Pass->SetOcclusionRadius(0.0);
+  picture.Pass->SetContactRadius(0.0);
+  picture.Pass->SetCoverHeight(2.0);
+  vtkLandscapePass::SetMaterial(picture.Add(Level(60.0), 0.3), vtkLandscapePass::Ground);
+  picture.Look({ eye[0], eye[1], 40.0 }, square, { 0.0, 1.0, 0.0 });
+  picture.Renderer->GetActiveCamera()->SetViewAngle(8.0);
+  picture.Renderer->ResetCameraClippingRange();
+  picture.Draw();
+  vtkNew<vtkUnsignedCharArray> grown;
+  grown->DeepCopy(picture.Pixels);
+  picture.Pass->SetCoverRadius(0.0);
+  picture.Draw();
+  int grass = 0;
+  for (int k = 0; k < 400; ++k)
+  {
+    picture.Renderer->SetWorldPoint(square[0] + 0.1 * (k % 20) - 0.95, square[1] + 0.1 * (k / 20) - 0.95, 0.0, 1.0);
+    picture.Renderer->WorldToDisplay();
+    const double* at = picture.Renderer->GetDisplayPoint();
+    const int pixel = 4 * (static_cast<int>(at[1]) * Width + static_cast<int>(at[0]));
+    grass += grown->GetValue(pixel) != picture.Pixels->GetValue(pixel);
+  }
+  return grass;
+}
+
+/// As much grass is seen 23 m from the eye, where the tiles begin anew, as nearer to it.
+bool TestGrassAround()
+{
+  bool good = true;
+  for (const Color& side : { Color{ -1.0, 0.0 }, Color{ 0.0, -1.0 } })
+  {
+    const Color square{ 0.3 + 23.0 * side[0], 0.3 + 23.0 * side[1], 0.0 };
+    const int far = GrassSeen(square, { 0.3, 0.3, 0.0 });
+    const int near = GrassSeen(square, { 0.3 + 6.0 * side[0], 0.3 + 6.0 * side[1], 0.0 });
+    good &= Check(far > 40 && far > 0.9 * near,
+      "Of 400 places " + std::to_string(far) + " have grass, from near by " + std::to_string(near));
+  }
+  return good;
+}
+
 /// Woods cover the part of a level ground that they shall, and none of other surfaces.
 bool TestWoods()
 {
@@ -128,6 +215,8 @@ int TestLandscapeGround(int, char*[])
 {
   bool good = TestGrass();
   good &= TestGrassAtSea();
+  good &= TestGrassAtEdges();
+  good &= TestGrassAround();
   good &= TestWoods();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }
