@@ -348,6 +348,7 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   defined += light.FogExtinction > 0.0 ? "" : "#define LandscapeNoFog\n";
   defined += light.ContactRadius > 0.0 ? "#define LandscapeHasContact\n" : "";
   defined += light.HasLens() ? "#define LandscapeHasLens\n" : "";
+  defined += light.Turf.x > 0.0 ? "#define LandscapeHasTurf\n" : "";
   defined += light.CloudCover > 0.0 ? "" : "#define LandscapeNoClouds\n";
   vtkShaderProgram* program = Ready(this->Parts[defined], window, defined);
   if (!program)
@@ -382,6 +383,7 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   SetUniform(program, "landscapeWideEye", glm::dvec2(modulo(65536.0)));
   SetUniform(program, "landscapeWoodCover", light.WoodCover);
   SetUniform(program, "landscapeCoverColor", light.CoverColor);
+  SetUniform(program, "landscapeTurf", light.Turf);
   SetUniform(program, "landscapeDrawn", this->Lit->GetTextureUnit());
   if (part == "LandscapeShown" && light.HasLens())
   {

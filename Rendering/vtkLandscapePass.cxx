@@ -458,6 +458,8 @@ void vtkLandscapePass::TakeLight()
   {
     lighting.CoverColor[c] = littoral::LinearOfSrgb(this->CoverColor[c]);
   }
+  const bool hasGrass = this->GetQualityNow() != Fast && this->CoverRadius > 0.0;
+  lighting.Turf = { hasGrass ? this->CoverHeight : 0.0, this->CoverRadius };
   lighting.WoodCover = this->WoodCover;
   lighting.Wetness = this->Wetness;
   lighting.WaterLevel = this->WaterLevel;

@@ -68,6 +68,44 @@ bool TestGrass()
       "Ground is " + std::to_string(mean[1]) + " on average for " + std::to_string(mean[0]));
 }
 
+/// Beyond its blades grass stands up too: at a flat angle its pattern is less flat than that of a ground without grass,
+/// and as bright on average.
+bool TestTurf()
+{
+  double mean[2] = { 0.0, 0.0 };
+  double ratio[2] = { 0.0, 0.0 };
+  for (const bool hasGrass : { false, true })
+  {
+    Picture picture;
+    picture.Pass->SetSkyToEven();
+    picture.Pass->SetOcclusionRadius(0.0);
+    picture.Pass->SetContactRadius(0.0);
+    picture.Pass->SetCoverRadius(5.0);
+    picture.Pass->SetCoverHeight(hasGrass ? 0.4 : 0.0);
+    vtkLandscapePass::SetMaterial(picture.Add(Level(300.0), 0.3), vtkLandscapePass::Ground);
+    picture.Look({ 0.0, 0.0, 4.0 }, { 0.0, 30.0, 0.0 }, { 0.0, 0.0, 1.0 });
+    picture.Renderer->GetActiveCamera()->SetViewAngle(4.0);
+    picture.Renderer->ResetCameraClippingRange();
+    picture.Draw();
+    double across = 0.0;
+    double up = 0.0;
+    for (int pixel = 0; pixel < (Width - 1) * (Height - 1); ++pixel)
+    {
+      const int column = pixel % (Width - 1);
+      const int row = pixel / (Width - 1);
+      const double here = picture.LinearAt(column, row)[1];
+      mean[hasGrass] += here / ((Width - 1) * (Height - 1));
+      across += std::pow(picture.LinearAt(column + 1, row)[1] - here, 2);
+      up += std::pow(picture.LinearAt(column, row + 1)[1] - here, 2);
+    }
+    ratio[hasGrass] = std::sqrt(across / up);
+  }
+  std::cout << "Turf: changes across over those upward " << ratio[0] << ", with grass " << ratio[1] << ", as bright "
+            << mean[1] / mean[0] << "\n";
+  return Check(std::abs(mean[1] / mean[0] - 1.0) < 0.05, "Grass beyond its blades changes the mean of the ground.") &&
+    Check(ratio[1] > 1.4 * ratio[0], "Grass beyond its blades does not stand.");
+}
+
 /// Grass on a beach, seen from above through clear water: none is in the sea.
 bool TestGrassAtSea()
 {
@@ -128,6 +166,7 @@ int TestLandscapeGround(int, char*[])
 {
   bool good = TestGrass();
   good &= TestGrassAtSea();
+  good &= TestTurf();
   good &= TestWoods();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }
