@@ -247,7 +247,9 @@ public:
   ///@}
 
   ///@{
-  /** Distance from the eye to which grass grows on props of the material Ground [m], 0 for none; default 30. */
+  /**
+   * Distance from the eye to which grass has blades on props of the material Ground [m], 0 for no grass; default 30.
+   */
   vtkSetClampMacro(CoverRadius, double, 0.0, 200.0);
   vtkGetMacro(CoverRadius, double);
   ///@}
