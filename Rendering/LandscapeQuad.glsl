@@ -118,7 +118,7 @@ vec3 landscapeWetLuminance(float material, vec3 albedo, vec3 place, vec3 normal)
 {
   bool isGrass = material > 2.5;
   return landscapeWet(isGrass ? albedo * landscapeCoverColor : albedo, place, normal,
-    isGrass ? 0.4 : material > 1.5 ? 0.0 : material);
+    isGrass ? 0.4 : material > 1.5 ? 0.0 : max(material, 0.0));
 }
 #endif
 
@@ -234,12 +234,23 @@ void main()
 #if LandscapePart == LandscapeSky
   luminance = landscapeBehindAll(d);
 #elif LandscapePart == LandscapeSurface
+  vec3 albedo = landscapeLinear(code);
+  float transmittance = max(surface.z, 0.0);
+#ifdef LandscapeHasBark
+  if (isLit && surface.z < -0.1)
+  {
+    vec3 barked = landscapeToWorld * normal;
+    float away = landscapePixel * (landscapeIsParallel == 1 ? 1.0 : -place.z);
+    albedo = landscapeBark(albedo, landscapeEye + landscapeToWorld * place, away, barked);
+    normal = barked * landscapeToWorld;
+  }
+#endif
 #if LandscapeIsWet
   float film = surface.z > 0.0 ? 0.5 * landscapeWetness : landscapeWetness; // in drops on leaves
-  luminance = landscapeMoist(landscapeWetness, film, false, landscapeLinear(code), d, place, normal,
-    landscapeToWorld * normal, surface.z, 2.0 * texel.a - 1.0);
+  luminance = landscapeMoist(landscapeWetness, film, false, albedo, d, place, normal, landscapeToWorld * normal,
+    transmittance, 2.0 * texel.a - 1.0);
 #else
-  luminance = landscapeLuminance(landscapeLinear(code), place, normal, surface.z, 2.0 * texel.a - 1.0);
+  luminance = landscapeLuminance(albedo, place, normal, transmittance, 2.0 * texel.a - 1.0);
 #endif
   luminance = landscapeBehindAir(luminance, eye, place);
 #elif LandscapePart == LandscapeGround

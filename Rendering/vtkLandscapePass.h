@@ -346,7 +346,7 @@ public:
   /**
    * Materials: a surface of the color that it has; a ground, whose color is that of what grows there; grass, whose
    * color is a part of CoverColor; the surface of water, below which what is seen is in the water; that of a river or
-   * brook, at any height, whose bed is 0.8 m below it.
+   * brook, at any height, whose bed is 0.8 m below it; bark of trees, of the color that it has, with furrows.
    */
   enum MaterialType
   {
@@ -354,7 +354,8 @@ public:
     Ground,
     Cover,
     Water,
-    River
+    River,
+    Bark
   };
   ///@{
   /**

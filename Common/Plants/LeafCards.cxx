@@ -60,7 +60,7 @@ constexpr SprayBlade Spray[] = { { 0.585, 0.02, 0.38, 1.0 }, { 0.47, 0.72, 0.33,
   { 0.27, 1.02, 0.34, 0.93 }, { 0.24, -1.05, 0.345, 0.95 }, { 0.10, 0.72, 0.31, 0.89 }, { 0.06, -0.62, 0.31, 0.91 } };
 /// Opacity of what is not a blade: cut out by itself, but not in a mean with the blades around it, so that a spray that
 /// is seen from afar fills its kite.
-constexpr int GapOfSpray = 90;
+constexpr int GapOfSpray = 70;
 constexpr double ShadeOfSpray = 0.86; ///< mean of its blades
 constexpr double SprayWidth = 0.7;    ///< of the kite for which its blades have their forms, over its length
 constexpr double BladeWidth = 0.59;   ///< over its length

@@ -233,7 +233,7 @@ void BlockActor::Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper,
     this->PropertyTime = like->GetProperty()->GetMTime();
     this->Actor->GetProperty()->DeepCopy(like->GetProperty());
   }
-  this->TakeKeys(like->GetPropertyKeys(), part.Plant.empty() ? part.Transmittance : 0.0);
+  this->TakeKeys(like->GetPropertyKeys(), part.Plant.empty() ? part.Transmittance : 0.0, part.IsBark);
   this->Actor->SetPickable(like->GetPickable() && !part.Prototype);
   this->Actor->SetVisibility(!isAlone || IsVisible(part.Tree, part.Attributes));
   vtkProperty* property = like->GetProperty();
@@ -461,12 +461,16 @@ void BlockActor::SetShading(Shading shading, vtkShaderProperty* given)
 
 //----------------------------------------------------------------------------
 /// Keys are of this actor alone: passes that draw it leave theirs in them.
-void BlockActor::TakeKeys(vtkInformation* given, double transmittance)
+void BlockActor::TakeKeys(vtkInformation* given, double transmittance, bool isBark)
 {
   this->Keys->Copy(given);
   if (transmittance > 0.0)
   {
     this->Keys->Set(vtkLandscapePass::TRANSMITTANCE(), transmittance);
+  }
+  if (isBark && vtkLandscapePass::GetMaterial(this->Actor) == vtkLandscapePass::Surface)
+  {
+    this->Keys->Set(vtkLandscapePass::MATERIAL(), vtkLandscapePass::Bark);
   }
 }
 
