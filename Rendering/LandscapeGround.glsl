@@ -31,6 +31,26 @@ float landscapeWoodAt(vec2 wide, float slope)
   return landscapeWoodCover <= 0.0 ? 0.0 : smoothstep(least - 0.01, least + 0.01, n);
 }
 
+// Where a flat line of sight to a place meets grass, in tufts of 0.25 m: the way from the place and, in z, the height
+// there over that of the grass. Given is the way of the line while it crosses the grass.
+vec3 landscapeTurfOn(vec2 place, vec2 way)
+{
+  const float steps = 5.0;
+  float above = 0.3; // of the line over the grass, at the step before
+  for (float step_ = steps - 1.0; step_ >= 0.0; --step_)
+  {
+    float high = step_ / steps;
+    float next = high - landscapeNoise(place - high * way, 0.25, 10u).x;
+    if (next <= 0.0)
+    {
+      high += next / (next - above) / steps; // between both, where it is 0
+      return vec3(-high * way, high);
+    }
+    above = next;
+  }
+  return vec3(0.0);
+}
+
 // Albedo of the ground at a place; the normal gets its relief. A footprint is the side of a pixel there [m], a wide place
 // is one modulo 64 km.
 vec3 landscapeGround(vec3 albedo, vec2 place, vec2 wide, float footprint, inout vec3 normal)

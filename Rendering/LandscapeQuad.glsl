@@ -21,6 +21,7 @@ uniform mat4 landscapeToView;       // from clip coordinates
 uniform vec3 landscapeEye;          // place of the eye in the world, modulo the period of noise [m]
 uniform vec2 landscapeWideEye;      // the same modulo that of woods [m]
 uniform vec3 landscapeCoverColor;   // albedo of grass
+uniform vec2 landscapeTurf;         // height of grass, and distance of its last blades [m]
 uniform float landscapePixel;       // side of a pixel, in perspective at a distance of 1 [m]
 uniform int landscapeBackground;    // 1: sky behind the surfaces
 //VTK::Landscape::Dec
@@ -47,9 +48,9 @@ vec3 landscapeBehindAll(vec3 d)
   return landscapeBehindFog(mix(luminance, clouds.rgb, clouds.w), d);
 }
 
-// Albedo of a ground, whose normal gets its relief, or of grass.
+// Albedo of a ground in a direction, whose normal gets its relief, or of grass.
 #if LandscapePart == LandscapeGround || (LandscapePart == LandscapeAbove && LandscapeHasShore)
-vec3 landscapeGrown(bool isGrass, vec3 albedo, vec3 place, inout vec3 normal)
+vec3 landscapeGrown(bool isGrass, vec3 albedo, vec3 d, vec3 place, inout vec3 normal)
 {
   vec3 off = landscapeToWorld * place;
   vec2 at = landscapeEye.xy + off.xy;
@@ -59,9 +60,22 @@ vec3 landscapeGrown(bool isGrass, vec3 albedo, vec3 place, inout vec3 normal)
     return albedo * landscapeCoverColor * landscapeGrowth(at).rgb;
   }
   vec3 up = landscapeToWorld * normal;
+#ifdef LandscapeHasTurf
+  // Beyond the blades what grows still stands, and hides the ground where it is seen at a flat angle.
+  float away = landscapePixel * (landscapeIsParallel == 1 ? 1.0 : -place.z);
+  float flatness = -dot(d, up);
+  float stands = smoothstep(0.6, 1.0, length(off) / landscapeTurf.y) * clamp(2.0 - 4.0 * away, 0.0, 1.0) *
+    smoothstep(0.6, 0.3, flatness) * smoothstep(0.7, 0.8, up.z);
+  vec3 turf = stands > 0.0 ? landscapeTurfOn(at, landscapeTurf.x / max(flatness, 0.05) * d.xy) : vec3(0.0);
+  at += stands * turf.xy;
+#endif
   float footprint = landscapePixel * (landscapeIsParallel == 1 ? 1.0 : -place.z) /
     sqrt(max(0.04, abs(normal.z))); // sharper than its length: what grows stands up
   albedo = landscapeGround(albedo, at, landscapeWideEye + off.xy, footprint, up);
+#ifdef LandscapeHasTurf
+  // Bright at its tips, dark between them, and as bright as the ground on average
+  albedo *= mix(1.0, 0.3 + 1.35 * turf.z, stands * (1.0 - landscapeGrowth(at).w));
+#endif
   normal = up * landscapeToWorld;
   return albedo;
 }
@@ -108,7 +122,7 @@ vec3 landscapeWetLuminance(float material, vec3 albedo, vec3 place, vec3 normal)
 {
   bool isGrass = material > 2.5;
   return landscapeWet(isGrass ? albedo * landscapeCoverColor : albedo, place, normal,
-    isGrass ? 0.4 : material > 1.5 ? 0.0 : material);
+    isGrass ? 0.4 : material > 1.5 ? 0.0 : max(material, 0.0));
 }
 #endif
 
@@ -224,18 +238,29 @@ void main()
 #if LandscapePart == LandscapeSky
   luminance = landscapeBehindAll(d);
 #elif LandscapePart == LandscapeSurface
+  vec3 albedo = landscapeLinear(code);
+  float transmittance = max(surface.z, 0.0);
+#ifdef LandscapeHasBark
+  if (isLit && surface.z < -0.1)
+  {
+    vec3 barked = landscapeToWorld * normal;
+    float away = landscapePixel * (landscapeIsParallel == 1 ? 1.0 : -place.z);
+    albedo = landscapeBark(albedo, landscapeEye + landscapeToWorld * place, away, barked);
+    normal = barked * landscapeToWorld;
+  }
+#endif
 #if LandscapeIsWet
   float film = surface.z > 0.0 ? 0.5 * landscapeWetness : landscapeWetness; // in drops on leaves
-  luminance = landscapeMoist(landscapeWetness, film, false, landscapeLinear(code), d, place, normal,
-    landscapeToWorld * normal, surface.z, 2.0 * texel.a - 1.0);
+  luminance = landscapeMoist(landscapeWetness, film, false, albedo, d, place, normal, landscapeToWorld * normal,
+    transmittance, 2.0 * texel.a - 1.0);
 #else
-  luminance = landscapeLuminance(landscapeLinear(code), place, normal, surface.z, 2.0 * texel.a - 1.0);
+  luminance = landscapeLuminance(albedo, place, normal, transmittance, 2.0 * texel.a - 1.0);
 #endif
   luminance = landscapeBehindAir(luminance, eye, place);
 #elif LandscapePart == LandscapeGround
   bool isGrass = surface.z > 2.5;
   vec3 smoothed = normal;
-  vec3 albedo = landscapeGrown(isGrass, landscapeLinear(code), place, normal);
+  vec3 albedo = landscapeGrown(isGrass, landscapeLinear(code), d, place, normal);
 #if LandscapeIsWet || LandscapeHasShore
   vec2 at = (landscapeEye + landscapeToWorld * place).xy;
   float away = landscapePixel * (landscapeIsParallel == 1 ? 1.0 : -place.z);
@@ -289,7 +314,7 @@ void main()
   bool isShore = surface.z > 1.5 && surface.z < 2.5;
   float shallow = isShore ? 1.0 - smoothstep(2.0 * landscapeRunUp, 5.0 * landscapeRunUp, depthBelow) : 0.0;
   vec3 relief = normal;
-  vec3 grown = landscapeGrown(false, albedo, place, relief);
+  vec3 grown = landscapeGrown(false, albedo, d, place, relief);
   vec3 beside = landscapeMoist(1.0, 1.0, true, grown, d, place, relief, landscapeFilm(normal, relief), 0.0, 1.0);
   albedo = mix(albedo, grown, shallow);
   normal = shallow > 0.0 ? normalize(mix(normal, relief, shallow)) : normal;

@@ -38,6 +38,8 @@ public:
   bool Background = true;                       ///< sky behind the surfaces
   double Extinction = 0.0;                      ///< of the air [1/m]
   glm::dvec3 CoverColor = glm::dvec3(0.0);      ///< albedo of grass, linear
+  bool HasBark = false;                         ///< some surface is of this material
+  glm::dvec2 Turf = glm::dvec2(0.0);            ///< height of grass, and distance of its last blades [m]; 0: no grass
   double WoodCover = 0.0;                       ///< part of the ground, from 0 to 1
   double CloudCover = 0.0;                      ///< part of the sky, from 0 to 1
   double FogExtinction = 0.0;                   ///< up to its level [1/m]

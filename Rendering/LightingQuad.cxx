@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LightingQuad.h"
 
+#include "LandscapeBark.h"
 #include "LandscapeGround.h"
 #include "LandscapeLight.h"
 #include "LandscapeNoise.h"
@@ -78,8 +79,8 @@ vtkShaderProgram* Ready(
   {
     std::string source = LandscapeQuad;
     vtkShaderProgram::Substitute(source, "//VTK::Landscape::Dec",
-      defined + LandscapeUnfolded + LandscapeNoise + LandscapeLight + LandscapeSoftShadow + LandscapeGround +
-        LandscapeWater + LandscapeWetness);
+      defined + LandscapeUnfolded + LandscapeNoise + LandscapeLight + LandscapeSoftShadow + LandscapeBark +
+        LandscapeGround + LandscapeWater + LandscapeWetness);
     quad = std::make_unique<vtkOpenGLQuadHelper>(window, Corners, source.c_str(), "");
   }
   else
@@ -348,6 +349,8 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   defined += light.FogExtinction > 0.0 ? "" : "#define LandscapeNoFog\n";
   defined += light.ContactRadius > 0.0 ? "#define LandscapeHasContact\n" : "";
   defined += light.HasLens() ? "#define LandscapeHasLens\n" : "";
+  defined += light.HasBark ? "#define LandscapeHasBark\n" : "";
+  defined += light.Turf.x > 0.0 ? "#define LandscapeHasTurf\n" : "";
   defined += light.CloudCover > 0.0 ? "" : "#define LandscapeNoClouds\n";
   vtkShaderProgram* program = Ready(this->Parts[defined], window, defined);
   if (!program)
@@ -382,6 +385,7 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   SetUniform(program, "landscapeWideEye", glm::dvec2(modulo(65536.0)));
   SetUniform(program, "landscapeWoodCover", light.WoodCover);
   SetUniform(program, "landscapeCoverColor", light.CoverColor);
+  SetUniform(program, "landscapeTurf", light.Turf);
   SetUniform(program, "landscapeDrawn", this->Lit->GetTextureUnit());
   if (part == "LandscapeShown" && light.HasLens())
   {

@@ -166,6 +166,7 @@ bool SurfacePass::SetShaderParameters(
         : material == vtkLandscapePass::Cover ? Cover
         : material == vtkLandscapePass::Water ? Water
         : material == vtkLandscapePass::River ? River
+        : material == vtkLandscapePass::Bark  ? Bark
                                               : TransmittanceOf(prop));
   }
   return true;

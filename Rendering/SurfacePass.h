@@ -27,6 +27,7 @@ public:
   static constexpr double Cover = 3.0;
   static constexpr double Water = 4.0;
   static constexpr double River = 5.0;
+  static constexpr double Bark = -0.25;
   static constexpr double Unlit = -1.0;
   static constexpr double Nothing = -2.0; ///< where there is no surface
 

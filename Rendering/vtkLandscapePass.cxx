@@ -95,6 +95,11 @@ bool IsSea(vtkProp* prop)
   return vtkLandscapePass::GetMaterial(prop) == vtkLandscapePass::Water;
 }
 
+bool IsBark(vtkProp* prop)
+{
+  return vtkLandscapePass::GetMaterial(prop) == vtkLandscapePass::Bark;
+}
+
 bool IsWater(vtkProp* prop)
 {
   return IsSea(prop) || vtkLandscapePass::GetMaterial(prop) == vtkLandscapePass::River;
@@ -405,19 +410,20 @@ void vtkLandscapePass::TakeShown(vtkRenderer* renderer, vtkMultiProcessControlle
     }
   }
   renderer->GetActiveCamera()->GetPosition(&own.Light.Eye.x);
-  // A process may have no part of the ground or the sea that others show.
-  std::array<int, 3> are{};
-  bool (*const kinds[])(vtkProp*) = { IsGround, IsWater, IsSea };
+  // A process may have no part of what others show.
+  std::array<int, 4> are{};
+  bool (*const kinds[])(vtkProp*) = { IsGround, IsWater, IsSea, IsBark };
   std::transform(std::begin(kinds), std::end(kinds), are.begin(),
     [&own](bool (*isOne)(vtkProp*)) { return std::any_of(own.Shown.begin(), own.Shown.end(), isOne) ? 1 : 0; });
   if (processes && processes->GetNumberOfProcesses() > 1)
   {
-    const std::array<int, 3> here = are;
-    processes->AllReduce(here.data(), are.data(), 3, vtkCommunicator::MAX_OP);
+    const std::array<int, 4> here = are;
+    processes->AllReduce(here.data(), are.data(), 4, vtkCommunicator::MAX_OP);
   }
   own.Light.HasGround = are[0] > 0;
   own.Light.HasWater = are[1] > 0;
   own.Light.HasSea = are[2] > 0;
+  own.Light.HasBark = are[3] > 0;
   own.Light.IsInWater = own.Light.HasSea && own.Light.Eye.z < this->WaterLevel;
 }
 
@@ -458,6 +464,8 @@ void vtkLandscapePass::TakeLight()
   {
     lighting.CoverColor[c] = littoral::LinearOfSrgb(this->CoverColor[c]);
   }
+  const bool hasGrass = this->GetQualityNow() != Fast && this->CoverRadius > 0.0;
+  lighting.Turf = { hasGrass ? this->CoverHeight : 0.0, this->CoverRadius };
   lighting.WoodCover = this->WoodCover;
   lighting.Wetness = this->Wetness;
   lighting.WaterLevel = this->WaterLevel;

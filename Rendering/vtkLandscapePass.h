@@ -247,7 +247,9 @@ public:
   ///@}
 
   ///@{
-  /** Distance from the eye to which grass grows on props of the material Ground [m], 0 for none; default 30. */
+  /**
+   * Distance from the eye to which grass has blades on props of the material Ground [m], 0 for no grass; default 30.
+   */
   vtkSetClampMacro(CoverRadius, double, 0.0, 200.0);
   vtkGetMacro(CoverRadius, double);
   ///@}
@@ -344,7 +346,7 @@ public:
   /**
    * Materials: a surface of the color that it has; a ground, whose color is that of what grows there; grass, whose
    * color is a part of CoverColor; the surface of water, below which what is seen is in the water; that of a river or
-   * brook, at any height, whose bed is 0.8 m below it.
+   * brook, at any height, whose bed is 0.8 m below it; bark of trees, of the color that it has, with furrows.
    */
   enum MaterialType
   {
@@ -352,7 +354,8 @@ public:
     Ground,
     Cover,
     Water,
-    River
+    River,
+    Bark
   };
   ///@{
   /**

@@ -16,7 +16,7 @@ vtkLeafyTreeSource::vtkLeafyTreeSource(
   , NumberOfLeaves(leaves)
   , LeafSize(leafSize)
   , LeafWidth(leafWidth)
-  , LeafForm(Blade)
+  , LeafForm(Spray)
   , LeafColor{ 0.44, 0.57, 0.24 }
 {
 }

@@ -27,6 +27,7 @@ public:
   {
     Blade = 0,
     Needle = 1,
+    Spray = 2,
   };
 
   ///@{
@@ -64,7 +65,7 @@ public:
 
   ///@{
   /**
-   * Mean length of a leaf, or of a tuft of leaves [m], 0.001 to 5; the default is that of the subclass.
+   * Mean length of a leaf, or of a tuft or a spray of leaves [m], 0.001 to 5; the default is that of the subclass.
    */
   vtkSetMacro(LeafSize, double);
   vtkGetMacro(LeafSize, double);
@@ -80,12 +81,14 @@ public:
 
   ///@{
   /**
-   * Outline of a leaf, a LeafFormType; default Blade.
+   * Form of a leaf on its picture, a LeafFormType; default Spray. Blade: a leaf of a broad-leaved tree; Needle: a tuft
+   * of needles; Spray: a twig with seven blades, each 0.3 to 0.4 of its length.
    */
   vtkSetMacro(LeafForm, int);
   vtkGetMacro(LeafForm, int);
   void SetLeafFormToBlade() { this->SetLeafForm(Blade); }
   void SetLeafFormToNeedle() { this->SetLeafForm(Needle); }
+  void SetLeafFormToSpray() { this->SetLeafForm(Spray); }
   ///@}
 
   ///@{

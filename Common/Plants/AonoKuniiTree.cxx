@@ -467,7 +467,7 @@ std::string WhyInvalid(const AonoKuniiParameters& p)
   check.Count("NumberOfLeaves", p.NumberOfLeaves, 0, 1000000);
   check.Range("LeafSize", p.LeafSize, 0.001, 5.0, "m");
   check.Range("LeafWidth", p.LeafWidth, 0.01, 2.0);
-  check.Choice("LeafForm", static_cast<int>(p.Outline), 2);
+  check.Choice("LeafForm", static_cast<int>(p.Outline), 3);
   return check.Reason();
 }
 

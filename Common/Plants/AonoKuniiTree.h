@@ -52,7 +52,7 @@ struct AonoKuniiParameters
   int NumberOfLeaves = 9000;
   double LeafSize = 0.25; ///< [m]
   double LeafWidth = 0.6; ///< as part of its length
-  LeafForm Outline = LeafForm::Blade;
+  LeafForm Outline = LeafForm::Spray;
   Color Leaf{ 112, 146, 60 }; ///< in the light
   Color Bark{ 105, 88, 70 };
   int Seed = 1;

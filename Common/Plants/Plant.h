@@ -49,6 +49,7 @@ enum class LeafForm
 {
   Blade = 0,  ///< of a broad-leaved tree
   Needle = 1, ///< a tuft of needles
+  Spray = 2,  ///< a twig with some blades
 };
 
 /// A leaf, or a tuft of leaves, as a particle.

@@ -336,7 +336,6 @@ ReevesTreeParameters Birch()
   p.LeafWidth = 0.75;
   p.Leaf = { 162, 184, 78 };
   p.Bark = { 222, 218, 208 };
-  p.Form = LeafForm::Blade;
   return p;
 }
 
@@ -360,7 +359,6 @@ ReevesTreeParameters Shrub()
   p.LeafWidth = 0.6;
   p.Leaf = { 120, 154, 80 };
   p.Bark = { 96, 82, 66 };
-  p.Form = LeafForm::Blade;
   return p;
 }
 
@@ -431,7 +429,7 @@ std::string WhyInvalid(const ReevesTreeParameters& p)
   check.Range("Lift", p.Lift, -0.9, 0.9);
   check.Range("Variation", p.Variation, 0.0, 0.5);
   check.Count("NumberOfLeaves", p.NumberOfLeaves, 0, 1000000);
-  check.Choice("LeafForm", static_cast<int>(p.Form), 2);
+  check.Choice("LeafForm", static_cast<int>(p.Form), 3);
   check.Range("LeafSize", p.LeafSize, 0.001, 5.0, "m");
   check.Range("LeafWidth", p.LeafWidth, 0.01, 2.0);
   if (check.IsGood())

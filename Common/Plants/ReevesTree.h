@@ -42,7 +42,7 @@ struct ReevesTreeParameters
   double LeafWidth = 0.7;     ///< as part of its length
   Color Leaf{ 112, 146, 60 }; ///< in the light
   Color Bark{ 105, 88, 70 };
-  LeafForm Form = LeafForm::Blade;
+  LeafForm Form = LeafForm::Spray;
   int Seed = 1;
 };
 

@@ -79,6 +79,8 @@ public:
       vtkNew<vtkTexture> picture;
       picture->SetInputData(texture);
       picture->InterpolateOn();
+      picture->SetMipmap(cutsOut && IsOpaqueOnAverage(texture));
+      picture->SetMaximumAnisotropicFiltering(1.0f);
       actor->SetTexture(picture);
     }
     if (cutsOut)
@@ -88,6 +90,18 @@ public:
         "//VTK::TCoord::Impl\n  if (gl_FragData[0].a < 0.5) discard;\n  gl_FragData[0].a = 1.0;\n", false);
     }
     this->Renderer->AddActor(actor);
+  }
+
+  /// Whether the mean of a picture is not cut out: it may have mip levels.
+  static bool IsOpaqueOnAverage(vtkImageData* picture)
+  {
+    vtkDataArray* texels = picture->GetPointData()->GetScalars();
+    double sum = 0.0;
+    for (vtkIdType texel = 0; texel < texels->GetNumberOfTuples(); ++texel)
+    {
+      sum += texels->GetComponent(texel, 3);
+    }
+    return sum > 0.5 * 255.0 * static_cast<double>(texels->GetNumberOfTuples());
   }
 
   /// Adds all polygons below a data object with the textures that they carry: RGB * texel / TextureMean, cut out at an

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Ground by vtkLandscapePass: its color, grass and woods.
+// Ground by vtkLandscapePass: its color, grass and woods; and bark.
 #include "LandscapePicture.h"
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -66,6 +67,44 @@ bool TestGrass()
   return good &&
     Check(std::abs(mean[1] / mean[0] - 1.0) < 0.05,
       "Ground is " + std::to_string(mean[1]) + " on average for " + std::to_string(mean[0]));
+}
+
+/// Beyond its blades grass stands up too: at a flat angle its pattern is less flat than that of a ground without grass,
+/// and as bright on average.
+bool TestTurf()
+{
+  double mean[2] = { 0.0, 0.0 };
+  double ratio[2] = { 0.0, 0.0 };
+  for (const bool hasGrass : { false, true })
+  {
+    Picture picture;
+    picture.Pass->SetSkyToEven();
+    picture.Pass->SetOcclusionRadius(0.0);
+    picture.Pass->SetContactRadius(0.0);
+    picture.Pass->SetCoverRadius(5.0);
+    picture.Pass->SetCoverHeight(hasGrass ? 0.4 : 0.0);
+    vtkLandscapePass::SetMaterial(picture.Add(Level(300.0), 0.3), vtkLandscapePass::Ground);
+    picture.Look({ 0.0, 0.0, 4.0 }, { 0.0, 30.0, 0.0 }, { 0.0, 0.0, 1.0 });
+    picture.Renderer->GetActiveCamera()->SetViewAngle(4.0);
+    picture.Renderer->ResetCameraClippingRange();
+    picture.Draw();
+    double across = 0.0;
+    double up = 0.0;
+    for (int pixel = 0; pixel < (Width - 1) * (Height - 1); ++pixel)
+    {
+      const int column = pixel % (Width - 1);
+      const int row = pixel / (Width - 1);
+      const double here = picture.LinearAt(column, row)[1];
+      mean[hasGrass] += here / ((Width - 1) * (Height - 1));
+      across += std::pow(picture.LinearAt(column + 1, row)[1] - here, 2);
+      up += std::pow(picture.LinearAt(column, row + 1)[1] - here, 2);
+    }
+    ratio[hasGrass] = std::sqrt(across / up);
+  }
+  std::cout << "Turf: changes across over those upward " << ratio[0] << ", with grass " << ratio[1] << ", as bright "
+            << mean[1] / mean[0] << "\n";
+  return Check(std::abs(mean[1] / mean[0] - 1.0) < 0.05, "Grass beyond its blades changes the mean of the ground.") &&
+    Check(ratio[1] > 1.4 * ratio[0], "Grass beyond its blades does not stand.");
 }
 
 /// Grass on a beach, seen from above through clear water: none is in the sea.
@@ -209,6 +248,49 @@ bool TestWoods()
   return good;
 }
 
+/// Bark of a grey, seen across from a distance: its mean, and the squares of its changes across and upward.
+std::array<double, 3> BarkOf(double grey, double distance)
+{
+  Picture picture;
+  picture.Pass->SetSkyToEven();
+  picture.Pass->SetOcclusionRadius(0.0);
+  picture.Pass->SetContactRadius(0.0);
+  vtkLandscapePass::SetMaterial(
+    picture.Add(Plane({ -15.0, 0.0, -15.0 }, { 15.0, 0.0, -15.0 }, { -15.0, 0.0, 15.0 }), grey),
+    vtkLandscapePass::Bark);
+  picture.Look({ 0.0, -distance, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
+  picture.Renderer->GetActiveCamera()->SetViewAngle(10.0);
+  picture.Renderer->ResetCameraClippingRange();
+  picture.Draw();
+  std::array<double, 3> found{};
+  constexpr int pixels = (Width - 1) * (Height - 1);
+  for (int pixel = 0; pixel < pixels; ++pixel)
+  {
+    const int column = pixel % (Width - 1);
+    const int row = pixel / (Width - 1);
+    const double here = picture.LinearAt(column, row)[1];
+    found[0] += here / pixels;
+    found[1] += std::pow(picture.LinearAt(column + 1, row)[1] - here, 2) / pixels;
+    found[2] += std::pow(picture.LinearAt(column, row + 1)[1] - here, 2) / pixels;
+  }
+  return found;
+}
+
+/// Bark has furrows along the trunk and the color of its data on average; from afar, and on bright trunks, it is
+/// smooth.
+bool TestBark()
+{
+  const std::array<double, 3> near = BarkOf(0.2, 15.0);
+  const std::array<double, 3> far = BarkOf(0.2, 80.0);
+  const std::array<double, 3> bright = BarkOf(0.6, 15.0);
+  std::cout << "Bark: mean " << near[0] << ", changes across over those upward " << std::sqrt(near[1] / near[2])
+            << "\n";
+  return Check(std::abs(near[0] / far[0] - 1.0) < 0.05, "Bark has another color near by.") &&
+    Check(near[1] > 2.0 * near[2], "Bark has no furrows.") &&
+    Check(
+      far[1] + far[2] < 1e-7 && bright[1] + bright[2] < 1e-7, "Bark is rough from afar, or that of a bright trunk.");
+}
+
 }
 
 int TestLandscapeGround(int, char*[])
@@ -217,6 +299,8 @@ int TestLandscapeGround(int, char*[])
   good &= TestGrassAtSea();
   good &= TestGrassAtEdges();
   good &= TestGrassAround();
+  good &= TestTurf();
   good &= TestWoods();
+  good &= TestBark();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -111,6 +111,17 @@ bool IsPicture(vtkDataArray* texels, vtkDataArray* size, int components)
     texels->GetNumberOfTuples() == static_cast<vtkIdType>(columns) * rows;
 }
 
+/// Whether the mean of a picture with an alpha is not cut out, as that of thin leaves and gaps is: it has mip levels.
+bool IsOpaqueOnAverage(vtkDataArray* texels)
+{
+  double sum = 0.0;
+  for (vtkIdType texel = 0; texel < texels->GetNumberOfTuples() && texels->GetNumberOfComponents() == 4; ++texel)
+  {
+    sum += texels->GetComponent(texel, 3);
+  }
+  return sum > 0.5 * 255.0 * static_cast<double>(texels->GetNumberOfTuples());
+}
+
 /// Whether a tree's mapper would draw its only leaf by nothing but the actor's property and arrays that it has.
 bool IsDrawnAlone(const PartOfTree& part, vtkMapper* like)
 {
@@ -151,7 +162,7 @@ bool IsVisible(vtkDataObject* node, const vtkCompositeDataDisplayAttributes* att
 BlockActor::Picture::Picture()
 {
   this->Texture->InterpolateOn();
-  this->Texture->MipmapOff(); // a mean of thin leaves and gaps has an alpha below 0.5
+  this->Texture->SetMaximumAnisotropicFiltering(1.0f); // more takes a processor that draws several times as long
   this->Texture->RepeatOff();
   this->Texture->EdgeClampOn();
 }
@@ -170,6 +181,7 @@ void BlockActor::Picture::Show(vtkDataArray* texels, vtkDataArray* size)
   image->SetDimensions(columns, rows, 1);
   image->GetPointData()->SetScalars(texels);
   this->Texture->SetInputData(image);
+  this->Texture->SetMipmap(IsOpaqueOnAverage(texels));
 }
 
 //----------------------------------------------------------------------------
@@ -221,7 +233,7 @@ void BlockActor::Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper,
     this->PropertyTime = like->GetProperty()->GetMTime();
     this->Actor->GetProperty()->DeepCopy(like->GetProperty());
   }
-  this->TakeKeys(like->GetPropertyKeys(), part.Plant.empty() ? part.Transmittance : 0.0);
+  this->TakeKeys(like->GetPropertyKeys(), part.Plant.empty() ? part.Transmittance : 0.0, part.IsBark);
   this->Actor->SetPickable(like->GetPickable() && !part.Prototype);
   this->Actor->SetVisibility(!isAlone || IsVisible(part.Tree, part.Attributes));
   vtkProperty* property = like->GetProperty();
@@ -449,12 +461,16 @@ void BlockActor::SetShading(Shading shading, vtkShaderProperty* given)
 
 //----------------------------------------------------------------------------
 /// Keys are of this actor alone: passes that draw it leave theirs in them.
-void BlockActor::TakeKeys(vtkInformation* given, double transmittance)
+void BlockActor::TakeKeys(vtkInformation* given, double transmittance, bool isBark)
 {
   this->Keys->Copy(given);
   if (transmittance > 0.0)
   {
     this->Keys->Set(vtkLandscapePass::TRANSMITTANCE(), transmittance);
+  }
+  if (isBark && vtkLandscapePass::GetMaterial(this->Actor) == vtkLandscapePass::Surface)
+  {
+    this->Keys->Set(vtkLandscapePass::MATERIAL(), vtkLandscapePass::Bark);
   }
 }
 

@@ -48,6 +48,7 @@ struct PartOfTree
   vtkSmartPointer<vtkPolyData> Places;         ///< of such plants
   std::array<double, 2> FadeRange{ 0.0, 0.0 }; ///< distances between which such plants appear, and others disappear
   double Transmittance = 0.0;                  ///< of the light on the far side of surfaces (vtkLandscapePass)
+  bool IsBark = false;                         ///< its material
 };
 
 /**
@@ -104,7 +105,7 @@ private:
   void TakeInstances(const PartOfTree& part, vtkMapper* like);
   void TakeImpostors(const PartOfTree& part, vtkActor* like, vtkMapper* mapper, bool isLit);
   void TakeTexture(vtkDataObject* block, vtkShaderProperty* given, bool isLit);
-  void TakeKeys(vtkInformation* given, double transmittance);
+  void TakeKeys(vtkInformation* given, double transmittance, bool isBark);
   void SetShading(Shading shading, vtkShaderProperty* given);
   void TakeMean(vtkDataObject* block);
 

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 
 namespace littoral
@@ -49,6 +50,13 @@ double TransmittanceOf(const std::string& name)
   constexpr double leaves = 0.4;
   const std::string last = name.substr(name.rfind('/') + 1); // all, if there is none
   return last == "Leaves" || last == "Crown" || last == "Low" ? leaves : 0.0;
+}
+
+/// Whether a block is the wood of a tree, by its name.
+bool IsBark(const std::string& name)
+{
+  const std::string last = name.substr(name.rfind('/') + 1);
+  return last == "Skin" || last == "Trunk";
 }
 
 /// Whether a light is on, or VTK will make one.
@@ -179,6 +187,7 @@ void TexturedBlocks::Split(vtkDataObject* data)
   const auto leaf = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
   const InstancedBlocks instanced = InstancesIn(tree);
   std::map<vtkDataObject*, double> transmittances;
+  std::set<vtkDataObject*> barks;
   for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
   {
     vtkSmartPointer<vtkDataObject> block = leaf->GetCurrentDataObject();
@@ -188,6 +197,10 @@ void TexturedBlocks::Split(vtkDataObject* data)
     if (instanced.Blocks.count(block) > 0)
     {
       transmittances[block] = transmittance;
+      if (IsBark(name ? name : ""))
+      {
+        barks.insert(block);
+      }
       continue;
     }
     const bool isTextured = BlockActor::IsTextured(block);
@@ -203,6 +216,7 @@ void TexturedBlocks::Split(vtkDataObject* data)
       this->Parts.back().Block = vtkPolyData::SafeDownCast(block);
       this->Parts.back().BlockIndex = leaf->GetCurrentFlatIndex();
       this->Parts.back().Transmittance = transmittance;
+      this->Parts.back().IsBark = IsBark(name ? name : "");
     }
     PartOfTree& part = isAlone ? this->Parts.back() : this->Parts.front();
     vtkDataObjectTree::SafeDownCast(part.Tree)->SetDataSetFrom(leaf, block);
@@ -215,6 +229,7 @@ void TexturedBlocks::Split(vtkDataObject* data)
     part.Prototype = vtkPolyData::SafeDownCast(block);
     part.Instances = BatchOf(pair);
     part.Transmittance = transmittances[pair.Prototype];
+    part.IsBark = barks.count(pair.Prototype) > 0;
     for (vtkPolyData* near : MediumPlantOf(instanced, pair))
     {
       part.Plant.push_back({ vtkPolyData::SafeDownCast(WithCoordinates(near)), transmittances[near] });

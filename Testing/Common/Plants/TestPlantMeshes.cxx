@@ -5,6 +5,7 @@
 #include "Plants/AonoKuniiTree.h"
 #include "Plants/BranchSkin.h"
 #include "Plants/GardnerPlant.h"
+#include "Plants/LeafCards.h"
 #include "Plants/PlantLevels.h"
 #include "Plants/ReevesTree.h"
 #include "Seaweed/SeaweedGrowth.h"
@@ -262,5 +263,50 @@ TEST(PlantMeshes, SkinsHoldTheVolumeOfTheirCones)
     {
       EXPECT_GT(VolumeOf(plant.Plant.Skin), 0.0);
     }
+  }
+}
+
+// Seven blades on a twig fill most of the kite and hardly anything beside it, and there are gaps between them at its rim.
+TEST(PlantMeshes, SprayIsWithinItsKite)
+{
+  const TextureImage picture = LeafPicture(LeafForm::Spray);
+  int inside = 0;
+  int filled = 0;
+  int beside = 0;
+  double shades = 0.0;
+  for (int row = 0; row < picture.Rows; ++row)
+  {
+    for (int column = 0; column < picture.Columns; ++column)
+    {
+      const double across = std::abs(2.0 * (column + 0.5) / picture.Columns - 1.0);
+      const double along = (row + 0.5) / picture.Rows;
+      const bool isInside = across < std::min(along / 0.42, (1.0 - along) / 0.58);
+      const bool isLeaf = picture.At(column, row)[3] >= 128;
+      inside += isInside ? 1 : 0;
+      filled += isInside && isLeaf ? 1 : 0;
+      beside += !isInside && isLeaf ? 1 : 0;
+      shades += isInside && isLeaf ? picture.At(column, row)[0] : 0.0;
+    }
+  }
+  EXPECT_NEAR(static_cast<double>(filled) / inside, 0.78, 0.02);
+  EXPECT_LT(static_cast<double>(beside) / filled, 0.06);
+  // A mean has the color of the blades: their shade is also that of the gaps
+  EXPECT_NEAR(shades / filled, picture.At(0, 0)[0], 0.02 * 255.0);
+}
+
+// Edges and tip of a leaf hang down: normals lean to them by the same angle, and the foot has the leaf's own.
+TEST(PlantMeshes, NormalsOfLeavesLeanToTheirEdges)
+{
+  Plant plant;
+  plant.Leaves.emplace_back();
+  LeafParticle& leaf = plant.Leaves.back();
+  leaf.Normal = leaf.Facing;
+  const PlantMesh mesh = LeafCards(plant);
+  EXPECT_NEAR(glm::length(mesh.Normals[0] - leaf.Normal), 0.0, 1e-12);
+  for (const int corner : { 1, 2, 3 })
+  {
+    const Vector3 outward = mesh.Points[corner] - mesh.Points[0];
+    EXPECT_NEAR(glm::dot(mesh.Normals[corner], leaf.Normal), 1.0 / std::hypot(1.0, 0.45), 1e-12);
+    EXPECT_GT(glm::dot(mesh.Normals[corner], outward), 0.0);
   }
 }
