@@ -3,8 +3,10 @@
 #include "vtkParticleOrbitFilter.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/ArraySearch.h"
 #include "Data/Arrays.h"
 #include "Data/Followers.h"
+#include "Data/FrameArrays.h"
 #include "Data/Inputs.h"
 #include "Data/SeaStateTable.h"
 #include "Data/Tables.h"
@@ -37,6 +39,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkParticleOrbitFilter);
@@ -45,32 +48,44 @@ namespace
 {
 
 /// Points that one thread moves at a time.
-constexpr vtkIdType PointsAtOnce = 1 << 13;
+constexpr std::size_t PointsAtOnce = 1 << 13;
 /// Maximum distance of points of the surface from sea level [m].
 constexpr double SurfaceTolerance = 1e-3;
 
-bool IsAtSeaLevel(vtkPoints* points, double level)
+bool IsAtSeaLevel(vtkDataArray* centers, double level)
 {
-  double bounds[6];
-  points->GetBounds(bounds);
+  const double* heights = centers->GetRange(2);
   const double single = 2e-7 * std::abs(level);
-  return std::abs(bounds[4] - level) <= SurfaceTolerance + single &&
-    std::abs(bounds[5] - level) <= SurfaceTolerance + single;
+  return std::abs(heights[0] - level) <= SurfaceTolerance + single &&
+    std::abs(heights[1] - level) <= SurfaceTolerance + single;
 }
 
-std::vector<int> ReadTrainCounts(vtkPointSet* input)
+/// Numbers of trains, as they lie in memory or as a copy.
+struct TrainCounts
+{
+  std::vector<int> Copy;
+  const int* Values = nullptr; ///< null where all trains act
+};
+
+TrainCounts ReadTrainCounts(vtkPointSet* input)
 {
   vtkDataArray* array = littoral::ArrayReader::OfPoints(input, "a set of particles").Find(littoral::sea::TrainCount, 1);
-  std::vector<int> counts;
-  littoral::SetSize(counts, array ? array->GetNumberOfTuples() : 0);
-  for (std::size_t id = 0; id < counts.size(); ++id)
+  const vtkIdType bad = littoral::FirstOutside(array, [](auto count) { return count >= 0; });
+  if (bad >= 0)
   {
-    const double count = array->GetComponent(static_cast<vtkIdType>(id), 0);
-    if (!(count >= 0.0))
+    littoral::Refuse("the point array TrainCount is negative at point ", bad, ".");
+  }
+  TrainCounts counts;
+  auto* whole = vtkIntArray::SafeDownCast(array);
+  counts.Values = whole ? whole->GetPointer(0) : nullptr;
+  if (array && !whole)
+  {
+    littoral::SetSize(counts.Copy, array->GetNumberOfTuples());
+    for (std::size_t id = 0; id < counts.Copy.size(); ++id)
     {
-      littoral::Refuse("the point array TrainCount is negative at point ", id, ".");
+      counts.Copy[id] = static_cast<int>(std::min(array->GetComponent(static_cast<vtkIdType>(id), 0), 1e9));
     }
-    counts[id] = static_cast<int>(std::min(count, 1e9));
+    counts.Values = counts.Copy.data();
   }
   return counts;
 }
@@ -93,31 +108,59 @@ std::vector<int> ReadTrainOrder(vtkPointSet* input, std::size_t trains)
 }
 
 /// Reads the points that move with another one, and the numbers of trains of the others.
-void ReadFollowers(vtkPointSet* input, std::vector<int>& trainCounts, littoral::Slaves& slaves)
+void ReadFollowers(vtkPointSet* input, TrainCounts& counts, littoral::Slaves& slaves)
 {
-  trainCounts = ReadTrainCounts(input);
+  counts = ReadTrainCounts(input);
   slaves = littoral::ReadSlaves(input);
-  if (slaves.Master.empty())
-  {
-    return;
-  }
   // A slave needs no orbit. With masters first, whole blocks of slaves are passed over.
-  trainCounts.resize(slaves.Master.size(), std::numeric_limits<int>::max());
-  for (std::size_t id = 0; id < slaves.Master.size(); ++id)
+  const auto isIdle = [&](
+                        std::size_t id) { return slaves.Master[id] < 0 || (counts.Values && counts.Values[id] == 0); };
+  std::size_t id = 0;
+  while (id < slaves.Master.size() && isIdle(id))
   {
-    trainCounts[id] = slaves.Master[id] >= 0 ? 0 : trainCounts[id];
+    ++id;
   }
+  if (id == slaves.Master.size())
+  {
+    return; // as written by vtkParticleLevelOfDetailFilter
+  }
+  std::vector<int> copy(slaves.Master.size(), std::numeric_limits<int>::max());
+  for (id = 0; id < copy.size(); ++id)
+  {
+    copy[id] = slaves.Master[id] >= 0 ? 0 : counts.Values ? counts.Values[id] : copy[id];
+  }
+  counts.Copy = std::move(copy);
+  counts.Values = counts.Copy.data();
 }
 
-/// The points at rest, in the type of the moved ones.
+/// The points at rest, with their ranges, in the type of the moved ones.
 template <typename Array>
 vtkSmartPointer<Array> CentersOf(vtkPointSet* input)
 {
-  auto centers = vtkSmartPointer<Array>::New();
-  centers->ShallowCopy(littoral::WithType<Array>(input->GetPoints()->GetData()));
+  auto centers = vtkSmartPointer<littoral::SharedArray<Array>>::New();
+  centers->Share(littoral::WithType<Array>(input->GetPoints()->GetData()));
   centers->SetName("Center");
+  const bool areFinite = littoral::KeepFiniteRanges(centers);
+  bool areSmall = areFinite;
+  for (int axis = 0; axis < 3 && areSmall; ++axis)
+  {
+    const double* range = centers->GetRange(axis);
+    areSmall = range[0] >= -littoral::MaximumMagnitude && range[1] <= littoral::MaximumMagnitude;
+  }
+  if (!areSmall)
+  {
+    littoral::ArrayReader::OfPoints(input, "a set of particles").NeedFinite(input->GetPoints()->GetData());
+  }
   return centers;
 }
+
+/// The points of a leaf at rest, which are looked at again only when the leaf has changed.
+struct RestingPoints
+{
+  vtkPointSet* Leaf = nullptr; ///< compared, never used
+  vtkMTimeType Time = 0;
+  vtkSmartPointer<vtkDataArray> Centers;
+};
 
 /// The arrays of moved points.
 template <typename Array>
@@ -130,20 +173,23 @@ struct MovedArrays
   vtkSmartPointer<Array> Jacobian; ///< null unless a surface moves
   std::vector<Real> Gradient;      ///< of the surface, five numbers a point
   littoral::OrbitRequest<Real> Request;
-  std::vector<Real*> Vectors; ///< vectors that slaves take over from their masters
+  std::vector<Real*> Vectors;                ///< vectors that slaves take over from their masters
+  std::vector<littoral::TupleRanges> Ranges; ///< of PointsAtOnce positions each
 
   /// Adds the arrays that are wanted.
-  MovedArrays(vtkPointSet* input, bool velocity, bool acceleration, bool surface, vtkPointData* arrays)
-    : Positions(littoral::NewArray<Array>("Points", 3, input->GetNumberOfPoints()))
+  MovedArrays(
+    littoral::FrameArrays& memory, Array* centers, bool velocity, bool acceleration, bool surface, vtkPointData* arrays)
+    : Positions(memory.New<Array>("Points", 3, centers->GetNumberOfTuples()))
   {
-    const vtkIdType count = input->GetNumberOfPoints();
-    const auto centers = CentersOf<Array>(input);
+    const vtkIdType count = centers->GetNumberOfTuples();
     arrays->AddArray(centers);
     this->Request.Centers = centers->GetPointer(0);
     this->Request.Displacement = this->Positions->GetPointer(0);
+    this->Request.AddsCenters = true;
+    this->Ranges.resize((static_cast<std::size_t>(count) + PointsAtOnce - 1) / PointsAtOnce);
     this->Vectors = { this->Request.Displacement };
     const auto add = [&](const char* name) {
-      const auto array = littoral::NewArray<Array>(name, 3, count);
+      const auto array = memory.New<Array>(name, 3, count);
       arrays->AddArray(array);
       this->Vectors.push_back(array->GetPointer(0));
       return array->GetPointer(0);
@@ -152,8 +198,8 @@ struct MovedArrays
     this->Request.Acceleration = acceleration ? add("Acceleration") : nullptr;
     if (surface)
     {
-      this->Normals = littoral::NewArray<Array>("Normals", 3, count);
-      this->Jacobian = littoral::NewArray<Array>("Jacobian", 1, count);
+      this->Normals = memory.New<Array>("Normals", 3, count);
+      this->Jacobian = memory.New<Array>("Jacobian", 1, count);
       littoral::SetSize(this->Gradient, 5 * count);
       this->Request.Gradient = this->Gradient.data();
       arrays->SetNormals(this->Normals);
@@ -164,14 +210,23 @@ struct MovedArrays
   MovedArrays(const MovedArrays&) = delete;
   MovedArrays& operator=(const MovedArrays&) = delete;
 
-  /// Turns displacements into positions.
-  void AddCenters(std::size_t begin, std::size_t end)
+  /// Finds the ranges of points that are in place, while they are in the cache.
+  void AddRanges(bool areInPlace, std::size_t begin, std::size_t end)
   {
-    Real* values = this->Request.Displacement;
-    for (std::size_t value = 3 * begin; value < 3 * end; ++value)
+    if (areInPlace)
     {
-      values[value] = static_cast<Real>(static_cast<double>(values[value]) + this->Request.Centers[value]);
+      const Real* values = this->Request.Displacement;
+      this->Ranges[begin / PointsAtOnce].AddTuples(values + 3 * begin, values + 3 * end, 3);
     }
+  }
+
+  /// The moved points, with their ranges.
+  vtkSmartPointer<vtkPoints> Points() const
+  {
+    littoral::TupleRanges all;
+    std::for_each(this->Ranges.begin(), this->Ranges.end(), [&](const auto& part) { all.Add(part); });
+    littoral::KeepRanges(this->Positions, all);
+    return littoral::PointsWithRanges(this->Positions);
   }
 
   /// Normals and Jacobians of a surface from its gradients.
@@ -202,7 +257,7 @@ struct MovedArrays
         {
           values[3 * id + axis] = values[3 * master + axis];
         }
-        const double offset = slaves.Offset->GetComponent(static_cast<vtkIdType>(id), axis);
+        const double offset = slaves.OffsetAt(static_cast<vtkIdType>(id), axis);
         Real& value = this->Request.Displacement[3 * id + axis];
         value = static_cast<Real>(static_cast<double>(value) + offset);
       }
@@ -251,6 +306,40 @@ public:
   double Time;
 };
 
+/// What one frame leaves to the next one.
+class vtkParticleOrbitFilter::vtkInternals
+{
+public:
+  littoral::FrameArrays Arrays;
+  std::vector<RestingPoints> Rest; ///< of each leaf
+  std::size_t Leaf = 0;            ///< that comes next
+
+  void BeginFrame()
+  {
+    this->Arrays.BeginFrame();
+    this->Leaf = 0;
+  }
+
+  void EndFrame()
+  {
+    this->Arrays.EndFrame();
+    this->Rest.resize(this->Leaf);
+  }
+
+  /// The points at rest of the next leaf.
+  template <typename Array>
+  Array* CentersOf(vtkPointSet* leaf)
+  {
+    this->Rest.resize(std::max(this->Rest.size(), this->Leaf + 1));
+    RestingPoints& rest = this->Rest[this->Leaf++];
+    if (rest.Leaf != leaf || rest.Time != leaf->GetMTime() || !Array::SafeDownCast(rest.Centers))
+    {
+      rest = { leaf, leaf->GetMTime(), ::CentersOf<Array>(leaf) };
+    }
+    return Array::SafeDownCast(rest.Centers);
+  }
+};
+
 //----------------------------------------------------------------------------
 vtkParticleOrbitFilter::vtkParticleOrbitFilter()
   : StokesDrift(false)
@@ -261,6 +350,7 @@ vtkParticleOrbitFilter::vtkParticleOrbitFilter()
   , GenerateAcceleration(false)
   , GenerateSurface(true)
   , TimeRange{ 0.0, 60.0 }
+  , Internals(new vtkInternals)
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -337,7 +427,9 @@ int vtkParticleOrbitFilter::RequestData(
 
   this->SetProgressText("Moving points");
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  this->Internals->BeginFrame();
   this->MoveAll(Sea(state, options, time), vtkDataObject::GetData(inputVector[0]), output);
+  this->Internals->EndFrame();
   AddRegimes(state, output);
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
   littoral::KeepRanges(output, littoral::PollOf(this));
@@ -375,7 +467,6 @@ void vtkParticleOrbitFilter::Move(const Sea& sea, vtkPointSet* input, vtkPointSe
   {
     return;
   }
-  littoral::ArrayReader::OfPoints(input, "a set of particles").NeedFinite(input->GetPoints()->GetData());
   const Sea ordered = sea.InOrder(ReadTrainOrder(input, sea.State.Trains.size()));
   input->GetPoints()->GetDataType() == VTK_DOUBLE ? this->MoveAs<vtkDoubleArray>(ordered, input, output)
                                                   : this->MoveAs<vtkFloatArray>(ordered, input, output);
@@ -386,38 +477,41 @@ template <typename Array>
 void vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPointSet* output)
 {
   const vtkIdType count = input->GetNumberOfPoints();
-  std::vector<int> trainCounts;
-  littoral::Slaves slaves;
-  ReadFollowers(input, trainCounts, slaves);
   littoral::RequireMemory(17.0 * sizeof(typename Array::ValueType) * static_cast<double>(count),
     "the motion of " + std::to_string(count) + " points", "take fewer");
-  const bool surface = this->GenerateSurface && IsAtSeaLevel(input->GetPoints(), sea.State.SeaLevel);
-  MovedArrays<Array> moved(input, this->GenerateVelocity, this->GenerateAcceleration, surface, output->GetPointData());
-  moved.Request.TrainCounts = trainCounts.empty() ? nullptr : trainCounts.data();
+  Array* centers = this->Internals->CentersOf<Array>(input);
+  TrainCounts counts;
+  littoral::Slaves slaves;
+  ReadFollowers(input, counts, slaves);
+  const bool surface = this->GenerateSurface && IsAtSeaLevel(centers, sea.State.SeaLevel);
+  MovedArrays<Array> moved(this->Internals->Arrays, centers, this->GenerateVelocity, this->GenerateAcceleration,
+    surface, output->GetPointData());
+  moved.Request.TrainCounts = counts.Values;
   const auto forAll = [&](double first, double last, const auto& task) {
-    const std::size_t batches = static_cast<std::size_t>((count + PointsAtOnce - 1) / PointsAtOnce);
+    const std::size_t batches = (static_cast<std::size_t>(count) + PointsAtOnce - 1) / PointsAtOnce;
     return littoral::RunWithProgress(this, batches, first, last, [&](std::size_t batch) {
       const std::size_t begin = batch * PointsAtOnce;
-      task(begin, std::min<std::size_t>(begin + PointsAtOnce, static_cast<std::size_t>(count)));
+      task(begin, std::min(begin + PointsAtOnce, static_cast<std::size_t>(count)));
     });
   };
   bool done = forAll(0.0, 0.8, [&](std::size_t begin, std::size_t end) {
     sea.Orbits.Evaluate(moved.Request, begin, end);
-    moved.AddCenters(begin, end);
     moved.FinishSurface(begin, end);
+    moved.AddRanges(slaves.Master.empty(), begin, end);
   });
   if (done && !slaves.Master.empty())
   {
-    done = forAll(0.8, 1.0, [&](std::size_t begin, std::size_t end) { moved.Follow(slaves, begin, end); });
+    done = forAll(0.8, 1.0, [&](std::size_t begin, std::size_t end) {
+      moved.Follow(slaves, begin, end);
+      moved.AddRanges(true, begin, end);
+    });
   }
   if (!done) // aborted
   {
     output->Initialize();
     return;
   }
-  vtkNew<vtkPoints> points;
-  points->SetData(moved.Positions);
-  output->SetPoints(points);
+  output->SetPoints(moved.Points());
   const double folded = surface ? moved.Jacobian->GetRange()[0] : 1.0;
   if (folded <= 0.0)
   {

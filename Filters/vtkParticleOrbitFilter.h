@@ -31,6 +31,7 @@
 #include "LittoralFiltersModule.h" // for export macro
 #include "vtkPassInputTypeAlgorithm.h"
 
+#include <memory> // for what is kept
 #include <string> // for what is wrong with a property
 
 class vtkPointSet;
@@ -147,11 +148,14 @@ private:
   void operator=(const vtkParticleOrbitFilter&) = delete;
 
   class Sea;
+  class vtkInternals;
   std::string WhyBadProperties(double time) const;
   void MoveAll(const Sea& sea, vtkDataObject* input, vtkDataObject* output);
   void Move(const Sea& sea, vtkPointSet* input, vtkPointSet* output);
   template <typename Array>
   void MoveAs(const Sea& sea, vtkPointSet* input, vtkPointSet* output);
+
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -141,6 +141,20 @@ LITTORAL_WIDE_SIMD_CLONES void ShallowAxes(
   }
 }
 
+/// The smallest and the largest of some numbers, and of the two given.
+LITTORAL_WIDE_SIMD_CLONES void FindBounds(const int* numbers, int count, int& least, int& most)
+{
+  int low = least;
+  int high = most;
+  for (int i = 0; i < count; ++i)
+  {
+    low = std::min(low, numbers[i]);
+    high = std::max(high, numbers[i]);
+  }
+  least = low;
+  most = high;
+}
+
 /// Amplitude 0 at the points that have fewer trains.
 LITTORAL_WIDE_SIMD_CLONES void Mask(
   const int* __restrict counts, int train, int count, float* __restrict a, float* __restrict b)
@@ -251,6 +265,15 @@ LITTORAL_WIDE_SIMD_CLONES void StoreVectors(const float (*__restrict sums)[Block
     to[3 * i] = sums[0][i];
     to[3 * i + 1] = sums[1][i];
     to[3 * i + 2] = sums[2][i];
+  }
+}
+
+/// Adds numbers to others in double precision.
+LITTORAL_WIDE_SIMD_CLONES void AddNumbers(const float* __restrict numbers, int count, float* __restrict to)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    to[i] = static_cast<float>(static_cast<double>(to[i]) + numbers[i]);
   }
 }
 
@@ -428,6 +451,10 @@ void WaveOrbits::Evaluate(const OrbitRequest<double>& request, std::size_t begin
         std::copy(from, from + count, to + count * i);
       }
     };
+    if (request.AddsCenters)
+    {
+      displacement += Vector3(center[0], center[1], center[2]);
+    }
     store(request.Displacement, &displacement[0], 3);
     store(request.Velocity, &velocity[0], 3);
     store(request.Acceleration, &acceleration[0], 3);
@@ -449,9 +476,12 @@ void WaveOrbits::EvaluateBlock(Block& block, const OrbitRequest<float>& request,
 {
   const int* counts = request.TrainCounts ? request.TrainCounts + begin : nullptr;
   int trains = static_cast<int>(this->Trains.size());
+  int shared = trains; // the first ones, which all points have
   if (counts)
   {
-    trains = std::clamp(*std::max_element(counts, counts + count), 0, trains);
+    int most = 0;
+    FindBounds(counts, count, shared, most);
+    trains = std::min(most, trains);
   }
   this->StartBlock(block, request, begin, count);
   if (this->Options.StokesDrift)
@@ -466,7 +496,7 @@ void WaveOrbits::EvaluateBlock(Block& block, const OrbitRequest<float>& request,
       continue;
     }
     this->FindAxes(block, this->Trains[n], count);
-    if (counts)
+    if (n >= shared)
     {
       Mask(counts, n, count, block.A, block.B);
     }
@@ -476,6 +506,10 @@ void WaveOrbits::EvaluateBlock(Block& block, const OrbitRequest<float>& request,
   if (request.Displacement)
   {
     StoreVectors(block.Displacement, count, to(request.Displacement, 3));
+    if (request.AddsCenters)
+    {
+      AddNumbers(request.Centers + 3 * begin, 3 * count, to(request.Displacement, 3));
+    }
   }
   if (request.Velocity)
   {

@@ -55,6 +55,7 @@ struct OrbitRequest
   /// Five a point: du/dx, du/dy = dv/dx, dv/dy, dw/dx = du/dz, dw/dy = dv/dz [1/s]; dw/dz = -(du/dx + dv/dy).
   Real* VelocityGradient = nullptr;
   const float* Shares = nullptr; ///< one a train: the part of its amplitude that acts; null: all of it
+  bool AddsCenters = false;      ///< Displacement becomes the place itself
 };
 
 /// The unit normal of a surface that was level, from the five numbers of OrbitRequest::Gradient.

@@ -54,7 +54,9 @@ vtkSmartPointer<vtkDataArray> WithType(vtkDataArray* array, int type);
 template <typename Array>
 vtkSmartPointer<Array> WithType(vtkDataArray* array)
 {
-  return Array::SafeDownCast(WithType(array, vtkTypeTraits<typename Array::ValueType>::VTK_TYPE_ID));
+  // VTK makes arrays of fixed width by type, of which a plain one is none.
+  auto* same = Array::SafeDownCast(array);
+  return same ? same : Array::SafeDownCast(WithType(array, vtkTypeTraits<typename Array::ValueType>::VTK_TYPE_ID));
 }
 
 /// An array with a name and room for tuples, not filled.

@@ -8,10 +8,38 @@
 #include "Numerics/InvalidInput.h"
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkPointSet.h"
 
 namespace littoral
 {
+
+namespace
+{
+
+/// The masters that an array names.
+template <typename At>
+void ReadMasters(const At& at, Slaves& slaves)
+{
+  const auto points = static_cast<vtkIdType>(slaves.Master.size());
+  for (vtkIdType id = 0; id < points; ++id)
+  {
+    const auto value = at(id);
+    if (!(value < static_cast<decltype(at(id))>(points)))
+    {
+      Refuse("MasterId of point ", id, " is no point of its data set.");
+    }
+    slaves.Master[id] = value < 0 || static_cast<vtkIdType>(value) == id ? -1 : static_cast<vtkIdType>(value);
+  }
+}
+
+}
+
+double Slaves::OffsetAt(vtkIdType id, int axis) const
+{
+  return this->Offsets ? this->Offsets[3 * id + axis] : this->Offset->GetComponent(id, axis);
+}
 
 Slaves ReadSlaves(vtkPointSet* input)
 {
@@ -26,14 +54,16 @@ Slaves ReadSlaves(vtkPointSet* input)
   }
   const vtkIdType points = input->GetNumberOfPoints();
   SetSize(slaves.Master, points);
-  for (vtkIdType id = 0; id < points; ++id)
+  auto* doubles = vtkDoubleArray::SafeDownCast(slaves.Offset);
+  slaves.Offsets = doubles ? doubles->GetPointer(0) : nullptr;
+  if (auto* ids = vtkIdTypeArray::SafeDownCast(master))
   {
-    const double value = master->GetComponent(id, 0);
-    if (!(value < static_cast<double>(points)))
-    {
-      Refuse("MasterId of point ", id, " is no point of its data set.");
-    }
-    slaves.Master[id] = value < 0.0 || static_cast<vtkIdType>(value) == id ? -1 : static_cast<vtkIdType>(value);
+    const vtkIdType* values = ids->GetPointer(0);
+    ReadMasters([values](vtkIdType id) { return values[id]; }, slaves);
+  }
+  else
+  {
+    ReadMasters([master](vtkIdType id) { return master->GetComponent(id, 0); }, slaves);
   }
   for (vtkIdType id = 0; id < points; ++id)
   {

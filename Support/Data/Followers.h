@@ -20,6 +20,10 @@ struct Slaves
 {
   std::vector<vtkIdType> Master; ///< of each point; negative: it is its own
   vtkDataArray* Offset = nullptr;
+  const double* Offsets = nullptr; ///< the same as numbers, where they lie in memory as such
+
+  /// One coordinate of an offset [m].
+  double OffsetAt(vtkIdType id, int axis) const;
 };
 
 /// Reads the point arrays MasterId and Offset; there may be none. Throws InvalidInput.

@@ -8,6 +8,7 @@
 #include "Data/Arrays.h"
 
 #include "vtkDataArray.h"
+#include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
 
 #include <vector>
@@ -16,6 +17,23 @@ class vtkFloatArray;
 
 namespace littoral
 {
+
+/// An array that shares the numbers of another one, which is not filled again as long as this one is there.
+template <typename Array>
+class SharedArray : public Array
+{
+public:
+  static SharedArray* New() { VTK_STANDARD_NEW_BODY(SharedArray); }
+
+  void Share(Array* other)
+  {
+    this->ShallowCopy(other);
+    this->Other = other;
+  }
+
+private:
+  vtkSmartPointer<Array> Other;
+};
 
 /**
  * Arrays that a filter fills anew for each frame. An array that nobody else holds any more is filled again: new memory
@@ -42,6 +60,7 @@ public:
       {
         array = Array::SafeDownCast(former);
         former = nullptr;
+        array->SetNumberOfTuples(tuples);
         array->Modified(); // VTK drops the ranges of its former values
         break;
       }

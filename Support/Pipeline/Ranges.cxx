@@ -27,11 +27,17 @@ namespace
 template <typename T>
 TupleRanges RangesOf(const T* values, vtkIdType tuples, int components)
 {
+  constexpr vtkIdType atOnce = 65536;
+  TupleRanges all;
+  if (tuples <= atOnce) // VTK would start a thread for them
+  {
+    all.AddTuples(values, values + tuples * components, components);
+    return all;
+  }
   vtkSMPThreadLocal<TupleRanges> local;
-  vtkSMPTools::For(0, tuples, 65536, [&](vtkIdType begin, vtkIdType end) {
+  vtkSMPTools::For(0, tuples, atOnce, [&](vtkIdType begin, vtkIdType end) {
     local.Local().AddTuples(values + begin * components, values + end * components, components);
   });
-  TupleRanges all;
   for (const TupleRanges& part : local)
   {
     all.Add(part);
@@ -161,6 +167,18 @@ void KeepRanges(vtkDataArray* array)
     default:
       return;
   }
+}
+
+bool KeepFiniteRanges(vtkDataArray* array)
+{
+  const auto find = [array](const auto* values) {
+    return RangesOf(values, array->GetNumberOfTuples(), array->GetNumberOfComponents());
+  };
+  const void* values = array->GetVoidPointer(0);
+  const TupleRanges ranges = array->GetDataType() == VTK_FLOAT ? find(static_cast<const float*>(values))
+                                                               : find(static_cast<const double*>(values));
+  KeepRanges(array, ranges);
+  return ranges.AreFinite;
 }
 
 vtkSmartPointer<vtkPoints> PointsWithRanges(vtkDataArray* positions)

@@ -81,6 +81,9 @@ void KeepRanges(vtkDataArray* array, const TupleRanges& ranges);
 /// Finds the ranges of an array that is complete, unless they are there.
 void KeepRanges(vtkDataArray* array);
 
+/// Finds and keeps the ranges of an array of numbers in single or double precision; whether all of them are finite.
+bool KeepFiniteRanges(vtkDataArray* array);
+
 /// Points with these positions, whose ranges it finds unless they are there. They are the bounds of the points, for
 /// which VTK would look through them again.
 vtkSmartPointer<vtkPoints> PointsWithRanges(vtkDataArray* positions);

@@ -43,7 +43,8 @@ void Particles(benchmark::State& state)
 {
   const bool levels = state.range(1) != 0;
   const bool selection = state.range(2) != 0;
-  const double box[12] = { -5.0, 5.0, 0.0, 10.0, -8.5, -7.5, 1.0, 0.01, 4000.0, 1.0, 1.0, 1.0 };
+  const double number = static_cast<double>(state.range(3));
+  const double box[12] = { -5.0, 5.0, 0.0, 10.0, -8.5, -7.5, 1.0, 0.01, number, 1.0, 1.0, 1.0 };
   vtkNew<vtkSuspendedParticleSource> particles;
   particles->SetPreset(vtkSuspendedParticleSource::Custom);
   particles->SetAmountIs(vtkSuspendedParticleSource::Count);
@@ -80,8 +81,8 @@ void Particles(benchmark::State& state)
   }
 }
 BENCHMARK(Particles)
-  ->ArgNames({ "distance", "levels", "selection" })
-  ->ArgsProduct({ { 0, 3, 6, 9, 12 }, { 0, 1 }, { 0, 1 } })
+  ->ArgNames({ "distance", "levels", "selection", "size" })
+  ->ArgsProduct({ { 0, 3, 6, 9, 12 }, { 0, 1 }, { 0, 1 }, { 4000, 400000 } })
   ->Unit(benchmark::kMillisecond)
   ->MeasureProcessCPUTime();
 

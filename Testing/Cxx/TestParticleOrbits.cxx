@@ -19,6 +19,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
@@ -30,6 +31,7 @@
 #include <functional>
 #include <iostream>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -100,6 +102,38 @@ bool CheckTimeOrderAndThreads()
       "another precision");
   }
   return good;
+}
+
+/// Frames take each other's memory, but never that of a frame that is held; the input is looked at again as it changes.
+bool CheckFrames()
+{
+  bool good = true;
+  vtkNew<Sea> sea;
+  vtkNew<vtkPolyData> particles = Particles(20000, VTK_FLOAT);
+  vtkNew<Orbits> orbits;
+  orbits->SetInputData(0, particles);
+  orbits->SetSeaStateConnection(sea->GetOutputPort());
+  const auto points = [](Orbits* of) { return vtkPolyData::SafeDownCast(of->GetOutputDataObject(0))->GetPoints(); };
+  const std::vector<char> first = Moved(orbits, 1.0);
+  const vtkSmartPointer<vtkDataArray> held = points(orbits)->GetData();
+  std::set<void*> places;
+  for (int frame = 0; frame < 6; ++frame)
+  {
+    Moved(orbits, 2.0 + frame);
+    places.insert(points(orbits)->GetData()->GetVoidPointer(0));
+  }
+  good &= Check(BytesOf(held) == first && places.count(held->GetVoidPointer(0)) == 0, "a held frame has changed");
+  good &= Check(places.size() == 1, "frames take new memory each");
+  double bounds[6];
+  particles->GetPoints()->SetPoint(7, 1e4, 0.0, -3.0);
+  particles->GetPoints()->Modified();
+  Moved(orbits, 1.0);
+  points(orbits)->GetBounds(bounds);
+  vtkDataArray* centers = vtkPolyData::SafeDownCast(orbits->GetOutputDataObject(0))->GetPointData()->GetArray("Center");
+  good &= Check(bounds[1] > 9990.0 && centers->GetRange(0)[1] == 1e4, "ranges of another frame");
+  particles->GetPoints()->SetPoint(7, std::nan(""), 0.0, -3.0);
+  particles->GetPoints()->Modified();
+  return good & Check(FailsNaming("not finite", orbits), "a point without a place is moved");
 }
 
 bool CheckSurface()
@@ -669,6 +703,7 @@ bool CheckReturn()
 int TestParticleOrbits(int, char*[])
 {
   bool good = CheckTimeOrderAndThreads();
+  good &= CheckFrames();
   good &= CheckSurface();
   good &= CheckCountsAndSlaves();
   good &= CheckMeasuredSpectrum();
