@@ -10,8 +10,10 @@
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <deque>
 #include <mutex>
 #include <utility>
 
@@ -22,84 +24,127 @@ namespace
 {
 
 /// A skin on its way: arrays, and the ranges of their values, which are found while these are at hand.
-struct MovedSkin
+class MovedSkin
 {
-  RestSkin Rest;
-  const SkinBinding* Binding;
-  vtkSmartPointer<vtkFloatArray> Points;
-  vtkSmartPointer<vtkFloatArray> Normals;
-  std::array<TupleRanges, 2> Ranges;
+public:
+  using Ranges = std::array<TupleRanges, 2>;
 
-  MovedSkin(const SeaweedSkinBlock& skin, FrameArrays& arrays)
-    : Rest(ReadSkin(skin.Rest))
-    , Binding(&skin.Binding)
+  MovedSkin(SeaweedSkinBlock& skin, FrameArrays& arrays)
+    : Block(skin)
+    , Rest(ReadSkin(skin.Rest))
     , Points(arrays.Like(FloatPointsOf(skin.Rest)))
     , Normals(arrays.Like(FindNormals(skin.Rest)))
+    , HasFixed(arrays.IsFormer(this->Points) && arrays.IsFormer(this->Normals))
   {
   }
 
-  /// Moves a run of vertices; adds to the ranges of its points and normals.
-  void Move(const SkinRun& run, const std::vector<JointChange>& changes, float rigidity,
-    std::array<TupleRanges, 2>& ranges) const
+  /// Sees to the vertices that never move: an array that is used again has them.
+  void MoveFixed(const std::vector<JointChange>& changes)
+  {
+    if (!this->HasFixed)
+    {
+      const std::vector<SkinRun>& runs = this->Block.Skin.GetFixedRuns();
+      this->Block.FixedRanges = {};
+      SmpFor(runs.size(), [&](std::size_t begin, std::size_t end) {
+        Ranges ranges;
+        std::for_each(
+          runs.data() + begin, runs.data() + end, [&](const SkinRun& run) { this->Move(run, changes, 0.0f, ranges); });
+        this->Add(ranges, this->Block.FixedRanges);
+      });
+    }
+    this->Add(this->Block.FixedRanges, this->Found);
+  }
+
+  /// Moves all of a plant; adds to the ranges.
+  void MovePlant(std::size_t plant, const std::vector<JointChange>& changes, float rigidity, Ranges& ranges) const
+  {
+    const SeaweedSkin& own = this->Block.Skin;
+    std::for_each(own.RunsOf(plant), own.RunsOf(plant + 1),
+      [&](const SkinRun& run) { this->Move(run, changes, rigidity, ranges); });
+  }
+
+  void AddRanges(const Ranges& ranges) { this->Add(ranges, this->Found); }
+
+  void Write(vtkMultiBlockDataSet* blocks) const
+  {
+    KeepRanges(this->Points.Get(), this->Found[0]);
+    KeepRanges(this->Normals.Get(), this->Found[1]);
+    vtkNew<vtkPolyData> block;
+    block->ShallowCopy(this->Block.Rest);
+    block->SetPoints(PointsWithRanges(this->Points));
+    block->GetPointData()->SetNormals(this->Normals);
+    ReplaceBlock(blocks, this->Block.Name, block);
+  }
+
+private:
+  SeaweedSkinBlock& Block;
+  RestSkin Rest;
+  vtkSmartPointer<vtkFloatArray> Points;
+  vtkSmartPointer<vtkFloatArray> Normals;
+  bool HasFixed;
+  Ranges Found;
+  std::mutex Adding;
+
+  void Move(const SkinRun& run, const std::vector<JointChange>& changes, float rigidity, Ranges& ranges) const
   {
     float* p = this->Points->GetPointer(0);
     float* n = this->Normals->GetPointer(0);
-    MoveSkin(this->Rest, *this->Binding, changes.data(), run.First, run.End, p, n, rigidity);
+    if (rigidity < 1.0f)
+    {
+      MoveSkin(this->Rest, this->Block.Binding, changes.data(), run.First, run.End, p, n, rigidity);
+    }
+    else
+    {
+      MoveRigidly(this->Rest, this->Block.Rigid, changes.data(), run.First, run.End, p, n);
+    }
     ranges[0].AddTuples(p + 3 * run.First, p + 3 * run.End, 3);
     ranges[1].AddTuples(n + 3 * run.First, n + 3 * run.End, 3);
   }
 
-  void Write(const SeaweedSkinBlock& skin, vtkMultiBlockDataSet* blocks) const
+  void Add(const Ranges& part, Ranges& sum)
   {
-    KeepRanges(this->Points.Get(), this->Ranges[0]);
-    KeepRanges(this->Normals.Get(), this->Ranges[1]);
-    vtkNew<vtkPolyData> block;
-    block->ShallowCopy(skin.Rest);
-    block->SetPoints(PointsWithRanges(this->Points));
-    block->GetPointData()->SetNormals(this->Normals);
-    ReplaceBlock(blocks, skin.Name, block);
+    const std::lock_guard<std::mutex> lock(this->Adding);
+    sum[0].Add(part[0]);
+    sum[1].Add(part[1]);
   }
 };
 
 /// Replaces the skins among the blocks. All of a plant is done by one thread, at one go.
-void WriteSkins(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock>& skins, FrameArrays& arrays,
-  vtkMultiBlockDataSet* blocks)
+void WriteSkins(
+  const SeaweedScene& scene, std::vector<SeaweedSkinBlock>& skins, SeaweedFrames& frames, vtkMultiBlockDataSet* blocks)
 {
-  arrays.BeginFrame();
-  std::vector<MovedSkin> moved;
-  moved.reserve(skins.size());
-  for (const SeaweedSkinBlock& skin : skins)
+  frames.Arrays.BeginFrame();
+  std::deque<MovedSkin> moved;
+  for (SeaweedSkinBlock& skin : skins)
   {
-    moved.emplace_back(skin, arrays);
+    moved.emplace_back(skin, frames.Arrays);
   }
-  arrays.EndFrame();
+  frames.Arrays.EndFrame();
+  std::vector<JointChange>& changes = frames.Changes;
+  changes.resize(scene.GetStand().GetSkeleton().Nodes.size());
+  for (MovedSkin& skin : moved)
+  {
+    skin.MoveFixed(changes);
+  }
   const std::vector<glm::dquat> rotations = scene.SkinRotations();
-  std::vector<JointChange> changes(scene.GetStand().GetSkeleton().Nodes.size());
-  std::mutex adding;
   SmpFor(scene.GetStand().GetPlants().size(), [&](std::size_t begin, std::size_t end) {
-    std::vector<std::array<TupleRanges, 2>> parts(moved.size());
+    std::vector<MovedSkin::Ranges> parts(moved.size());
     for (std::size_t plant = begin; plant < end; ++plant)
     {
       scene.FindChanges(plant, rotations, changes);
       for (std::size_t skin = 0; skin < moved.size(); ++skin)
       {
-        const SeaweedSkin& own = skins[skin].Skin;
-        for (const SkinRun* run = own.RunsOf(plant); run != own.RunsOf(plant + 1); ++run)
-        {
-          moved[skin].Move(*run, changes, scene.RigidityOf(plant), parts[skin]);
-        }
+        moved[skin].MovePlant(plant, changes, scene.RigidityOf(plant), parts[skin]);
       }
     }
-    const std::lock_guard<std::mutex> lock(adding);
     for (std::size_t skin = 0; skin < moved.size(); ++skin)
     {
-      moved[skin].Ranges[0].Add(parts[skin][0]);
-      moved[skin].Ranges[1].Add(parts[skin][1]);
+      moved[skin].AddRanges(parts[skin]);
     }
   });
-  for (std::size_t skin = 0; skin < moved.size(); ++skin)
+  for (const MovedSkin& skin : moved)
   {
-    moved[skin].Write(skins[skin], blocks);
+    skin.Write(blocks);
   }
 }
 
@@ -136,7 +181,9 @@ std::vector<SeaweedSkinBlock> ReadSkins(vtkMultiBlockDataSet* plants, const Seaw
     }
     RequireSkin(block, name, stand.GetSkeleton().Nodes.size());
     const auto vertices = static_cast<std::size_t>(block->GetNumberOfPoints());
-    skins.push_back({ name, block, SeaweedSkin(ReadJointIds(block), vertices, stand), ReadBinding(block) });
+    const SkinBinding binding = ReadBinding(block);
+    skins.push_back(
+      { name, block, SeaweedSkin(ReadJointIds(block), vertices, stand), binding, RigidBinding(binding), {} });
   }
   return skins;
 }
@@ -172,7 +219,7 @@ void ReadSeaweeds(vtkMultiBlockDataSet* plants, const SeaweedOptions& options, c
 }
 
 //----------------------------------------------------------------------------
-void WriteSeaweeds(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock>& skins, FrameArrays& arrays,
+void WriteSeaweeds(const SeaweedScene& scene, std::vector<SeaweedSkinBlock>& skins, SeaweedFrames& frames,
   vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output)
 {
   if (scene.GetStand().GetSkeleton().Nodes.empty())
@@ -181,7 +228,7 @@ void WriteSeaweeds(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock
   }
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->ShallowCopy(FindBlock(plants, plant::High));
-  WriteSkins(scene, skins, arrays, blocks);
+  WriteSkins(scene, skins, frames, blocks);
   WriteSkeleton(scene, PlantPartOf(plants, plant::High, plant::Skeleton), blocks);
   ReplaceBlock(output, plant::High, blocks);
 }
