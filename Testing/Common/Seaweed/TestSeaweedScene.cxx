@@ -494,7 +494,8 @@ TEST(SeaweedLevels, TrainsLeaveOutNoMoreThanTheMaximum)
   {
     for (const double maximum : { 1e-4, 1e-2, 0.1, 10.0 })
     {
-      const std::vector<float> shares = TrainShares(sea, height, maximum);
+      std::vector<float> shares(sea.Trains.size(), -1.0f);
+      FindTrainShares(TrainSums(sea, height).data(), shares.size(), maximum, shares.data());
       double left = 0.0;
       for (std::size_t n = 0; n < shares.size(); ++n)
       {
