@@ -438,26 +438,42 @@ SeaweedCounters SeaweedScene::Show(const SeaweedLevels& levels)
 }
 
 //----------------------------------------------------------------------------
+Vector3 SeaweedScene::NodeAt(std::size_t node, const std::vector<LinkPose>& poses) const
+{
+  const Vector3 position = this->Stand.GetSkeleton().Nodes[node].Position;
+  const int link = this->Stand.LinkOf(node);
+  if (link < 0)
+  {
+    return position;
+  }
+  const LinkPose& pose = poses[link];
+  const Vector3 foot = this->Motion->GetLinks()[link].Foot;
+  return position + (pose.Foot - foot) + RotationOffset(pose.Rotation, position - foot);
+}
+
+//----------------------------------------------------------------------------
+Vector3 SeaweedScene::NodeVelocity(std::size_t node, const std::vector<LinkPose>& poses) const
+{
+  const int link = this->Stand.LinkOf(node);
+  if (link < 0)
+  {
+    return Vector3(0.0);
+  }
+  const LinkPose& pose = poses[link];
+  return pose.Velocity + glm::cross(pose.Spin, this->NodeAt(node, poses) - pose.Foot);
+}
+
+//----------------------------------------------------------------------------
 /// Positions of the nodes [m], or their velocities [m/s].
 std::vector<Vector3> SeaweedScene::NodesAt(const std::vector<LinkPose>& poses, bool velocities) const
 {
-  const std::vector<SkeletonNode>& rest = this->Stand.GetSkeleton().Nodes;
-  std::vector<Vector3> nodes(rest.size());
-  for (std::size_t node = 0; node < nodes.size(); ++node)
-  {
-    const Vector3 position = rest[node].Position;
-    const int link = this->Stand.LinkOf(node);
-    if (link < 0)
+  std::vector<Vector3> nodes(this->Stand.GetSkeleton().Nodes.size());
+  this->Parallel(nodes.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t node = begin; node < end; ++node)
     {
-      nodes[node] = velocities ? Vector3(0.0) : position;
-      continue;
+      nodes[node] = velocities ? this->NodeVelocity(node, poses) : this->NodeAt(node, poses);
     }
-    const LinkPose& pose = poses[link];
-    const Vector3 foot = this->Motion->GetLinks()[link].Foot;
-    const Vector3 arm = position - foot;
-    const Vector3 moved = position + (pose.Foot - foot) + RotationOffset(pose.Rotation, arm);
-    nodes[node] = velocities ? pose.Velocity + glm::cross(pose.Spin, moved - pose.Foot) : moved;
-  }
+  });
   return nodes;
 }
 

@@ -95,6 +95,7 @@ public:
 
   /// Positions of the nodes as Show() found them [m].
   std::vector<Vector3> NodePositions() const { return this->NodesAt(this->Shown, false); }
+  Vector3 NodePosition(std::size_t node) const { return this->NodeAt(node, this->Shown); }
 
   /// Velocities [m/s] and accelerations [m/s2] of the nodes; empty unless found since the last Show().
   const std::vector<Vector3>& GetVelocities() const { return this->Velocities; }
@@ -160,6 +161,8 @@ private:
   SeaweedCounters ShowAt(double time, double remainder, const StepCurrents& currents, const SeaweedLevels& levels);
   void FindPhysicalMotion();
   void FindProceduralMotion();
+  Vector3 NodeAt(std::size_t node, const std::vector<LinkPose>& poses) const;
+  Vector3 NodeVelocity(std::size_t node, const std::vector<LinkPose>& poses) const;
   std::vector<Vector3> NodesAt(const std::vector<LinkPose>& poses, bool velocities) const;
 
   bool Physical;

@@ -113,13 +113,11 @@ private:
 void WriteSkins(
   const SeaweedScene& scene, std::vector<SeaweedSkinBlock>& skins, SeaweedFrames& frames, vtkMultiBlockDataSet* blocks)
 {
-  frames.Arrays.BeginFrame();
   std::deque<MovedSkin> moved;
   for (SeaweedSkinBlock& skin : skins)
   {
     moved.emplace_back(skin, frames.Arrays);
   }
-  frames.Arrays.EndFrame();
   std::vector<JointChange>& changes = frames.Changes;
   changes.resize(scene.GetStand().GetSkeleton().Nodes.size());
   for (MovedSkin& skin : moved)
@@ -148,19 +146,41 @@ void WriteSkins(
   }
 }
 
-void WriteSkeleton(const SeaweedScene& scene, vtkPolyData* bones, vtkMultiBlockDataSet* blocks)
+/// Positions of the nodes as shown: in an array of an earlier frame where they are of single precision.
+vtkSmartPointer<vtkDataArray> MovedNodes(const SeaweedScene& scene, vtkDataArray* rest, FrameArrays& arrays)
+{
+  const std::size_t nodes = scene.GetStand().GetSkeleton().Nodes.size();
+  if (auto* floats = vtkFloatArray::SafeDownCast(rest))
+  {
+    const auto moved = arrays.Like(floats);
+    float* to = moved->GetPointer(0);
+    SmpFor(nodes, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t node = begin; node < end; ++node)
+      {
+        const Vector3 place = scene.NodePosition(node);
+        to[3 * node] = static_cast<float>(place.x);
+        to[3 * node + 1] = static_cast<float>(place.y);
+        to[3 * node + 2] = static_cast<float>(place.z);
+      }
+    });
+    return moved;
+  }
+  const auto moved = vtkSmartPointer<vtkDataArray>::Take(rest->NewInstance());
+  moved->SetNumberOfComponents(3);
+  SetTuples(moved, static_cast<vtkIdType>(nodes));
+  for (std::size_t node = 0; node < nodes; ++node)
+  {
+    const Vector3 place = scene.NodePosition(node);
+    moved->SetTuple(static_cast<vtkIdType>(node), &place.x);
+  }
+  return moved;
+}
+
+void WriteSkeleton(const SeaweedScene& scene, vtkPolyData* bones, FrameArrays& arrays, vtkMultiBlockDataSet* blocks)
 {
   vtkNew<vtkPolyData> bent;
   bent->ShallowCopy(bones);
-  vtkNew<vtkPoints> points;
-  points->SetDataType(bones->GetPoints()->GetDataType());
-  SetTuples(points->GetData(), bones->GetNumberOfPoints());
-  const std::vector<Vector3> nodes = scene.NodePositions();
-  for (std::size_t node = 0; node < nodes.size(); ++node)
-  {
-    points->SetPoint(static_cast<vtkIdType>(node), &nodes[node].x);
-  }
-  bent->SetPoints(PointsWithRanges(points->GetData()));
+  bent->SetPoints(PointsWithRanges(MovedNodes(scene, bones->GetPoints()->GetData(), arrays)));
   if (!scene.GetVelocities().empty())
   {
     bent->GetPointData()->AddArray(ArrayOf<vtkFloatArray>("Velocity", 3, scene.GetVelocities()));
@@ -228,8 +248,10 @@ void WriteSeaweeds(const SeaweedScene& scene, std::vector<SeaweedSkinBlock>& ski
   }
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->ShallowCopy(FindBlock(plants, plant::High));
+  frames.Arrays.BeginFrame();
   WriteSkins(scene, skins, frames, blocks);
-  WriteSkeleton(scene, PlantPartOf(plants, plant::High, plant::Skeleton), blocks);
+  WriteSkeleton(scene, PlantPartOf(plants, plant::High, plant::Skeleton), frames.Arrays, blocks);
+  frames.Arrays.EndFrame();
   ReplaceBlock(output, plant::High, blocks);
 }
 
