@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Particles/ParticleFog.h"
 
+#include "Numerics/SimdClones.h"
+
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
+#include <cstdint>
+#include <cstring>
+#include <memory>
 
 namespace littoral
 {
@@ -13,15 +15,16 @@ namespace littoral
 namespace
 {
 
-/// The cell of a place, and where in it, 0 to 1 along each axis.
-struct Location
+/// A particle in a cell of its layer of cells.
+struct Located
 {
-  std::array<int, 3> Cell;
-  Vector3 Part;
+  double Part[3];       ///< where in the cell, 0 to 1 along each axis
+  double CrossSection;  ///< [m2]
+  std::uint32_t Sample; ///< the cell's first one in the layer of samples below
 };
 
-/// False for places outside of the grid.
-bool Locate(const FogGrid& grid, const Vector3& place, Location& location)
+/// False for places outside of the grid; else the cell, and where in it.
+LITTORAL_INLINE bool Locate(const FogGrid& grid, const Vector3& place, int cell[3], double part[3])
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -33,146 +36,241 @@ bool Locate(const FogGrid& grid, const Vector3& place, Location& location)
     {
       return false;
     }
-    location.Cell[axis] = std::clamp(static_cast<int>(x), 0, last - 1);
-    location.Part[axis] = std::clamp(x - location.Cell[axis], 0.0, 1.0);
+    cell[axis] = std::clamp(static_cast<int>(x), 0, last - 1);
+    part[axis] = std::clamp(x - cell[axis], 0.0, 1.0);
   }
   return true;
 }
 
-/// The volume that a sample stands for: less on the faces of the grid.
-double VolumeOf(const FogGrid& grid, int i, int j, int k)
+/// The lengths along an axis that samples stand for: less on the faces of the grid.
+std::vector<double> LengthsOf(const FogGrid& grid, int axis)
 {
-  const int index[3] = { i, j, k };
-  double volume = 1.0;
-  for (int axis = 0; axis < 3; ++axis)
+  std::vector<double> lengths;
+  for (int index = 0; index < grid.Count[axis]; ++index)
   {
-    const bool onFace = index[axis] == 0 || index[axis] == grid.Count[axis] - 1;
-    volume *= grid.Spacing[axis] * (onFace ? 0.5 : 1.0);
+    const bool onFace = index == 0 || index == grid.Count[axis] - 1;
+    lengths.push_back(grid.Spacing[axis] * (onFace ? 0.5 : 1.0));
   }
-  return volume;
+  return lengths;
 }
 
-std::size_t SampleOf(const FogGrid& grid, int i, int j, int k)
+/// Particles by layer of cells, in their order: in runs that one thread locates at a time, from layer to layer within a
+/// run. What is in memory is written once and read once.
+class LocatedParticles
 {
-  return (static_cast<std::size_t>(k) * grid.Count[1] + j) * grid.Count[0] + i;
-}
-
-/// A particle and its location.
-struct Located
-{
-  Location Where;
-  double CrossSection;
-};
-
-/// Particles that one thread locates at a time.
-constexpr std::size_t ParticlesAtOnce = 1 << 14;
-
-/// Some of the particles by layer of cells, in their order.
-struct Run
-{
-  std::vector<std::vector<Located>> Layers;
-  long long Outside = 0;
-};
-
-/// The particles in runs, one after the other.
-std::vector<Run> RunsOf(const FogGrid& grid, const std::vector<FogParticle>& particles, const ParallelFor& parallelFor)
-{
-  std::vector<Run> runs((particles.size() + ParticlesAtOnce - 1) / ParticlesAtOnce);
-  parallelFor(runs.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t run = first; run < last; ++run)
-    {
-      runs[run].Layers.resize(grid.Count[2] - 1);
-      const std::size_t end = std::min(particles.size(), (run + 1) * ParticlesAtOnce);
-      for (std::size_t n = run * ParticlesAtOnce; n < end; ++n)
+public:
+  LocatedParticles(
+    const FogGrid& grid, std::size_t count, const FogParticles& particles, const ParallelFor& parallelFor)
+    : Grid(grid)
+    , Layers(static_cast<std::size_t>(grid.Count[2]) - 1)
+    , Length(std::max<std::size_t>(4096, 4 * Layers)) // so that the ends of layers are few beside the particles
+    , Particles(new Located[count])
+    , Ends((count + Length - 1) / Length * Layers)
+  {
+    const std::size_t runs = this->Ends.size() / this->Layers;
+    parallelFor(runs, [&](std::size_t first, std::size_t last) {
+      Work work;
+      for (std::size_t run = first; run < last; ++run)
       {
-        Location where;
-        if (Locate(grid, particles[n].Place, where))
-        {
-          runs[run].Layers[where.Cell[2]].push_back({ where, particles[n].CrossSection });
-        }
-        else
-        {
-          ++runs[run].Outside;
-        }
+        const std::size_t begin = run * this->Length;
+        this->Sort(run, begin, std::min(count, begin + this->Length), particles, work);
+      }
+    });
+  }
+
+  std::size_t GetNumberOfInside() const
+  {
+    std::size_t inside = 0;
+    for (std::size_t last = this->Layers; last <= this->Ends.size(); last += this->Layers)
+    {
+      inside += this->Ends[last - 1] - (last / this->Layers - 1) * this->Length;
+    }
+    return inside;
+  }
+
+  /// Calls a task with the particles of a layer, run by run.
+  template <typename Task>
+  void ForLayer(std::size_t layer, const Task& task) const
+  {
+    for (std::size_t run = 0; run * this->Layers < this->Ends.size(); ++run)
+    {
+      const std::size_t* ends = &this->Ends[run * this->Layers];
+      const std::size_t begin = layer > 0 ? ends[layer - 1] : run * this->Length;
+      task(this->Particles.get() + begin, this->Particles.get() + ends[layer]);
+    }
+  }
+
+private:
+  /// A run of particles as they come.
+  struct Work
+  {
+    std::vector<FogParticle> Particles;
+    std::vector<Located> Inside;
+    std::vector<std::uint32_t> LayerOf;
+    std::vector<std::size_t> Next;
+  };
+
+  const FogGrid& Grid;
+  std::size_t Layers;
+  std::size_t Length;                   ///< of a run
+  std::unique_ptr<Located[]> Particles; ///< not filled behind the last layer of a run
+  std::vector<std::size_t> Ends;        ///< of the layers of each run
+
+  void Sort(std::size_t run, std::size_t begin, std::size_t end, const FogParticles& particles, Work& work)
+  {
+    this->LocateRun(begin, end, particles, work);
+    std::size_t* ends = &this->Ends[run * this->Layers];
+    std::fill_n(ends, this->Layers, 0);
+    for (const std::uint32_t layer : work.LayerOf)
+    {
+      ++ends[layer];
+    }
+    work.Next.resize(this->Layers);
+    std::size_t sum = begin;
+    for (std::size_t layer = 0; layer < this->Layers; ++layer)
+    {
+      work.Next[layer] = sum;
+      sum += ends[layer];
+      ends[layer] = sum;
+    }
+    for (std::size_t n = 0; n < work.LayerOf.size(); ++n)
+    {
+      this->Particles[work.Next[work.LayerOf[n]]++] = work.Inside[n];
+    }
+  }
+
+  void LocateRun(std::size_t begin, std::size_t end, const FogParticles& particles, Work& work) const
+  {
+    work.Particles.resize(this->Length);
+    work.Inside.resize(this->Length);
+    work.LayerOf.clear();
+    particles(begin, end, work.Particles.data());
+    for (std::size_t n = 0; n < end - begin; ++n)
+    {
+      Located& located = work.Inside[work.LayerOf.size()];
+      int cell[3];
+      if (Locate(this->Grid, work.Particles[n].Place, cell, located.Part))
+      {
+        located.CrossSection = work.Particles[n].CrossSection;
+        located.Sample = static_cast<std::uint32_t>(cell[1] * this->Grid.Count[0] + cell[0]);
+        work.LayerOf.push_back(static_cast<std::uint32_t>(cell[2]));
       }
     }
-  });
-  return runs;
-}
-
-/// Adds to the samples of a layer what the particles of the cells above (side 0) or below (side 1) give to it.
-void AddLayer(const FogGrid& grid, const std::vector<Located>& particles, int side, std::vector<double>& layer)
-{
-  for (const Located& particle : particles)
-  {
-    const Vector3& part = particle.Where.Part;
-    const double up = side == 0 ? 1.0 - part.z : part.z;
-    for (int corner = 0; corner < 4; ++corner)
-    {
-      const int i = corner & 1;
-      const int j = corner >> 1;
-      // Trilinear weight of a particle at a sample
-      const double weight = (i == 0 ? 1.0 - part.x : part.x) * (j == 0 ? 1.0 - part.y : part.y) * up;
-      const std::size_t sample =
-        static_cast<std::size_t>(particle.Where.Cell[1] + j) * grid.Count[0] + particle.Where.Cell[0] + i;
-      layer[sample] += weight * particle.CrossSection;
-    }
   }
-}
+};
 
-}
+/// Two samples side by side.
+typedef double Pair __attribute__((vector_size(2 * sizeof(double))));
 
-std::array<double, 6> BoundsOf(const std::vector<FogParticle>& particles, double thickness)
+/// Adds to two samples that follow each other.
+LITTORAL_INLINE void AddTo(double* samples, const Pair& part)
 {
-  std::array<double, 6> bounds;
+  Pair sum;
+  std::memcpy(&sum, samples, sizeof sum);
+  sum += part;
+  std::memcpy(samples, &sum, sizeof sum);
+}
+
+/// Adds to the samples below (side 0) or above (side 1) a layer of cells what a particle gives to them.
+LITTORAL_INLINE void AddParticle(const Located& particle, int side, std::size_t width, double* layer)
+{
+  const double* part = particle.Part;
+  const double up = side == 0 ? 1.0 - part[2] : part[2];
+  // Trilinear weight of a particle at a sample: by x, y and z
+  const Pair alongX = { 1.0 - part[0], part[0] };
+  AddTo(layer + particle.Sample, alongX * (1.0 - part[1]) * up * particle.CrossSection);
+  AddTo(layer + particle.Sample + width, alongX * part[1] * up * particle.CrossSection);
+}
+
+/// Sums of two layers of samples, the one below the cells at hand and the one above.
+class LayerSums
+{
+public:
+  explicit LayerSums(const FogGrid& grid)
+    : Width(static_cast<std::size_t>(grid.Count[0]))
+    , Below(Width * static_cast<std::size_t>(grid.Count[1]))
+    , Above(Below.size())
+  {
+  }
+
+  const std::vector<double>& GetBelow() const { return this->Below; }
+
+  void Add(const LocatedParticles& particles, std::size_t layer)
+  {
+    particles.ForLayer(layer, [this](const Located* begin, const Located* end) {
+      for (const Located* particle = begin; particle != end; ++particle)
+      {
+        AddParticle(*particle, 0, this->Width, this->Below.data());
+        AddParticle(*particle, 1, this->Width, this->Above.data());
+      }
+    });
+  }
+
+  /// Goes up by a layer.
+  void Rise()
+  {
+    this->Below.swap(this->Above);
+    std::fill(this->Above.begin(), this->Above.end(), 0.0);
+  }
+
+private:
+  std::size_t Width;
+  std::vector<double> Below;
+  std::vector<double> Above;
+};
+
+/// Layers of samples that one thread does at a time: of the cells below them those of one layer are done twice.
+constexpr std::size_t LayersAtOnce = 8;
+
+}
+
+std::array<double, 6> Thickened(const std::array<double, 6>& bounds, double thickness)
+{
+  std::array<double, 6> thick = bounds;
   for (int axis = 0; axis < 3; ++axis)
   {
-    double low = particles.empty() ? 0.0 : std::numeric_limits<double>::infinity();
-    double high = particles.empty() ? 1.0 : -low;
-    for (const FogParticle& particle : particles)
-    {
-      low = std::min(low, particle.Place[axis]);
-      high = std::max(high, particle.Place[axis]);
-    }
-    const double missing = std::max(0.0, thickness - (high - low));
-    bounds[2 * axis] = low - 0.5 * missing;
-    bounds[2 * axis + 1] = high + 0.5 * missing;
+    const double missing = std::max(0.0, thickness - (bounds[2 * axis + 1] - bounds[2 * axis]));
+    thick[2 * axis] -= 0.5 * missing;
+    thick[2 * axis + 1] += 0.5 * missing;
   }
-  return bounds;
+  return thick;
 }
 
-ParticleFog::ParticleFog(
-  const FogGrid& grid, const std::vector<FogParticle>& particles, const ParallelFor& parallelFor, const Poll& poll)
-  : Extinction(grid.NumberOfSamples(), 0.0f)
+ParticleFog::ParticleFog(const FogGrid& grid, std::size_t count, const FogParticles& particles,
+  const ParallelFor& parallelFor, const Poll& poll)
+  : Extinction(grid.NumberOfSamples())
 {
   // Layers of cells keep the order of the particles; a layer of samples adds the cells below, then those above. So the
   // order of sums is that of the particles, on any threads.
   poll();
-  const std::vector<Run> runs = RunsOf(grid, particles, parallelFor);
-  for (const Run& run : runs)
-  {
-    this->Outside += run.Outside;
-  }
-  parallelFor(static_cast<std::size_t>(grid.Count[2]), [&](std::size_t begin, std::size_t end) {
-    std::vector<double> layer(static_cast<std::size_t>(grid.Count[0]) * grid.Count[1]);
-    for (int k = static_cast<int>(begin); k < static_cast<int>(end); ++k)
+  const LocatedParticles located(grid, count, particles, parallelFor);
+  this->Outside = static_cast<long long>(count - located.GetNumberOfInside());
+  const auto layers = static_cast<std::size_t>(grid.Count[2]);
+  const std::vector<double> lengths[3] = { LengthsOf(grid, 0), LengthsOf(grid, 1), LengthsOf(grid, 2) };
+  ForRanges(parallelFor, layers, LayersAtOnce, [&](std::size_t begin, std::size_t end) {
+    LayerSums sums(grid);
+    if (begin > 0)
     {
-      std::fill(layer.begin(), layer.end(), 0.0);
-      for (std::size_t run = 0; k > 0 && run < runs.size(); ++run)
+      sums.Add(located, begin - 1);
+    }
+    for (std::size_t k = begin; k < end; ++k)
+    {
+      if (k > 0)
       {
-        AddLayer(grid, runs[run].Layers[k - 1], 1, layer);
+        sums.Rise();
       }
-      for (std::size_t run = 0; k < grid.Count[2] - 1 && run < runs.size(); ++run)
+      if (k < layers - 1)
       {
-        AddLayer(grid, runs[run].Layers[k], 0, layer);
+        sums.Add(located, k);
       }
-      for (int j = 0; j < grid.Count[1]; ++j)
+      // sigma = sum of w C / V [1/m]: weights w, cross sections C, volume V of the sample
+      const double* section = sums.GetBelow().data();
+      float* extinction = this->Extinction.data() + k * sums.GetBelow().size();
+      for (const double alongY : lengths[1])
       {
-        for (int i = 0; i < grid.Count[0]; ++i)
+        for (const double alongX : lengths[0])
         {
-          // sigma = sum of w C / V [1/m]: weights w, cross sections C, volume V of the sample
-          const double section = layer[static_cast<std::size_t>(j) * grid.Count[0] + i];
-          this->Extinction[SampleOf(grid, i, j, k)] = static_cast<float>(section / VolumeOf(grid, i, j, k));
+          *extinction++ = static_cast<float>(*section++ / (alongX * alongY * lengths[2][k]));
         }
       }
     }
@@ -181,15 +279,17 @@ ParticleFog::ParticleFog(
 
 double TotalCrossSection(const FogGrid& grid, const std::vector<float>& extinction, const Poll& onRow)
 {
+  const std::vector<double> lengths[3] = { LengthsOf(grid, 0), LengthsOf(grid, 1), LengthsOf(grid, 2) };
+  const float* sample = extinction.data();
   double total = 0.0;
-  for (int k = 0; k < grid.Count[2]; ++k)
+  for (const double alongZ : lengths[2])
   {
-    for (int j = 0; j < grid.Count[1]; ++j)
+    for (const double alongY : lengths[1])
     {
       onRow();
-      for (int i = 0; i < grid.Count[0]; ++i)
+      for (const double alongX : lengths[0])
       {
-        total += VolumeOf(grid, i, j, k) * extinction[SampleOf(grid, i, j, k)];
+        total += alongX * alongY * alongZ * *sample++;
       }
     }
   }

@@ -7,7 +7,8 @@
 #include "Numerics/Vector3.h"
 
 #include <array>
-#include <string>
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace littoral
@@ -33,8 +34,11 @@ struct FogParticle
   double CrossSection; ///< [m2]
 };
 
-/// Smallest and largest x, y, z of the particles, no nearer to each other than a thickness [m]; 0 and 1 without any.
-std::array<double, 6> BoundsOf(const std::vector<FogParticle>& particles, double thickness);
+/// Writes the particles [begin, end) to a list; called by several threads.
+using FogParticles = std::function<void(std::size_t begin, std::size_t end, FogParticle* particles)>;
+
+/// Bounds of the places of particles whose sides are no shorter than a thickness [m].
+std::array<double, 6> Thickened(const std::array<double, 6>& bounds, double thickness);
 
 /**
  * The extinction [1/m] of particles that cannot be told apart: cross sections by volume (Coulais et al., 3.3.3 draw a
@@ -45,7 +49,7 @@ std::array<double, 6> BoundsOf(const std::vector<FogParticle>& particles, double
 class ParticleFog
 {
 public:
-  ParticleFog(const FogGrid& grid, const std::vector<FogParticle>& particles,
+  ParticleFog(const FogGrid& grid, std::size_t count, const FogParticles& particles,
     const ParallelFor& parallelFor = SerialFor, const Poll& poll = NoPoll);
 
   /// x fastest [1/m].
