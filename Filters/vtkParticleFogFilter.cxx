@@ -48,6 +48,7 @@ namespace
 constexpr double BytesAParticle = 50.0;
 constexpr double BytesASample = 24.0;
 constexpr double MostSamplesAlong = 1e6;
+constexpr std::size_t MostKept = 4000000; // particles whose memory is kept for the next frame: 160 MB
 
 /// The point sets that become fog: those of the block Far if there is one, else all.
 std::vector<vtkPointSet*> FogOf(vtkDataObject* input)
@@ -73,6 +74,13 @@ void RequirePoint(vtkIdType n, double radius, double alpha)
   littoral::Require(check.Reason());
 }
 
+/// The values of an array of single precision; null of any other.
+const float* FloatsOf(vtkDataArray* array)
+{
+  auto* floats = vtkFloatArray::SafeDownCast(array);
+  return floats ? floats->GetPointer(0) : nullptr;
+}
+
 /// The particles of a point set, as the fog takes them.
 class ParticleReader
 {
@@ -81,7 +89,7 @@ public:
     : First(first)
     , Count(static_cast<std::size_t>(set->GetNumberOfPoints()))
     , Places(set->GetPoints()->GetData())
-    , SinglePlaces(vtkFloatArray::SafeDownCast(Places))
+    , SinglePlaces(FloatsOf(Places))
     , Efficiency(efficiency)
   {
     const littoral::ArrayReader points = littoral::ArrayReader::OfPoints(set, "a set of particles");
@@ -114,12 +122,12 @@ public:
     {
       const auto id = static_cast<vtkIdType>(n - this->First);
       littoral::FogParticle& particle = particles[n - begin];
-      this->SinglePlaces ? static_cast<void>(std::copy_n(this->SinglePlaces->GetPointer(3 * id), 3, &particle.Place.x))
+      this->SinglePlaces ? static_cast<void>(std::copy_n(this->SinglePlaces + 3 * id, 3, &particle.Place.x))
                          : this->Places->GetTuple(id, &particle.Place.x);
       const double radius = this->Radius.At(id);
       const double alpha = this->Alpha.At(id);
       particle.CrossSection = alpha * this->Efficiency * littoral::Pi * radius * radius;
-      if (!littoral::ValueInterval::NotNegative().Contains(radius) || !(alpha >= 0.0 && alpha <= 1.0))
+      if (!(radius >= 0.0 && radius <= std::numeric_limits<double>::max() && alpha >= 0.0 && alpha <= 1.0))
       {
         this->AddMistake(id);
       }
@@ -142,17 +150,17 @@ private:
   {
     vtkDataArray* Array;
     double All;
-    vtkFloatArray* Single;
+    const float* Single;
 
     Numbers(vtkDataArray* array = nullptr, double all = 0.0)
       : Array(array)
       , All(all)
-      , Single(vtkFloatArray::SafeDownCast(array))
+      , Single(FloatsOf(array))
     {
     }
     double At(vtkIdType n) const
     {
-      return this->Single ? static_cast<double>(this->Single->GetValue(n))
+      return this->Single ? static_cast<double>(this->Single[n])
         : this->Array     ? this->Array->GetComponent(n, 0)
                           : this->All;
     }
@@ -161,7 +169,7 @@ private:
   std::size_t First;
   std::size_t Count;
   vtkDataArray* Places;
-  vtkFloatArray* SinglePlaces;
+  const float* SinglePlaces;
   double Efficiency;
   Numbers Radius;
   Numbers Alpha;
@@ -218,6 +226,12 @@ void CopyExtinction(const littoral::FogGrid& grid, const littoral::ParticleFog& 
 
 }
 
+class vtkParticleFogFilter::vtkInternals
+{
+public:
+  littoral::FogMemory Memory;
+};
+
 //----------------------------------------------------------------------------
 vtkParticleFogFilter::vtkParticleFogFilter()
   : GridBy(ByDimensions)
@@ -228,6 +242,7 @@ vtkParticleFogFilter::vtkParticleFogFilter()
   , ParticleRadius(0.005)
   , ExtinctionEfficiency(1.0)
   , WaterExtinction(0.0)
+  , Internals(new vtkInternals)
 {
 }
 
@@ -372,7 +387,9 @@ int vtkParticleFogFilter::RequestData(
   this->UpdateProgress(0.1);
   const std::array<double, 6> bounds = littoral::Thickened(BoundsOf(readers), 2.0 * this->ParticleRadius);
   const littoral::FogGrid grid = this->MakeGrid(this->UseBounds ? this->Bounds : bounds.data());
-  const littoral::ParticleFog fog(grid, number, read, littoral::AbortableFor(this), littoral::PollOf(this));
+  littoral::FogMemory& memory = this->Internals->Memory;
+  const littoral::ParticleFog fog(grid, number, read, memory, littoral::AbortableFor(this), littoral::PollOf(this));
+  memory.Limit(MostKept);
   for (const ParticleReader& reader : readers)
   {
     reader.RequireParticles();

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Particles/ParticleFog.h"
 
-#include "Numerics/SimdClones.h"
+#include "Numerics/SimdDouble4.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <memory>
+#include <limits>
 
 namespace littoral
 {
@@ -15,32 +15,58 @@ namespace littoral
 namespace
 {
 
-/// A particle in a cell of its layer of cells.
-struct Located
-{
-  double Part[3];       ///< where in the cell, 0 to 1 along each axis
-  double CrossSection;  ///< [m2]
-  std::uint32_t Sample; ///< the cell's first one in the layer of samples below
-};
+using Located = LocatedFogParticle;
 
-/// False for places outside of the grid; else the cell, and where in it.
-LITTORAL_INLINE bool Locate(const FogGrid& grid, const Vector3& place, int cell[3], double part[3])
+/// Finds the cells of places in a grid: x, y, z and the cross section in a lane each, the last one as it comes.
+class Locator
 {
-  for (int axis = 0; axis < 3; ++axis)
+public:
+  explicit Locator(const FogGrid& grid)
+    : Origin(grid.Origin.x, grid.Origin.y, grid.Origin.z, 0.0)
+    , Spacing(grid.Spacing.x, grid.Spacing.y, grid.Spacing.z, 1.0)
+    , Last(grid.Count[0] - 1, grid.Count[1] - 1, grid.Count[2] - 1, 1.0)
   {
-    const double x = (place[axis] - grid.Origin[axis]) / grid.Spacing[axis];
-    const int last = grid.Count[axis] - 1;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     // The faces belong to the grid, with the rounding of the places on them.
     constexpr double tolerance = 1e-9;
-    if (!(x >= -tolerance && x <= last + tolerance))
+    this->Low = SimdDouble4(-tolerance, -tolerance, -tolerance, -infinity);
+    this->High = this->Last + SimdDouble4(tolerance, tolerance, tolerance, infinity);
+    this->Most = SimdDouble4(1.0, 1.0, 1.0, infinity);
+  }
+
+  /// False for places outside of the grid; else the cell, and where in it.
+  LITTORAL_INLINE bool Locate(const FogParticle& particle, int cell[4], double part[4]) const
+  {
+    SimdDouble4 place;
+    std::memcpy(&place, &particle, sizeof place);
+    const SimdDouble4 x = (place - this->Origin) / this->Spacing;
+    const auto isInside = (x.Values >= this->Low.Values) & (x.Values <= this->High.Values);
+    if (!(isInside[0] & isInside[1] & isInside[2]))
     {
       return false;
     }
-    cell[axis] = std::clamp(static_cast<int>(x), 0, last - 1);
-    part[axis] = std::clamp(x - cell[axis], 0.0, 1.0);
+    const SimdDouble4 none(0.0);
+    // Wholes below what is no larger than the number of cells less one: a place on the last face is of the last cell.
+    const SimdDouble4 within = Min(Max(x, none), this->Last - SimdDouble4(1.0));
+    typedef int Wholes __attribute__((vector_size(4 * sizeof(int))));
+    const Wholes wholes = __builtin_convertvector(within.Values, Wholes);
+    const SimdDouble4 own(__builtin_convertvector(wholes, SimdDouble4::Register));
+    const SimdDouble4 parts = Min(Max(x - own, none), this->Most);
+    std::memcpy(cell, &wholes, sizeof wholes);
+    std::memcpy(part, &parts, sizeof parts);
+    return true;
   }
-  return true;
-}
+
+private:
+  SimdDouble4 Origin;
+  SimdDouble4 Spacing;
+  SimdDouble4 Last;
+  SimdDouble4 Low;
+  SimdDouble4 High;
+  SimdDouble4 Most;
+};
+
+static_assert(sizeof(FogParticle) == sizeof(SimdDouble4), "a place and a cross section fill a register");
 
 /// The lengths along an axis that samples stand for: less on the faces of the grid.
 std::vector<double> LengthsOf(const FogGrid& grid, int axis)
@@ -59,12 +85,12 @@ std::vector<double> LengthsOf(const FogGrid& grid, int axis)
 class LocatedParticles
 {
 public:
-  LocatedParticles(
-    const FogGrid& grid, std::size_t count, const FogParticles& particles, const ParallelFor& parallelFor)
+  LocatedParticles(const FogGrid& grid, std::size_t count, const FogParticles& particles, FogMemory& memory,
+    const ParallelFor& parallelFor)
     : Grid(grid)
     , Layers(static_cast<std::size_t>(grid.Count[2]) - 1)
     , Length(std::max<std::size_t>(4096, 4 * Layers)) // so that the ends of layers are few beside the particles
-    , Particles(new Located[count])
+    , Particles(memory.Take(count))
     , Ends((count + Length - 1) / Length * Layers)
   {
     const std::size_t runs = this->Ends.size() / this->Layers;
@@ -96,7 +122,7 @@ public:
     {
       const std::size_t* ends = &this->Ends[run * this->Layers];
       const std::size_t begin = layer > 0 ? ends[layer - 1] : run * this->Length;
-      task(this->Particles.get() + begin, this->Particles.get() + ends[layer]);
+      task(this->Particles + begin, this->Particles + ends[layer]);
     }
   }
 
@@ -112,9 +138,9 @@ private:
 
   const FogGrid& Grid;
   std::size_t Layers;
-  std::size_t Length;                   ///< of a run
-  std::unique_ptr<Located[]> Particles; ///< not filled behind the last layer of a run
-  std::vector<std::size_t> Ends;        ///< of the layers of each run
+  std::size_t Length;            ///< of a run
+  Located* Particles;            ///< not filled behind the last layer of a run
+  std::vector<std::size_t> Ends; ///< of the layers of each run
 
   void Sort(std::size_t run, std::size_t begin, std::size_t end, const FogParticles& particles, Work& work)
   {
@@ -139,23 +165,27 @@ private:
     }
   }
 
-  void LocateRun(std::size_t begin, std::size_t end, const FogParticles& particles, Work& work) const
+  LITTORAL_SIMD_CLONES void LocateRun(
+    std::size_t begin, std::size_t end, const FogParticles& particles, Work& work) const
   {
+    const Locator locator(this->Grid);
+    const int width = this->Grid.Count[0];
     work.Particles.resize(this->Length);
     work.Inside.resize(this->Length);
-    work.LayerOf.clear();
+    work.LayerOf.resize(this->Length);
     particles(begin, end, work.Particles.data());
+    std::size_t inside = 0;
     for (std::size_t n = 0; n < end - begin; ++n)
     {
-      Located& located = work.Inside[work.LayerOf.size()];
-      int cell[3];
-      if (Locate(this->Grid, work.Particles[n].Place, cell, located.Part))
+      Located& located = work.Inside[inside];
+      int cell[4];
+      if (locator.Locate(work.Particles[n], cell, located.Values))
       {
-        located.CrossSection = work.Particles[n].CrossSection;
-        located.Sample = static_cast<std::uint32_t>(cell[1] * this->Grid.Count[0] + cell[0]);
-        work.LayerOf.push_back(static_cast<std::uint32_t>(cell[2]));
+        located.Sample = static_cast<std::uint32_t>(cell[1] * width + cell[0]);
+        work.LayerOf[inside++] = static_cast<std::uint32_t>(cell[2]);
       }
     }
+    work.LayerOf.resize(inside);
   }
 };
 
@@ -174,12 +204,12 @@ LITTORAL_INLINE void AddTo(double* samples, const Pair& part)
 /// Adds to the samples below (side 0) or above (side 1) a layer of cells what a particle gives to them.
 LITTORAL_INLINE void AddParticle(const Located& particle, int side, std::size_t width, double* layer)
 {
-  const double* part = particle.Part;
+  const double* part = particle.Values;
   const double up = side == 0 ? 1.0 - part[2] : part[2];
   // Trilinear weight of a particle at a sample: by x, y and z
   const Pair alongX = { 1.0 - part[0], part[0] };
-  AddTo(layer + particle.Sample, alongX * (1.0 - part[1]) * up * particle.CrossSection);
-  AddTo(layer + particle.Sample + width, alongX * part[1] * up * particle.CrossSection);
+  AddTo(layer + particle.Sample, alongX * (1.0 - part[1]) * up * part[3]);
+  AddTo(layer + particle.Sample + width, alongX * part[1] * up * part[3]);
 }
 
 /// Sums of two layers of samples, the one below the cells at hand and the one above.
@@ -224,6 +254,26 @@ constexpr std::size_t LayersAtOnce = 8;
 
 }
 
+LocatedFogParticle* FogMemory::Take(std::size_t count)
+{
+  if (count > this->Size)
+  {
+    this->Particles.reset();
+    this->Particles.reset(new LocatedFogParticle[count]);
+    this->Size = count;
+  }
+  return this->Particles.get();
+}
+
+void FogMemory::Limit(std::size_t count)
+{
+  if (this->Size > count)
+  {
+    this->Particles.reset();
+    this->Size = 0;
+  }
+}
+
 std::array<double, 6> Thickened(const std::array<double, 6>& bounds, double thickness)
 {
   std::array<double, 6> thick = bounds;
@@ -236,14 +286,14 @@ std::array<double, 6> Thickened(const std::array<double, 6>& bounds, double thic
   return thick;
 }
 
-ParticleFog::ParticleFog(const FogGrid& grid, std::size_t count, const FogParticles& particles,
+ParticleFog::ParticleFog(const FogGrid& grid, std::size_t count, const FogParticles& particles, FogMemory& memory,
   const ParallelFor& parallelFor, const Poll& poll)
   : Extinction(grid.NumberOfSamples())
 {
   // Layers of cells keep the order of the particles; a layer of samples adds the cells below, then those above. So the
   // order of sums is that of the particles, on any threads.
   poll();
-  const LocatedParticles located(grid, count, particles, parallelFor);
+  const LocatedParticles located(grid, count, particles, memory, parallelFor);
   this->Outside = static_cast<long long>(count - located.GetNumberOfInside());
   const auto layers = static_cast<std::size_t>(grid.Count[2]);
   const std::vector<double> lengths[3] = { LengthsOf(grid, 0), LengthsOf(grid, 1), LengthsOf(grid, 2) };

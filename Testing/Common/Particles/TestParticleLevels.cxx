@@ -720,7 +720,8 @@ ParticleFog FogOf(
     std::copy(
       particles.begin() + static_cast<std::ptrdiff_t>(begin), particles.begin() + static_cast<std::ptrdiff_t>(end), to);
   };
-  return ParticleFog(grid, particles.size(), read, parallel);
+  FogMemory memory;
+  return ParticleFog(grid, particles.size(), read, memory, parallel);
 }
 
 }
@@ -809,6 +810,26 @@ TEST(ParticleFog, LayersKeepTheOrderOfTheParticles)
     const int at[3] = { static_cast<int>(n % 3), static_cast<int>(n / 3 % 3), static_cast<int>(n / 9) };
     const double volume = (at[0] == 1 ? 1.0 : 0.5) * (at[1] == 1 ? 1.0 : 0.5) * (at[2] % 20 > 0 ? 1.0 : 0.5);
     EXPECT_FLOAT_EQ(fog.GetExtinction()[n], static_cast<float>((below[n] + above[n]) / volume));
+  }
+}
+
+TEST(ParticleFog, MemoryOfFormerFogsDoesNotShow)
+{
+  const FogGrid grid{ { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, { 3, 3, 3 } };
+  FogMemory memory;
+  for (const int count : { 500, 20, 9000 })
+  {
+    std::vector<FogParticle> particles;
+    for (const Vector3& place : Places(count, { { 0.0, 0.0, 0.0 }, { 2.0, 2.0, 2.0 } }))
+    {
+      particles.push_back({ place, 1e-3 });
+    }
+    const auto read = [&particles](std::size_t begin, std::size_t end, FogParticle* to) {
+      std::copy(particles.data() + begin, particles.data() + end, to);
+    };
+    EXPECT_EQ(
+      ParticleFog(grid, particles.size(), read, memory).GetExtinction(), FogOf(grid, particles).GetExtinction());
+    memory.Limit(400);
   }
 }
 
