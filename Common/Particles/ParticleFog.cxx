@@ -17,11 +17,15 @@ namespace
 
 using Located = LocatedFogParticle;
 
+typedef int Wholes __attribute__((vector_size(4 * sizeof(int))));
+/// Four numbers anywhere in memory: std::memcpy would move them by halves, for which the whole would wait.
+typedef double FourInMemory __attribute__((vector_size(4 * sizeof(double)), aligned(sizeof(double)), may_alias));
+
 /// Finds the cells of places in a grid: x, y, z and the cross section in a lane each, the last one as it comes.
 class Locator
 {
 public:
-  explicit Locator(const FogGrid& grid)
+  LITTORAL_INLINE explicit Locator(const FogGrid& grid)
     : Origin(grid.Origin.x, grid.Origin.y, grid.Origin.z, 0.0)
     , Spacing(grid.Spacing.x, grid.Spacing.y, grid.Spacing.z, 1.0)
     , Last(grid.Count[0] - 1, grid.Count[1] - 1, grid.Count[2] - 1, 1.0)
@@ -35,10 +39,10 @@ public:
   }
 
   /// False for places outside of the grid; else the cell, and where in it.
-  LITTORAL_INLINE bool Locate(const FogParticle& particle, int cell[4], double part[4]) const
+  LITTORAL_INLINE bool Locate(const FogParticle& particle, Wholes& cell, double part[4]) const
   {
-    SimdDouble4 place;
-    std::memcpy(&place, &particle, sizeof place);
+    const FourInMemory four = *reinterpret_cast<const FourInMemory*>(&particle);
+    const SimdDouble4 place(four[0], four[1], four[2], four[3]);
     const SimdDouble4 x = (place - this->Origin) / this->Spacing;
     const auto isInside = (x.Values >= this->Low.Values) & (x.Values <= this->High.Values);
     if (!(isInside[0] & isInside[1] & isInside[2]))
@@ -48,12 +52,9 @@ public:
     const SimdDouble4 none(0.0);
     // Wholes below what is no larger than the number of cells less one: a place on the last face is of the last cell.
     const SimdDouble4 within = Min(Max(x, none), this->Last - SimdDouble4(1.0));
-    typedef int Wholes __attribute__((vector_size(4 * sizeof(int))));
-    const Wholes wholes = __builtin_convertvector(within.Values, Wholes);
-    const SimdDouble4 own(__builtin_convertvector(wholes, SimdDouble4::Register));
-    const SimdDouble4 parts = Min(Max(x - own, none), this->Most);
-    std::memcpy(cell, &wholes, sizeof wholes);
-    std::memcpy(part, &parts, sizeof parts);
+    cell = __builtin_convertvector(within.Values, Wholes);
+    const SimdDouble4 own(__builtin_convertvector(cell, SimdDouble4::Register));
+    *reinterpret_cast<FourInMemory*>(part) = Min(Max(x - own, none), this->Most).Values;
     return true;
   }
 
@@ -67,6 +68,25 @@ private:
 };
 
 static_assert(sizeof(FogParticle) == sizeof(SimdDouble4), "a place and a cross section fill a register");
+
+/// Locates particles: those inside of the grid, in their order, and their layers of cells. The number of these.
+LITTORAL_SIMD_CLONES std::size_t LocateAll(
+  const FogGrid& grid, const FogParticle* particles, std::size_t count, Located* inside, std::uint32_t* layers)
+{
+  const Locator locator(grid);
+  const int width = grid.Count[0];
+  std::size_t next = 0;
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    Wholes cell;
+    if (locator.Locate(particles[n], cell, inside[next].Values))
+    {
+      inside[next].Sample = static_cast<std::uint32_t>(cell[1] * width + cell[0]);
+      layers[next++] = static_cast<std::uint32_t>(cell[2]);
+    }
+  }
+  return next;
+}
 
 /// The lengths along an axis that samples stand for: less on the faces of the grid.
 std::vector<double> LengthsOf(const FogGrid& grid, int axis)
@@ -165,27 +185,14 @@ private:
     }
   }
 
-  LITTORAL_SIMD_CLONES void LocateRun(
-    std::size_t begin, std::size_t end, const FogParticles& particles, Work& work) const
+  void LocateRun(std::size_t begin, std::size_t end, const FogParticles& particles, Work& work) const
   {
-    const Locator locator(this->Grid);
-    const int width = this->Grid.Count[0];
     work.Particles.resize(this->Length);
     work.Inside.resize(this->Length);
     work.LayerOf.resize(this->Length);
     particles(begin, end, work.Particles.data());
-    std::size_t inside = 0;
-    for (std::size_t n = 0; n < end - begin; ++n)
-    {
-      Located& located = work.Inside[inside];
-      int cell[4];
-      if (locator.Locate(work.Particles[n], cell, located.Values))
-      {
-        located.Sample = static_cast<std::uint32_t>(cell[1] * width + cell[0]);
-        work.LayerOf[inside++] = static_cast<std::uint32_t>(cell[2]);
-      }
-    }
-    work.LayerOf.resize(inside);
+    work.LayerOf.resize(
+      LocateAll(this->Grid, work.Particles.data(), end - begin, work.Inside.data(), work.LayerOf.data()));
   }
 };
 
