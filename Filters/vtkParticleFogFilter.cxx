@@ -13,6 +13,7 @@
 #include "Particles/ParticleFog.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
+#include "Pipeline/Ranges.h"
 
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
@@ -32,6 +33,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -43,9 +45,10 @@ namespace
 {
 
 /// Memory of a particle and a sample at most [bytes].
-constexpr double BytesAParticle = 150.0;
+constexpr double BytesAParticle = 50.0;
 constexpr double BytesASample = 24.0;
 constexpr double MostSamplesAlong = 1e6;
+constexpr std::size_t MostKept = 4000000; // particles whose memory is kept for the next frame: 160 MB
 
 /// The point sets that become fog: those of the block Far if there is one, else all.
 std::vector<vtkPointSet*> FogOf(vtkDataObject* input)
@@ -71,48 +74,126 @@ void RequirePoint(vtkIdType n, double radius, double alpha)
   littoral::Require(check.Reason());
 }
 
-/// Adds the particles of a point set.
-void AddParticles(vtkPointSet* set, double defaultRadius, double efficiency,
-  std::vector<littoral::FogParticle>& particles, const littoral::ParallelFor& parallelFor)
+/// The values of an array of single precision; null of any other.
+const float* FloatsOf(vtkDataArray* array)
 {
-  const littoral::ArrayReader points = littoral::ArrayReader::OfPoints(set, "a set of particles");
-  vtkDataArray* radii = points.Find(littoral::sea::Radius, 1);
-  vtkDataArray* alphas = points.Find(littoral::sea::Alpha, 1);
-  points.NeedFinite(set->GetPoints()->GetData());
-  const std::size_t first = particles.size();
-  littoral::SetSize(particles, static_cast<vtkIdType>(first) + set->GetNumberOfPoints());
-  std::atomic<vtkIdType> bad(set->GetNumberOfPoints());
-  const auto numbers = [](vtkDataArray* array) {
-    const auto* single = vtkFloatArray::SafeDownCast(array);
-    return [array, single](
-             vtkIdType n) { return single ? static_cast<double>(single->GetValue(n)) : array->GetComponent(n, 0); };
-  };
-  const auto radiusOf = numbers(radii);
-  const auto alphaOf = numbers(alphas);
-  auto* places = vtkFloatArray::SafeDownCast(set->GetPoints()->GetData());
-  parallelFor(static_cast<std::size_t>(set->GetNumberOfPoints()), [&](std::size_t begin, std::size_t end) {
-    for (auto n = static_cast<vtkIdType>(begin); n < static_cast<vtkIdType>(end); ++n)
+  auto* floats = vtkFloatArray::SafeDownCast(array);
+  return floats ? floats->GetPointer(0) : nullptr;
+}
+
+/// The particles of a point set, as the fog takes them.
+class ParticleReader
+{
+public:
+  ParticleReader(vtkPointSet* set, std::size_t first, double radius, double efficiency)
+    : First(first)
+    , Count(static_cast<std::size_t>(set->GetNumberOfPoints()))
+    , Places(set->GetPoints()->GetData())
+    , SinglePlaces(FloatsOf(Places))
+    , Efficiency(efficiency)
+  {
+    const littoral::ArrayReader points = littoral::ArrayReader::OfPoints(set, "a set of particles");
+    this->Radius = { points.Find(littoral::sea::Radius, 1), radius };
+    this->Alpha = { points.Find(littoral::sea::Alpha, 1), 1.0 };
+    points.NeedFinite(this->Places);
+  }
+
+  std::size_t End() const { return this->First + this->Count; }
+
+  /// Adds to bounds.
+  void AddBounds(std::array<double, 6>& bounds) const
+  {
+    littoral::KeepRanges(this->Places);
+    for (int axis = 0; axis < 3; ++axis)
     {
-      littoral::FogParticle& particle = particles[first + static_cast<std::size_t>(n)];
-      places ? static_cast<void>(std::copy_n(places->GetPointer(3 * n), 3, &particle.Place.x))
-             : set->GetPoints()->GetData()->GetTuple(n, &particle.Place.x);
-      const double radius = radii ? radiusOf(n) : defaultRadius;
-      const double alpha = alphas ? alphaOf(n) : 1.0;
-      particle.CrossSection = alpha * efficiency * littoral::Pi * radius * radius;
-      if (!littoral::ValueInterval::NotNegative().Contains(radius) || !(alpha >= 0.0 && alpha <= 1.0))
+      double range[2];
+      this->Places->GetRange(range, axis);
+      bounds[2 * axis] = std::min(bounds[2 * axis], range[0]);
+      bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], range[1]);
+    }
+  }
+
+  /// Writes those of the particles [begin, end) that are of this set.
+  void Read(std::size_t begin, std::size_t end, littoral::FogParticle* particles)
+  {
+    const std::size_t from = std::max(begin, this->First);
+    const std::size_t to = std::min(end, this->End());
+    for (std::size_t n = from; n < to; ++n)
+    {
+      const auto id = static_cast<vtkIdType>(n - this->First);
+      littoral::FogParticle& particle = particles[n - begin];
+      this->SinglePlaces ? static_cast<void>(std::copy_n(this->SinglePlaces + 3 * id, 3, &particle.Place.x))
+                         : this->Places->GetTuple(id, &particle.Place.x);
+      const double radius = this->Radius.At(id);
+      const double alpha = this->Alpha.At(id);
+      particle.CrossSection = alpha * this->Efficiency * littoral::Pi * radius * radius;
+      if (!(radius >= 0.0 && radius <= std::numeric_limits<double>::max() && alpha >= 0.0 && alpha <= 1.0))
       {
-        vtkIdType former = bad; // the first of them
-        while (n < former && !bad.compare_exchange_weak(former, n))
-        {
-        }
+        this->AddMistake(id);
       }
     }
-  });
-  const vtkIdType n = bad;
-  if (n < set->GetNumberOfPoints())
-  {
-    RequirePoint(n, radii ? radiusOf(n) : defaultRadius, alphas ? alphaOf(n) : 1.0);
   }
+
+  /// Refuses points that were read and are no particles.
+  void RequireParticles() const
+  {
+    const vtkIdType id = this->Mistake;
+    if (id < static_cast<vtkIdType>(this->Count))
+    {
+      RequirePoint(id, this->Radius.At(id), this->Alpha.At(id));
+    }
+  }
+
+private:
+  /// Numbers of points, or one of all.
+  struct Numbers
+  {
+    vtkDataArray* Array;
+    double All;
+    const float* Single;
+
+    Numbers(vtkDataArray* array = nullptr, double all = 0.0)
+      : Array(array)
+      , All(all)
+      , Single(FloatsOf(array))
+    {
+    }
+    double At(vtkIdType n) const
+    {
+      return this->Single ? static_cast<double>(this->Single[n])
+        : this->Array     ? this->Array->GetComponent(n, 0)
+                          : this->All;
+    }
+  };
+
+  std::size_t First;
+  std::size_t Count;
+  vtkDataArray* Places;
+  const float* SinglePlaces;
+  double Efficiency;
+  Numbers Radius;
+  Numbers Alpha;
+  std::atomic<vtkIdType> Mistake{ VTK_ID_MAX }; ///< the first of them
+
+  void AddMistake(vtkIdType id)
+  {
+    vtkIdType former = this->Mistake;
+    while (id < former && !this->Mistake.compare_exchange_weak(former, id))
+    {
+    }
+  }
+};
+
+/// Bounds of all particles; 0 to 1 without any.
+std::array<double, 6> BoundsOf(const std::deque<ParticleReader>& readers)
+{
+  constexpr double none = std::numeric_limits<double>::infinity();
+  std::array<double, 6> bounds{ none, -none, none, -none, none, -none };
+  for (const ParticleReader& reader : readers)
+  {
+    reader.AddBounds(bounds);
+  }
+  return readers.empty() ? std::array<double, 6>{ 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 } : bounds;
 }
 
 /// The samples of an extent, with the extinction of the water itself.
@@ -127,7 +208,7 @@ void CopyExtinction(const littoral::FogGrid& grid, const littoral::ParticleFog& 
     return; // a rank with nothing to do
   }
   auto extinction = littoral::NewArray<vtkFloatArray>(littoral::sea::Extinction, 1, output->GetNumberOfPoints());
-  vtkIdType sample = 0;
+  float* sample = extinction->GetPointer(0);
   for (int k = extent[4]; k <= extent[5]; ++k)
   {
     for (int j = extent[2]; j <= extent[3]; ++j)
@@ -136,7 +217,7 @@ void CopyExtinction(const littoral::FogGrid& grid, const littoral::ParticleFog& 
       const std::size_t row = (static_cast<std::size_t>(k) * grid.Count[1] + j) * grid.Count[0];
       for (int i = extent[0]; i <= extent[1]; ++i)
       {
-        extinction->SetValue(sample++, fog.GetExtinction()[row + i] + water);
+        *sample++ = fog.GetExtinction()[row + i] + water;
       }
     }
   }
@@ -144,6 +225,12 @@ void CopyExtinction(const littoral::FogGrid& grid, const littoral::ParticleFog& 
 }
 
 }
+
+class vtkParticleFogFilter::vtkInternals
+{
+public:
+  littoral::FogMemory Memory;
+};
 
 //----------------------------------------------------------------------------
 vtkParticleFogFilter::vtkParticleFogFilter()
@@ -155,6 +242,7 @@ vtkParticleFogFilter::vtkParticleFogFilter()
   , ParticleRadius(0.005)
   , ExtinctionEfficiency(1.0)
   , WaterExtinction(0.0)
+  , Internals(new vtkInternals)
 {
 }
 
@@ -283,15 +371,29 @@ int vtkParticleFogFilter::RequestData(
   }
   littoral::RequireMemory(BytesAParticle * count, "fog of " + littoral::TextOf(count) + " particles", "take fewer");
   this->SetProgressText("Making fog");
-  std::vector<littoral::FogParticle> particles;
+  std::deque<ParticleReader> readers;
   for (vtkPointSet* set : sets)
   {
-    AddParticles(set, this->ParticleRadius, this->ExtinctionEfficiency, particles, littoral::AbortableFor(this));
+    readers.emplace_back(
+      set, readers.empty() ? 0 : readers.back().End(), this->ParticleRadius, this->ExtinctionEfficiency);
   }
-  this->UpdateProgress(0.3);
-  const std::array<double, 6> bounds = littoral::BoundsOf(particles, 2.0 * this->ParticleRadius);
+  const std::size_t number = readers.empty() ? 0 : readers.back().End();
+  const auto read = [&readers](std::size_t begin, std::size_t end, littoral::FogParticle* particles) {
+    for (ParticleReader& reader : readers)
+    {
+      reader.Read(begin, end, particles);
+    }
+  };
+  this->UpdateProgress(0.1);
+  const std::array<double, 6> bounds = littoral::Thickened(BoundsOf(readers), 2.0 * this->ParticleRadius);
   const littoral::FogGrid grid = this->MakeGrid(this->UseBounds ? this->Bounds : bounds.data());
-  const littoral::ParticleFog fog(grid, particles, littoral::AbortableFor(this), littoral::PollOf(this));
+  littoral::FogMemory& memory = this->Internals->Memory;
+  const littoral::ParticleFog fog(grid, number, read, memory, littoral::AbortableFor(this), littoral::PollOf(this));
+  memory.Limit(MostKept);
+  for (const ParticleReader& reader : readers)
+  {
+    reader.RequireParticles();
+  }
   this->UpdateProgress(0.8);
 
   vtkImageData* output = vtkImageData::GetData(info);

@@ -26,6 +26,8 @@
 #include "LittoralFiltersModule.h" // for export macro
 #include "vtkImageAlgorithm.h"
 
+#include <memory> // for what is kept between frames
+
 namespace littoral
 {
 struct FogGrid;
@@ -139,6 +141,9 @@ protected:
 private:
   vtkParticleFogFilter(const vtkParticleFogFilter&) = delete;
   void operator=(const vtkParticleFogFilter&) = delete;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
 
   void CheckProperties() const;
   littoral::FogGrid MakeGrid(const double box[6]) const;

@@ -22,6 +22,7 @@
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
+#include <utility>
 
 vtkStandardNewMacro(vtkSeaweedDeformationFilter);
 
@@ -51,7 +52,7 @@ public:
   vtkSmartPointer<vtkDataObject> Plants;
   vtkMTimeType PlantsTime = 0;
   std::vector<littoral::SeaweedSkinBlock> Skins;
-  littoral::FrameArrays Arrays;
+  littoral::SeaweedFrames Frames;
 };
 
 //----------------------------------------------------------------------------
@@ -250,6 +251,7 @@ void vtkSeaweedDeformationFilter::TakePlants(vtkInformationVector* seas, vtkMult
   }
   littoral::SeaweedOptions options = this->MakeOptions();
   options.SeaLevel = sea.SeaLevel;
+  this->Internals->Frames = {};
   littoral::ReadSeaweeds(blocks, options, sea, scene, this->Internals->Skins);
   this->WarnOfLimits();
 }
@@ -361,7 +363,10 @@ void vtkSeaweedDeformationFilter::Write(
   {
     scene.FindMotion();
   }
-  littoral::WriteSeaweeds(scene, this->Internals->Skins, this->Internals->Arrays, plants, output);
+  // What is written halfway is never used again.
+  littoral::SeaweedFrames frames = std::move(this->Internals->Frames);
+  littoral::WriteSeaweeds(scene, this->Internals->Skins, frames, plants, output);
+  this->Internals->Frames = std::move(frames);
   if (this->GenerateJoints)
   {
     littoral::AddSeaweedJoints(scene, output);

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Particles/ParticleFog.h"
 
+#include "Numerics/SimdDouble4.h"
+
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 
 namespace littoral
@@ -13,166 +15,319 @@ namespace littoral
 namespace
 {
 
-/// The cell of a place, and where in it, 0 to 1 along each axis.
-struct Location
-{
-  std::array<int, 3> Cell;
-  Vector3 Part;
-};
+using Located = LocatedFogParticle;
 
-/// False for places outside of the grid.
-bool Locate(const FogGrid& grid, const Vector3& place, Location& location)
+typedef int Wholes __attribute__((vector_size(4 * sizeof(int))));
+/// Four numbers anywhere in memory: std::memcpy would move them by halves, for which the whole would wait.
+typedef double FourInMemory __attribute__((vector_size(4 * sizeof(double)), aligned(sizeof(double)), may_alias));
+
+/// Finds the cells of places in a grid: x, y, z and the cross section in a lane each, the last one as it comes.
+class Locator
 {
-  for (int axis = 0; axis < 3; ++axis)
+public:
+  LITTORAL_INLINE explicit Locator(const FogGrid& grid)
+    : Origin(grid.Origin.x, grid.Origin.y, grid.Origin.z, 0.0)
+    , Spacing(grid.Spacing.x, grid.Spacing.y, grid.Spacing.z, 1.0)
+    , Last(grid.Count[0] - 1, grid.Count[1] - 1, grid.Count[2] - 1, 1.0)
   {
-    const double x = (place[axis] - grid.Origin[axis]) / grid.Spacing[axis];
-    const int last = grid.Count[axis] - 1;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     // The faces belong to the grid, with the rounding of the places on them.
     constexpr double tolerance = 1e-9;
-    if (!(x >= -tolerance && x <= last + tolerance))
+    this->Low = SimdDouble4(-tolerance, -tolerance, -tolerance, -infinity);
+    this->High = this->Last + SimdDouble4(tolerance, tolerance, tolerance, infinity);
+    this->Most = SimdDouble4(1.0, 1.0, 1.0, infinity);
+  }
+
+  /// False for places outside of the grid; else the cell, and where in it.
+  LITTORAL_INLINE bool Locate(const FogParticle& particle, Wholes& cell, double part[4]) const
+  {
+    const FourInMemory four = *reinterpret_cast<const FourInMemory*>(&particle);
+    const SimdDouble4 place(four[0], four[1], four[2], four[3]);
+    const SimdDouble4 x = (place - this->Origin) / this->Spacing;
+    const auto isInside = (x.Values >= this->Low.Values) & (x.Values <= this->High.Values);
+    if (!(isInside[0] & isInside[1] & isInside[2]))
     {
       return false;
     }
-    location.Cell[axis] = std::clamp(static_cast<int>(x), 0, last - 1);
-    location.Part[axis] = std::clamp(x - location.Cell[axis], 0.0, 1.0);
+    const SimdDouble4 none(0.0);
+    // Wholes below what is no larger than the number of cells less one: a place on the last face is of the last cell.
+    const SimdDouble4 within = Min(Max(x, none), this->Last - SimdDouble4(1.0));
+    cell = __builtin_convertvector(within.Values, Wholes);
+    const SimdDouble4 own(__builtin_convertvector(cell, SimdDouble4::Register));
+    *reinterpret_cast<FourInMemory*>(part) = Min(Max(x - own, none), this->Most).Values;
+    return true;
   }
-  return true;
-}
 
-/// The volume that a sample stands for: less on the faces of the grid.
-double VolumeOf(const FogGrid& grid, int i, int j, int k)
+private:
+  SimdDouble4 Origin;
+  SimdDouble4 Spacing;
+  SimdDouble4 Last;
+  SimdDouble4 Low;
+  SimdDouble4 High;
+  SimdDouble4 Most;
+};
+
+static_assert(sizeof(FogParticle) == sizeof(SimdDouble4), "a place and a cross section fill a register");
+
+/// Locates particles: those inside of the grid, in their order, and their layers of cells. The number of these.
+LITTORAL_SIMD_CLONES std::size_t LocateAll(
+  const FogGrid& grid, const FogParticle* particles, std::size_t count, Located* inside, std::uint32_t* layers)
 {
-  const int index[3] = { i, j, k };
-  double volume = 1.0;
-  for (int axis = 0; axis < 3; ++axis)
+  const Locator locator(grid);
+  const int width = grid.Count[0];
+  std::size_t next = 0;
+  for (std::size_t n = 0; n < count; ++n)
   {
-    const bool onFace = index[axis] == 0 || index[axis] == grid.Count[axis] - 1;
-    volume *= grid.Spacing[axis] * (onFace ? 0.5 : 1.0);
-  }
-  return volume;
-}
-
-std::size_t SampleOf(const FogGrid& grid, int i, int j, int k)
-{
-  return (static_cast<std::size_t>(k) * grid.Count[1] + j) * grid.Count[0] + i;
-}
-
-/// A particle and its location.
-struct Located
-{
-  Location Where;
-  double CrossSection;
-};
-
-/// Particles that one thread locates at a time.
-constexpr std::size_t ParticlesAtOnce = 1 << 14;
-
-/// Some of the particles by layer of cells, in their order.
-struct Run
-{
-  std::vector<std::vector<Located>> Layers;
-  long long Outside = 0;
-};
-
-/// The particles in runs, one after the other.
-std::vector<Run> RunsOf(const FogGrid& grid, const std::vector<FogParticle>& particles, const ParallelFor& parallelFor)
-{
-  std::vector<Run> runs((particles.size() + ParticlesAtOnce - 1) / ParticlesAtOnce);
-  parallelFor(runs.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t run = first; run < last; ++run)
+    Wholes cell;
+    if (locator.Locate(particles[n], cell, inside[next].Values))
     {
-      runs[run].Layers.resize(grid.Count[2] - 1);
-      const std::size_t end = std::min(particles.size(), (run + 1) * ParticlesAtOnce);
-      for (std::size_t n = run * ParticlesAtOnce; n < end; ++n)
+      inside[next].Sample = static_cast<std::uint32_t>(cell[1] * width + cell[0]);
+      layers[next++] = static_cast<std::uint32_t>(cell[2]);
+    }
+  }
+  return next;
+}
+
+/// The lengths along an axis that samples stand for: less on the faces of the grid.
+std::vector<double> LengthsOf(const FogGrid& grid, int axis)
+{
+  std::vector<double> lengths;
+  for (int index = 0; index < grid.Count[axis]; ++index)
+  {
+    const bool onFace = index == 0 || index == grid.Count[axis] - 1;
+    lengths.push_back(grid.Spacing[axis] * (onFace ? 0.5 : 1.0));
+  }
+  return lengths;
+}
+
+/// Particles by layer of cells, in their order: in runs that one thread locates at a time, from layer to layer within a
+/// run. What is in memory is written once and read once.
+class LocatedParticles
+{
+public:
+  LocatedParticles(const FogGrid& grid, std::size_t count, const FogParticles& particles, FogMemory& memory,
+    const ParallelFor& parallelFor)
+    : Grid(grid)
+    , Layers(static_cast<std::size_t>(grid.Count[2]) - 1)
+    , Length(std::max<std::size_t>(4096, 4 * Layers)) // so that the ends of layers are few beside the particles
+    , Particles(memory.Take(count))
+    , Ends((count + Length - 1) / Length * Layers)
+  {
+    const std::size_t runs = this->Ends.size() / this->Layers;
+    parallelFor(runs, [&](std::size_t first, std::size_t last) {
+      Work work;
+      for (std::size_t run = first; run < last; ++run)
       {
-        Location where;
-        if (Locate(grid, particles[n].Place, where))
-        {
-          runs[run].Layers[where.Cell[2]].push_back({ where, particles[n].CrossSection });
-        }
-        else
-        {
-          ++runs[run].Outside;
-        }
+        const std::size_t begin = run * this->Length;
+        this->Sort(run, begin, std::min(count, begin + this->Length), particles, work);
       }
+    });
+  }
+
+  std::size_t GetNumberOfInside() const
+  {
+    std::size_t inside = 0;
+    for (std::size_t last = this->Layers; last <= this->Ends.size(); last += this->Layers)
+    {
+      inside += this->Ends[last - 1] - (last / this->Layers - 1) * this->Length;
     }
-  });
-  return runs;
+    return inside;
+  }
+
+  /// Calls a task with the particles of a layer, run by run.
+  template <typename Task>
+  void ForLayer(std::size_t layer, const Task& task) const
+  {
+    for (std::size_t run = 0; run * this->Layers < this->Ends.size(); ++run)
+    {
+      const std::size_t* ends = &this->Ends[run * this->Layers];
+      const std::size_t begin = layer > 0 ? ends[layer - 1] : run * this->Length;
+      task(this->Particles + begin, this->Particles + ends[layer]);
+    }
+  }
+
+private:
+  /// A run of particles as they come.
+  struct Work
+  {
+    std::vector<FogParticle> Particles;
+    std::vector<Located> Inside;
+    std::vector<std::uint32_t> LayerOf;
+    std::vector<std::size_t> Next;
+  };
+
+  const FogGrid& Grid;
+  std::size_t Layers;
+  std::size_t Length;            ///< of a run
+  Located* Particles;            ///< not filled behind the last layer of a run
+  std::vector<std::size_t> Ends; ///< of the layers of each run
+
+  void Sort(std::size_t run, std::size_t begin, std::size_t end, const FogParticles& particles, Work& work)
+  {
+    this->LocateRun(begin, end, particles, work);
+    std::size_t* ends = &this->Ends[run * this->Layers];
+    std::fill_n(ends, this->Layers, 0);
+    for (const std::uint32_t layer : work.LayerOf)
+    {
+      ++ends[layer];
+    }
+    work.Next.resize(this->Layers);
+    std::size_t sum = begin;
+    for (std::size_t layer = 0; layer < this->Layers; ++layer)
+    {
+      work.Next[layer] = sum;
+      sum += ends[layer];
+      ends[layer] = sum;
+    }
+    for (std::size_t n = 0; n < work.LayerOf.size(); ++n)
+    {
+      this->Particles[work.Next[work.LayerOf[n]]++] = work.Inside[n];
+    }
+  }
+
+  void LocateRun(std::size_t begin, std::size_t end, const FogParticles& particles, Work& work) const
+  {
+    work.Particles.resize(this->Length);
+    work.Inside.resize(this->Length);
+    work.LayerOf.resize(this->Length);
+    particles(begin, end, work.Particles.data());
+    work.LayerOf.resize(
+      LocateAll(this->Grid, work.Particles.data(), end - begin, work.Inside.data(), work.LayerOf.data()));
+  }
+};
+
+/// Two samples side by side.
+typedef double Pair __attribute__((vector_size(2 * sizeof(double))));
+
+/// Adds to two samples that follow each other.
+LITTORAL_INLINE void AddTo(double* samples, const Pair& part)
+{
+  Pair sum;
+  std::memcpy(&sum, samples, sizeof sum);
+  sum += part;
+  std::memcpy(samples, &sum, sizeof sum);
 }
 
-/// Adds to the samples of a layer what the particles of the cells above (side 0) or below (side 1) give to it.
-void AddLayer(const FogGrid& grid, const std::vector<Located>& particles, int side, std::vector<double>& layer)
+/// Adds to the samples below (side 0) or above (side 1) a layer of cells what a particle gives to them.
+LITTORAL_INLINE void AddParticle(const Located& particle, int side, std::size_t width, double* layer)
 {
-  for (const Located& particle : particles)
+  const double* part = particle.Values;
+  const double up = side == 0 ? 1.0 - part[2] : part[2];
+  // Trilinear weight of a particle at a sample: by x, y and z
+  const Pair alongX = { 1.0 - part[0], part[0] };
+  AddTo(layer + particle.Sample, alongX * (1.0 - part[1]) * up * part[3]);
+  AddTo(layer + particle.Sample + width, alongX * part[1] * up * part[3]);
+}
+
+/// Sums of two layers of samples, the one below the cells at hand and the one above.
+class LayerSums
+{
+public:
+  explicit LayerSums(const FogGrid& grid)
+    : Width(static_cast<std::size_t>(grid.Count[0]))
+    , Below(Width * static_cast<std::size_t>(grid.Count[1]))
+    , Above(Below.size())
   {
-    const Vector3& part = particle.Where.Part;
-    const double up = side == 0 ? 1.0 - part.z : part.z;
-    for (int corner = 0; corner < 4; ++corner)
-    {
-      const int i = corner & 1;
-      const int j = corner >> 1;
-      // Trilinear weight of a particle at a sample
-      const double weight = (i == 0 ? 1.0 - part.x : part.x) * (j == 0 ? 1.0 - part.y : part.y) * up;
-      const std::size_t sample =
-        static_cast<std::size_t>(particle.Where.Cell[1] + j) * grid.Count[0] + particle.Where.Cell[0] + i;
-      layer[sample] += weight * particle.CrossSection;
-    }
+  }
+
+  const std::vector<double>& GetBelow() const { return this->Below; }
+
+  void Add(const LocatedParticles& particles, std::size_t layer)
+  {
+    particles.ForLayer(layer, [this](const Located* begin, const Located* end) {
+      for (const Located* particle = begin; particle != end; ++particle)
+      {
+        AddParticle(*particle, 0, this->Width, this->Below.data());
+        AddParticle(*particle, 1, this->Width, this->Above.data());
+      }
+    });
+  }
+
+  /// Goes up by a layer.
+  void Rise()
+  {
+    this->Below.swap(this->Above);
+    std::fill(this->Above.begin(), this->Above.end(), 0.0);
+  }
+
+private:
+  std::size_t Width;
+  std::vector<double> Below;
+  std::vector<double> Above;
+};
+
+/// Layers of samples that one thread does at a time: of the cells below them those of one layer are done twice.
+constexpr std::size_t LayersAtOnce = 8;
+
+}
+
+LocatedFogParticle* FogMemory::Take(std::size_t count)
+{
+  if (count > this->Size)
+  {
+    this->Particles.reset();
+    this->Particles.reset(new LocatedFogParticle[count]);
+    this->Size = count;
+  }
+  return this->Particles.get();
+}
+
+void FogMemory::Limit(std::size_t count)
+{
+  if (this->Size > count)
+  {
+    this->Particles.reset();
+    this->Size = 0;
   }
 }
 
-}
-
-std::array<double, 6> BoundsOf(const std::vector<FogParticle>& particles, double thickness)
+std::array<double, 6> Thickened(const std::array<double, 6>& bounds, double thickness)
 {
-  std::array<double, 6> bounds;
+  std::array<double, 6> thick = bounds;
   for (int axis = 0; axis < 3; ++axis)
   {
-    double low = particles.empty() ? 0.0 : std::numeric_limits<double>::infinity();
-    double high = particles.empty() ? 1.0 : -low;
-    for (const FogParticle& particle : particles)
-    {
-      low = std::min(low, particle.Place[axis]);
-      high = std::max(high, particle.Place[axis]);
-    }
-    const double missing = std::max(0.0, thickness - (high - low));
-    bounds[2 * axis] = low - 0.5 * missing;
-    bounds[2 * axis + 1] = high + 0.5 * missing;
+    const double missing = std::max(0.0, thickness - (bounds[2 * axis + 1] - bounds[2 * axis]));
+    thick[2 * axis] -= 0.5 * missing;
+    thick[2 * axis + 1] += 0.5 * missing;
   }
-  return bounds;
+  return thick;
 }
 
-ParticleFog::ParticleFog(
-  const FogGrid& grid, const std::vector<FogParticle>& particles, const ParallelFor& parallelFor, const Poll& poll)
-  : Extinction(grid.NumberOfSamples(), 0.0f)
+ParticleFog::ParticleFog(const FogGrid& grid, std::size_t count, const FogParticles& particles, FogMemory& memory,
+  const ParallelFor& parallelFor, const Poll& poll)
+  : Extinction(grid.NumberOfSamples())
 {
   // Layers of cells keep the order of the particles; a layer of samples adds the cells below, then those above. So the
   // order of sums is that of the particles, on any threads.
   poll();
-  const std::vector<Run> runs = RunsOf(grid, particles, parallelFor);
-  for (const Run& run : runs)
-  {
-    this->Outside += run.Outside;
-  }
-  parallelFor(static_cast<std::size_t>(grid.Count[2]), [&](std::size_t begin, std::size_t end) {
-    std::vector<double> layer(static_cast<std::size_t>(grid.Count[0]) * grid.Count[1]);
-    for (int k = static_cast<int>(begin); k < static_cast<int>(end); ++k)
+  const LocatedParticles located(grid, count, particles, memory, parallelFor);
+  this->Outside = static_cast<long long>(count - located.GetNumberOfInside());
+  const auto layers = static_cast<std::size_t>(grid.Count[2]);
+  const std::vector<double> lengths[3] = { LengthsOf(grid, 0), LengthsOf(grid, 1), LengthsOf(grid, 2) };
+  ForRanges(parallelFor, layers, LayersAtOnce, [&](std::size_t begin, std::size_t end) {
+    LayerSums sums(grid);
+    if (begin > 0)
     {
-      std::fill(layer.begin(), layer.end(), 0.0);
-      for (std::size_t run = 0; k > 0 && run < runs.size(); ++run)
+      sums.Add(located, begin - 1);
+    }
+    for (std::size_t k = begin; k < end; ++k)
+    {
+      if (k > 0)
       {
-        AddLayer(grid, runs[run].Layers[k - 1], 1, layer);
+        sums.Rise();
       }
-      for (std::size_t run = 0; k < grid.Count[2] - 1 && run < runs.size(); ++run)
+      if (k < layers - 1)
       {
-        AddLayer(grid, runs[run].Layers[k], 0, layer);
+        sums.Add(located, k);
       }
-      for (int j = 0; j < grid.Count[1]; ++j)
+      // sigma = sum of w C / V [1/m]: weights w, cross sections C, volume V of the sample
+      const double* section = sums.GetBelow().data();
+      float* extinction = this->Extinction.data() + k * sums.GetBelow().size();
+      for (const double alongY : lengths[1])
       {
-        for (int i = 0; i < grid.Count[0]; ++i)
+        for (const double alongX : lengths[0])
         {
-          // sigma = sum of w C / V [1/m]: weights w, cross sections C, volume V of the sample
-          const double section = layer[static_cast<std::size_t>(j) * grid.Count[0] + i];
-          this->Extinction[SampleOf(grid, i, j, k)] = static_cast<float>(section / VolumeOf(grid, i, j, k));
+          *extinction++ = static_cast<float>(*section++ / (alongX * alongY * lengths[2][k]));
         }
       }
     }
@@ -181,15 +336,17 @@ ParticleFog::ParticleFog(
 
 double TotalCrossSection(const FogGrid& grid, const std::vector<float>& extinction, const Poll& onRow)
 {
+  const std::vector<double> lengths[3] = { LengthsOf(grid, 0), LengthsOf(grid, 1), LengthsOf(grid, 2) };
+  const float* sample = extinction.data();
   double total = 0.0;
-  for (int k = 0; k < grid.Count[2]; ++k)
+  for (const double alongZ : lengths[2])
   {
-    for (int j = 0; j < grid.Count[1]; ++j)
+    for (const double alongY : lengths[1])
     {
       onRow();
-      for (int i = 0; i < grid.Count[0]; ++i)
+      for (const double alongX : lengths[0])
       {
-        total += VolumeOf(grid, i, j, k) * extinction[SampleOf(grid, i, j, k)];
+        total += alongX * alongY * alongZ * *sample++;
       }
     }
   }

@@ -7,7 +7,10 @@
 #include "Numerics/Vector3.h"
 
 #include <array>
-#include <string>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
 #include <vector>
 
 namespace littoral
@@ -33,8 +36,33 @@ struct FogParticle
   double CrossSection; ///< [m2]
 };
 
-/// Smallest and largest x, y, z of the particles, no nearer to each other than a thickness [m]; 0 and 1 without any.
-std::array<double, 6> BoundsOf(const std::vector<FogParticle>& particles, double thickness);
+/// Writes the particles [begin, end) to a list; called by several threads.
+using FogParticles = std::function<void(std::size_t begin, std::size_t end, FogParticle* particles)>;
+
+/// A particle in a cell of its layer of cells.
+struct LocatedFogParticle
+{
+  double Values[4];     ///< where in the cell, 0 to 1 along each axis, and the cross section [m2]
+  std::uint32_t Sample; ///< the cell's first one in the layer of samples below
+};
+
+/// Memory that fogs take in turn: new memory costs as long as to share out the particles in it.
+class FogMemory
+{
+public:
+  /// Room for particles, not filled.
+  LocatedFogParticle* Take(std::size_t count);
+
+  /// Gives back what is more than for a number of particles.
+  void Limit(std::size_t count);
+
+private:
+  std::unique_ptr<LocatedFogParticle[]> Particles;
+  std::size_t Size = 0;
+};
+
+/// Bounds of the places of particles whose sides are no shorter than a thickness [m].
+std::array<double, 6> Thickened(const std::array<double, 6>& bounds, double thickness);
 
 /**
  * The extinction [1/m] of particles that cannot be told apart: cross sections by volume (Coulais et al., 3.3.3 draw a
@@ -45,7 +73,7 @@ std::array<double, 6> BoundsOf(const std::vector<FogParticle>& particles, double
 class ParticleFog
 {
 public:
-  ParticleFog(const FogGrid& grid, const std::vector<FogParticle>& particles,
+  ParticleFog(const FogGrid& grid, std::size_t count, const FogParticles& particles, FogMemory& memory,
     const ParallelFor& parallelFor = SerialFor, const Poll& poll = NoPoll);
 
   /// x fastest [1/m].

@@ -28,19 +28,29 @@ SeaweedLevelShares LevelSharesAt(const SeaweedLevels& levels, double distance, d
   return { ShareOf(distance, levels.NearDistance, band), ShareOf(distance, levels.FarDistance, band) };
 }
 
+std::vector<double> TrainSums(const SeaState& sea, double height)
+{
+  std::vector<double> sums(sea.Trains.size());
+  double sum = 0.0;
+  for (std::size_t n = sums.size(); n-- > 0;)
+  {
+    sum += AxesAt(sea.Trains[n], height, sea.Depth).Horizontal;
+    sums[n] = sum;
+  }
+  return sums;
+}
+
 // Let r_n be the sum of the amplitudes of a train and all after it, divided by the maximum. A train fades from r_n
 // 3/2 to 1/2: sum (1 - share_n) a_n is at most the integral of 1 - share over r, which is 1. A train that were there
 // or not would move the plant at once by what its joints make of the train, which is a multiple of its amplitude.
-std::vector<float> TrainShares(const SeaState& sea, double height, double maximum)
+void FindTrainShares(const double* sums, std::size_t trains, double maximum, float* shares)
 {
-  std::vector<float> shares(sea.Trains.size(), 1.0f);
-  double sum = 0.0;
-  for (std::size_t n = shares.size(); n-- > 0 && sum <= 1.5 * maximum;)
+  std::size_t n = trains;
+  for (; n > 0 && (n == trains || sums[n] <= 1.5 * maximum); --n)
   {
-    sum += AxesAt(sea.Trains[n], height, sea.Depth).Horizontal;
-    shares[n] = static_cast<float>(SmoothStep(0.0, 1.0, sum / maximum - 0.5));
+    shares[n - 1] = static_cast<float>(SmoothStep(0.0, 1.0, sums[n - 1] / maximum - 0.5));
   }
-  return shares;
+  std::fill_n(shares, n, 1.0f);
 }
 
 }

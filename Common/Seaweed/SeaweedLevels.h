@@ -6,6 +6,7 @@
 #include "Geometry/ViewFrustum.h"
 #include "Sea/WaveTrains.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace littoral
@@ -32,11 +33,14 @@ struct SeaweedLevelShares
 /// The weights for a plant at a distance from the eye that reaches some way from its middle [m].
 SeaweedLevelShares LevelSharesAt(const SeaweedLevels& levels, double distance, double reach);
 
+/// The sum of the amplitudes of each wave train and all after it at a height above the sea level [m].
+std::vector<double> TrainSums(const SeaState& sea, double height);
+
 /**
- * Weights of wave trains, 0 to 1, so that what they leave out moves the water at a height above the sea level by at
- * most `maximum` [m], all together.
+ * Weights of wave trains with these TrainSums, 0 to 1, so that what they leave out moves the water by at most `maximum`
+ * [m], all together.
  */
-std::vector<float> TrainShares(const SeaState& sea, double height, double maximum);
+void FindTrainShares(const double* sums, std::size_t trains, double maximum, float* shares);
 
 }
 

@@ -59,6 +59,7 @@ std::string SeaweedScene::SetPlants(Skeleton rest, const std::vector<SeaweedSegm
   this->Motion = std::make_unique<SeaweedMotion>(LinksOf(rest, segments, options), options);
   this->Stand = SeaweedStand(std::move(rest), this->Motion->GetLinks(), plantIds);
   this->MakeBatchRanges();
+  this->TrainSums.clear();
   this->Marching.Begin(this->Motion->AtRest());
   this->PoseAll();
   return {};
@@ -151,31 +152,32 @@ void SeaweedScene::StepAll(double time, double step, const StepCurrents& current
 {
   const WaveOrbits orbits(this->Sea, WaveOrbitOptions(), time + 0.5 * step);
   this->Parallel(this->BatchRanges.size(), [&](std::size_t begin, std::size_t end) {
+    Work work;
     for (std::size_t index = begin; index < end; ++index)
     {
-      this->StepBatches(this->BatchRanges[index], step, orbits, currents, states, poses);
+      this->StepBatches(this->BatchRanges[index], step, orbits, currents, states, poses, work);
     }
   });
 }
 
 //----------------------------------------------------------------------------
 void SeaweedScene::StepBatches(const BatchRange& range, double step, const WaveOrbits& orbits,
-  const StepCurrents& currents, std::vector<LinkState>& states, std::vector<LinkPose>& poses) const
+  const StepCurrents& currents, std::vector<LinkState>& states, std::vector<LinkPose>& poses, Work& work) const
 {
   // Loads are those of the middle of the step, where links come by then; explicit Euler: where they are.
   const bool isImplicit = this->Options.Integrator == SeaweedIntegrator::Implicit;
   const double ahead = isImplicit ? 0.5 * step : 0.0;
   const std::vector<LinkBatch>& batches = this->Motion->GetBatches();
-  std::vector<Vector3> middles;
+  std::vector<Vector3>& middles = work.Middles;
+  middles.clear();
   for (std::size_t batch = range.First; batch < range.End; ++batch)
   {
     const std::size_t first = middles.size();
     middles.resize(first + batches[batch].PaddedLinks());
     this->Motion->Middles(batches[batch], poses.data(), &middles[first], ahead);
   }
-  std::vector<WaterAtLink> water;
-  this->WaterAt(orbits, currents, middles, {}, water);
-  const WaterAtLink* own = water.data();
+  this->WaterAt(orbits, currents, work);
+  const WaterAtLink* own = work.Water.data();
   for (std::size_t batch = range.First; batch < range.End; ++batch)
   {
     this->Motion->Step(step, batches[batch], own, states.data(), poses.data());
@@ -185,84 +187,122 @@ void SeaweedScene::StepBatches(const BatchRange& range, double step, const WaveO
 
 //----------------------------------------------------------------------------
 /// The water at the middles of links [m], with weights of the wave trains; none: all of all.
-void SeaweedScene::WaterAt(const WaveOrbits& orbits, const StepCurrents& currents, const std::vector<Vector3>& middles,
-  const std::vector<float>& shares, std::vector<WaterAtLink>& water) const
+void SeaweedScene::WaterAt(const WaveOrbits& orbits, const StepCurrents& currents, Work& work) const
 {
+  const std::vector<Vector3>& middles = work.Middles;
+  std::vector<WaterAtLink>& water = work.Water;
   const std::size_t count = middles.size();
   water.assign(count, WaterAtLink());
-  std::vector<float> centers(3 * count);
-  std::vector<float> first(3 * count, 0.0f);
-  std::vector<float> second(3 * count, 0.0f);
+  work.Centers.resize(3 * count);
+  work.First.assign(3 * count, 0.0f);
+  work.Second.assign(3 * count, 0.0f);
   for (std::size_t i = 0; i < count; ++i)
   {
     water[i].Velocity = currents.Velocity(middles[i], 0);
     for (int axis = 0; axis < 3; ++axis)
     {
-      centers[3 * i + axis] = static_cast<float>(middles[i][axis]);
+      work.Centers[3 * i + axis] = static_cast<float>(middles[i][axis]);
     }
   }
   const bool isDirect = this->Options.Load == SeaweedLoad::Direct;
   OrbitRequest<float> request;
-  request.Shares = shares.empty() ? nullptr : shares.data();
-  request.Centers = centers.data();
-  request.Velocity = isDirect ? nullptr : first.data();
-  request.Acceleration = isDirect && !this->Physical ? nullptr : second.data();
-  request.Displacement = isDirect && !this->Physical ? second.data() : nullptr;
-  std::vector<float> gradient(isDirect ? 0 : 5 * count);
-  request.VelocityGradient = isDirect ? nullptr : gradient.data();
+  request.Shares = work.Shares.empty() ? nullptr : work.Shares.data();
+  request.Centers = work.Centers.data();
+  request.Velocity = isDirect ? nullptr : work.First.data();
+  request.Acceleration = isDirect && !this->Physical ? nullptr : work.Second.data();
+  request.Displacement = isDirect && !this->Physical ? work.Second.data() : nullptr;
+  work.Gradient.assign(isDirect ? 0 : 5 * count, 0.0f);
+  request.VelocityGradient = isDirect ? nullptr : work.Gradient.data();
   if (!this->Sea.Trains.empty() && count > 0)
   {
     orbits.Evaluate(request, 0, count);
   }
   for (std::size_t i = 0; i < count; ++i)
   {
-    const Vector3 other(second[3 * i], second[3 * i + 1], second[3 * i + 2]);
+    const Vector3 other(work.Second[3 * i], work.Second[3 * i + 1], work.Second[3 * i + 2]);
     WaterAtLink& one = water[i];
-    one.Velocity += Vector3(first[3 * i], first[3 * i + 1], first[3 * i + 2]);
+    one.Velocity += Vector3(work.First[3 * i], work.First[3 * i + 1], work.First[3 * i + 2]);
     (request.Displacement ? one.Displacement : one.Acceleration) = other;
     if (!isDirect)
     {
-      one.Acceleration += ConvectiveAcceleration(one.Velocity, &gradient[5 * i]);
+      one.Acceleration += ConvectiveAcceleration(one.Velocity, &work.Gradient[5 * i]);
       one.Acceleration += currents.Acceleration(middles[i], one.Velocity);
     }
   }
 }
 
 //----------------------------------------------------------------------------
-/// Weights of wave trains: what they leave out moves the water at the plant's top by PixelError at most.
-std::vector<float> SeaweedScene::TrainSharesFor(const StandPlant& plant, const SeaweedLevels& levels) const
+/// Finds what wave trains move at the tops of plants. It takes as long as to move some segments, once.
+void SeaweedScene::FindTrainSums()
 {
-  const double distance = LevelDistance(levels.Seen, plant.Middle);
-  const double pixel = 2.0 * distance * std::tan(0.5 * levels.Seen.Angle) / levels.Seen.Height;
-  const double maximum = levels.PixelError * pixel;
-  if (!levels.UseLevels || !(maximum > 0.0))
-  {
-    return std::vector<float>(this->Sea.Trains.size(), 1.0f);
-  }
-  const double top = std::min(0.0, plant.Middle.z + plant.Reach - this->Sea.SeaLevel);
-  return TrainShares(this->Sea, top, maximum);
+  const std::vector<StandPlant>& plants = this->Stand.GetPlants();
+  const std::size_t trains = this->Sea.Trains.size();
+  this->TrainSums.resize(plants.size() * trains);
+  this->Parallel(plants.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t plant = begin; plant < end; ++plant)
+    {
+      const double top = std::min(0.0, plants[plant].Middle.z + plants[plant].Reach - this->Sea.SeaLevel);
+      const std::vector<double> sums = littoral::TrainSums(this->Sea, top);
+      std::copy(sums.begin(), sums.end(), this->TrainSums.begin() + static_cast<std::ptrdiff_t>(plant * trains));
+    }
+  });
 }
 
 //----------------------------------------------------------------------------
-/// A procedural link between its states in the levels. Each level has loads of its own, by how its own segments lean:
-/// limp blades turn over where what they grow on turns by little, and would do so within a step of the camera.
-LinkState SeaweedScene::ProceduralState(std::size_t link, const WaterAtLink& water, const SeaweedLevelShares& shares)
+/// Finds weights of wave trains, none where all count: what they leave out moves the water at the plant's top by
+/// PixelError at most. The number of trains that count.
+std::int64_t SeaweedScene::FindSharesFor(
+  std::size_t plant, const SeaweedLevels& levels, std::vector<float>& shares) const
+{
+  const std::size_t trains = this->Sea.Trains.size();
+  const double distance = LevelDistance(levels.Seen, this->Stand.GetPlants()[plant].Middle);
+  const double pixel = 2.0 * distance * std::tan(0.5 * levels.Seen.Angle) / levels.Seen.Height;
+  const double maximum = levels.PixelError * pixel;
+  shares.clear();
+  if (!levels.UseLevels || !(maximum > 0.0))
+  {
+    return static_cast<std::int64_t>(trains);
+  }
+  shares.resize(trains);
+  FindTrainShares(this->TrainSums.data() + plant * trains, trains, maximum, shares.data());
+  return std::count_if(shares.begin(), shares.end(), [](float share) { return share > 0.0f; });
+}
+
+//----------------------------------------------------------------------------
+/// A procedural link in a level. Each level has loads of its own, by how its own segments lean: limp blades turn over
+/// where what they grow on turns by little, and would do so within a step of the camera.
+LinkState SeaweedScene::ProceduralIn(int level, std::size_t link, const WaterAtLink& water, const LinkPose* poses) const
+{
+  return level <= this->Stand.LastLevelOf(link) ? this->Motion->Procedural(water, link, poses)
+                                                : this->Motion->RestOf(link);
+}
+
+//----------------------------------------------------------------------------
+/// Shows a procedural link between its states in the levels; where one level is all, its poses are those shown.
+void SeaweedScene::ShowLink(std::size_t link, const WaterAtLink& water, const SeaweedLevelShares& shares)
 {
   const double near = shares.Near;
   const double far = shares.Far;
+  LinkPose* shown = this->Shown.data();
   const std::array<bool, 3> isUsed{ near > 0.0, near < 1.0 && far > 0.0, near < 1.0 && far < 1.0 };
-  const int last = this->Stand.LastLevelOf(link);
+  if (std::count(isUsed.begin(), isUsed.end(), true) == 1)
+  {
+    const auto level = static_cast<int>(std::find(isUsed.begin(), isUsed.end(), true) - isUsed.begin());
+    this->Motion->PoseOne(this->ProceduralIn(level, link, water, shown), link, shown);
+    return;
+  }
   std::array<LinkState, 3> states;
   for (int level = 0; level < 3; ++level)
   {
     if (isUsed[level])
     {
       LinkPose* poses = this->LevelPoses[level].data();
-      states[level] = level <= last ? this->Motion->Procedural(water, link, poses) : this->Motion->RestOf(link);
+      states[level] = this->ProceduralIn(level, link, water, poses);
       this->Motion->PoseOne(states[level], link, poses);
     }
   }
-  return this->Motion->Mixed(this->Motion->Mixed(states[2], states[1], far), states[0], near);
+  this->Motion->PoseOne(
+    this->Motion->Mixed(this->Motion->Mixed(states[2], states[1], far), states[0], near), link, shown);
 }
 
 //----------------------------------------------------------------------------
@@ -283,33 +323,31 @@ SeaweedCounters SeaweedScene::ShowPhysical(
 
 //----------------------------------------------------------------------------
 SeaweedCounters SeaweedScene::ShowProcedural(
-  const StandPlant& plant, const SeaweedLevelShares& shares, const Picture& picture)
+  std::size_t index, const SeaweedLevelShares& shares, const Picture& picture, Work& work)
 {
+  const StandPlant& plant = this->Stand.GetPlants()[index];
   const std::array<double, 3> byLevel = ByLevel(shares);
   const auto moves = [&](std::size_t link) { return byLevel[this->Stand.LastLevelOf(link)] > 0.0; };
   // Loads are those at the positions at rest.
-  std::vector<Vector3> middles;
+  work.Middles.clear();
   for (std::size_t link = plant.FirstLink; link < plant.EndLink; ++link)
   {
     if (moves(link))
     {
       const SeaweedLink& own = this->Motion->GetLinks()[link];
-      middles.push_back(own.Foot + 0.5 * own.Length * own.Axis);
+      work.Middles.push_back(own.Foot + 0.5 * own.Length * own.Axis);
     }
   }
-  const std::vector<float> trains = this->TrainSharesFor(plant, picture.Levels);
-  std::vector<WaterAtLink> water;
-  this->WaterAt(picture.Orbits, picture.Currents, middles, trains, water);
-  auto next = water.begin();
+  const std::int64_t trains = this->FindSharesFor(index, picture.Levels, work.Shares);
+  this->WaterAt(picture.Orbits, picture.Currents, work);
+  auto next = work.Water.begin();
   for (std::size_t link = plant.FirstLink; link < plant.EndLink; ++link)
   {
-    const LinkState state = this->ProceduralState(link, moves(link) ? *next++ : WaterAtLink(), shares);
-    this->Motion->PoseOne(state, link, this->Shown.data());
+    this->ShowLink(link, moves(link) ? *next++ : WaterAtLink(), shares);
   }
-  const auto evaluated = std::count_if(trains.begin(), trains.end(), [](float share) { return share > 0.0f; });
   SeaweedCounters counters;
-  counters.Segments = static_cast<std::int64_t>(middles.size());
-  counters.TrainEvaluations = counters.Segments * evaluated;
+  counters.Segments = static_cast<std::int64_t>(work.Middles.size());
+  counters.TrainEvaluations = counters.Segments * trains;
   return counters;
 }
 
@@ -323,7 +361,7 @@ void SeaweedScene::ShowAtRest(const StandPlant& plant)
 }
 
 //----------------------------------------------------------------------------
-SeaweedCounters SeaweedScene::ShowPlant(std::size_t index, const Picture& picture)
+SeaweedCounters SeaweedScene::ShowPlant(std::size_t index, const Picture& picture, Work& work)
 {
   const StandPlant& plant = this->Stand.GetPlants()[index];
   SeaweedLevelShares shares;
@@ -338,8 +376,8 @@ SeaweedCounters SeaweedScene::ShowPlant(std::size_t index, const Picture& pictur
     this->ShowAtRest(plant);
     return {};
   }
-  SeaweedCounters counters =
-    this->Physical ? this->ShowPhysical(plant, ByLevel(shares), picture) : this->ShowProcedural(plant, shares, picture);
+  SeaweedCounters counters = this->Physical ? this->ShowPhysical(plant, ByLevel(shares), picture)
+                                            : this->ShowProcedural(index, shares, picture, work);
   counters.Plants = 1;
   return counters;
 }
@@ -364,9 +402,10 @@ SeaweedCounters SeaweedScene::ShowAt(
   const std::size_t links = std::max<std::size_t>(1, this->GetNumberOfLinks());
   ForRanges(
     this->Parallel, plants, this->Physical ? plants * PosesAtOnce / links : 1, [&](std::size_t begin, std::size_t end) {
+      Work work;
       for (std::size_t plant = begin; plant < end; ++plant)
       {
-        counters[plant] = this->ShowPlant(plant, picture);
+        counters[plant] = this->ShowPlant(plant, picture, work);
       }
     });
   SeaweedCounters sum;
@@ -390,31 +429,51 @@ SeaweedCounters SeaweedScene::Show(const SeaweedLevels& levels)
   {
     poses.resize(this->Physical ? 0 : this->Shown.size());
   }
+  if (levels.UseLevels && !this->Physical && this->TrainSums.empty())
+  {
+    this->FindTrainSums();
+  }
   const StepGoal& goal = this->GetGoal();
   return this->ShowAt(goal.Time, goal.Remainder, this->CurrentsOver(goal.Remainder), levels);
+}
+
+//----------------------------------------------------------------------------
+Vector3 SeaweedScene::NodeAt(std::size_t node, const std::vector<LinkPose>& poses) const
+{
+  const Vector3 position = this->Stand.GetSkeleton().Nodes[node].Position;
+  const int link = this->Stand.LinkOf(node);
+  if (link < 0)
+  {
+    return position;
+  }
+  const LinkPose& pose = poses[link];
+  const Vector3 foot = this->Motion->GetLinks()[link].Foot;
+  return position + (pose.Foot - foot) + RotationOffset(pose.Rotation, position - foot);
+}
+
+//----------------------------------------------------------------------------
+Vector3 SeaweedScene::NodeVelocity(std::size_t node, const std::vector<LinkPose>& poses) const
+{
+  const int link = this->Stand.LinkOf(node);
+  if (link < 0)
+  {
+    return Vector3(0.0);
+  }
+  const LinkPose& pose = poses[link];
+  return pose.Velocity + glm::cross(pose.Spin, this->NodeAt(node, poses) - pose.Foot);
 }
 
 //----------------------------------------------------------------------------
 /// Positions of the nodes [m], or their velocities [m/s].
 std::vector<Vector3> SeaweedScene::NodesAt(const std::vector<LinkPose>& poses, bool velocities) const
 {
-  const std::vector<SkeletonNode>& rest = this->Stand.GetSkeleton().Nodes;
-  std::vector<Vector3> nodes(rest.size());
-  for (std::size_t node = 0; node < nodes.size(); ++node)
-  {
-    const Vector3 position = rest[node].Position;
-    const int link = this->Stand.LinkOf(node);
-    if (link < 0)
+  std::vector<Vector3> nodes(this->Stand.GetSkeleton().Nodes.size());
+  this->Parallel(nodes.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t node = begin; node < end; ++node)
     {
-      nodes[node] = velocities ? Vector3(0.0) : position;
-      continue;
+      nodes[node] = velocities ? this->NodeVelocity(node, poses) : this->NodeAt(node, poses);
     }
-    const LinkPose& pose = poses[link];
-    const Vector3 foot = this->Motion->GetLinks()[link].Foot;
-    const Vector3 arm = position - foot;
-    const Vector3 moved = position + (pose.Foot - foot) + RotationOffset(pose.Rotation, arm);
-    nodes[node] = velocities ? pose.Velocity + glm::cross(pose.Spin, moved - pose.Foot) : moved;
-  }
+  });
   return nodes;
 }
 

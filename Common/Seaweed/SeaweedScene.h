@@ -95,6 +95,7 @@ public:
 
   /// Positions of the nodes as Show() found them [m].
   std::vector<Vector3> NodePositions() const { return this->NodesAt(this->Shown, false); }
+  Vector3 NodePosition(std::size_t node) const { return this->NodeAt(node, this->Shown); }
 
   /// Velocities [m/s] and accelerations [m/s2] of the nodes; empty unless found since the last Show().
   const std::vector<Vector3>& GetVelocities() const { return this->Velocities; }
@@ -127,25 +128,41 @@ private:
     std::unique_ptr<ViewFrustum> View; ///< null: no levels
   };
 
+  /// Memory of one thread, kept from plant to plant.
+  struct Work
+  {
+    std::vector<Vector3> Middles;
+    std::vector<WaterAtLink> Water;
+    std::vector<float> Shares; ///< of wave trains
+    std::vector<float> Centers;
+    std::vector<float> First;
+    std::vector<float> Second;
+    std::vector<float> Gradient;
+  };
+
   std::vector<StepMoment> MomentsOf(double length) const;
   StepCurrents CurrentsOver(double length) const;
   void MakeBatchRanges();
   void PoseAll();
-  void WaterAt(const WaveOrbits& orbits, const StepCurrents& currents, const std::vector<Vector3>& middles,
-    const std::vector<float>& shares, std::vector<WaterAtLink>& water) const;
+  void WaterAt(const WaveOrbits& orbits, const StepCurrents& currents, Work& work) const;
   void StepAll(double time, double step, const StepCurrents& currents, std::vector<LinkState>& states,
     std::vector<LinkPose>& poses) const;
   void StepBatches(const BatchRange& range, double step, const WaveOrbits& orbits, const StepCurrents& currents,
-    std::vector<LinkState>& states, std::vector<LinkPose>& poses) const;
-  std::vector<float> TrainSharesFor(const StandPlant& plant, const SeaweedLevels& levels) const;
-  LinkState ProceduralState(std::size_t link, const WaterAtLink& water, const SeaweedLevelShares& shares);
+    std::vector<LinkState>& states, std::vector<LinkPose>& poses, Work& work) const;
+  void FindTrainSums();
+  std::int64_t FindSharesFor(std::size_t plant, const SeaweedLevels& levels, std::vector<float>& shares) const;
+  LinkState ProceduralIn(int level, std::size_t link, const WaterAtLink& water, const LinkPose* poses) const;
+  void ShowLink(std::size_t link, const WaterAtLink& water, const SeaweedLevelShares& shares);
   SeaweedCounters ShowPhysical(const StandPlant& plant, const std::array<double, 3>& shares, const Picture& picture);
-  SeaweedCounters ShowProcedural(const StandPlant& plant, const SeaweedLevelShares& shares, const Picture& picture);
+  SeaweedCounters ShowProcedural(
+    std::size_t index, const SeaweedLevelShares& shares, const Picture& picture, Work& work);
   void ShowAtRest(const StandPlant& plant);
-  SeaweedCounters ShowPlant(std::size_t index, const Picture& picture);
+  SeaweedCounters ShowPlant(std::size_t index, const Picture& picture, Work& work);
   SeaweedCounters ShowAt(double time, double remainder, const StepCurrents& currents, const SeaweedLevels& levels);
   void FindPhysicalMotion();
   void FindProceduralMotion();
+  Vector3 NodeAt(std::size_t node, const std::vector<LinkPose>& poses) const;
+  Vector3 NodeVelocity(std::size_t node, const std::vector<LinkPose>& poses) const;
   std::vector<Vector3> NodesAt(const std::vector<LinkPose>& poses, bool velocities) const;
 
   bool Physical;
@@ -156,13 +173,14 @@ private:
   std::unique_ptr<SeaweedMotion> Motion;
   double UngradedCauchy = std::numeric_limits<double>::infinity();
   std::vector<BatchRange> BatchRanges;
+  std::vector<double> TrainSums; ///< at the tops of plants, those of a plant together; empty until they are needed
 
   TimeMarching<std::vector<LinkState>> Marching;
   std::vector<LinkPose> Poses; ///< of the state that marches
 
   std::vector<LinkPose> Shown;
   std::vector<float> Rigidities; ///< of plants, as shown
-  /// Procedural plants as they are near by, in the middle and far away, whatever is shown.
+  /// Procedural plants as they are near by, in the middle and far away, where two of these are mixed.
   std::array<std::vector<LinkPose>, 3> LevelPoses;
   std::vector<Vector3> Velocities;    ///< of nodes
   std::vector<Vector3> Accelerations; ///< of nodes

@@ -17,13 +17,32 @@ void FrameArrays::BeginFrame()
 
 void FrameArrays::EndFrame()
 {
-  const auto isUseless = [](vtkDataArray* array) { return !array || array->GetReferenceCount() == 1; };
+  const auto isUseless = [](const Frame& frame) { return !frame.Array || frame.Array->GetReferenceCount() == 1; };
   this->Former.erase(std::remove_if(this->Former.begin(), this->Former.end(), isUseless), this->Former.end());
 }
 
 vtkSmartPointer<vtkFloatArray> FrameArrays::Like(vtkFloatArray* other)
 {
-  return this->New<vtkFloatArray>(other->GetName(), other->GetNumberOfComponents(), other->GetNumberOfTuples());
+  const int components = other->GetNumberOfComponents();
+  const vtkIdType tuples = other->GetNumberOfTuples();
+  const Pointer own = this->Take([&](const Frame& former) {
+    return former.Model == other && IsFree(former.Array, components, tuples) &&
+      former.Array->GetNumberOfTuples() == tuples && vtkFloatArray::SafeDownCast(former.Array);
+  });
+  if (own)
+  {
+    this->Given.push_back({ own, other, true });
+    return vtkFloatArray::SafeDownCast(own);
+  }
+  auto array = this->New<vtkFloatArray>(other->GetName(), components, tuples);
+  this->Given.back().Model = other;
+  return array;
+}
+
+bool FrameArrays::IsFormer(vtkDataArray* array) const
+{
+  return std::any_of(this->Given.begin(), this->Given.end(),
+    [array](const Frame& given) { return given.IsFormer && given.Array == array; });
 }
 
 bool FrameArrays::IsFree(vtkDataArray* array, int components, vtkIdType tuples)

@@ -38,11 +38,14 @@ private:
 /**
  * Arrays that a filter fills anew for each frame. An array that nobody else holds any more is filled again: new memory
  * costs a page fault for each 4 KiB, which takes as long as to move the points in it. An array that is still held, as
- * that of the picture on the screen, stays as it is.
+ * that of the picture on the screen, stays as it is. An array like another one is taken where that one's frames were,
+ * if it can be: what never changes from frame to frame is there already.
  */
 class FrameArrays
 {
 public:
+  using Pointer = vtkSmartPointer<vtkDataArray>;
+
   /// A new frame begins: the arrays of the last one may be taken.
   void BeginFrame();
 
@@ -53,35 +56,55 @@ public:
   template <typename Array>
   vtkSmartPointer<Array> New(const char* name, int components, vtkIdType tuples)
   {
-    vtkSmartPointer<Array> array;
-    for (vtkSmartPointer<vtkDataArray>& former : this->Former)
-    {
-      if (IsFree(former, components, tuples) && Array::SafeDownCast(former))
-      {
-        array = Array::SafeDownCast(former);
-        former = nullptr;
-        array->SetNumberOfTuples(tuples);
-        array->Modified(); // VTK drops the ranges of its former values
-        break;
-      }
-    }
+    const auto fits = [&](const Frame& former) {
+      return IsFree(former.Array, components, tuples) && Array::SafeDownCast(former.Array);
+    };
+    auto array = vtkSmartPointer<Array>(Array::SafeDownCast(this->Take(fits)));
     if (!array)
     {
       array = NewArray<Array>(name, components, tuples);
     }
+    array->SetNumberOfTuples(tuples);
     array->SetName(name);
-    this->Given.push_back(array);
+    this->Given.push_back({ array, nullptr, false });
     return array;
   }
 
-  /// An array of the same name and size, not filled.
+  /// An array of the same name and size, not filled but for what IsFormer() says.
   vtkSmartPointer<vtkFloatArray> Like(vtkFloatArray* other);
 
+  /// Whether an array of this frame has the values of an earlier one that was like the same other.
+  bool IsFormer(vtkDataArray* array) const;
+
 private:
-  std::vector<vtkSmartPointer<vtkDataArray>> Former; ///< of earlier frames; null where one was taken
-  std::vector<vtkSmartPointer<vtkDataArray>> Given;  ///< of this frame
+  /// An array, and the one that it is like.
+  struct Frame
+  {
+    Pointer Array; ///< null where it was taken
+    const vtkDataArray* Model = nullptr;
+    bool IsFormer = false;
+  };
+  std::vector<Frame> Former; ///< of earlier frames
+  std::vector<Frame> Given;  ///< of this frame
 
   static bool IsFree(vtkDataArray* array, int components, vtkIdType tuples);
+
+  /// A former array of a kind, which VTK takes for modified: it drops the ranges of the former values. Null: none is.
+  template <typename Kind>
+  Pointer Take(const Kind& isOfKind)
+  {
+    for (Frame& former : this->Former)
+    {
+      if (isOfKind(former))
+      {
+        const Pointer array = former.Array;
+        former.Array = nullptr;
+        array->Modified();
+        return array;
+      }
+    }
+    return nullptr;
+  }
 };
 
 }

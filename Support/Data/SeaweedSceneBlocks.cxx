@@ -10,8 +10,10 @@
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <deque>
 #include <mutex>
 #include <utility>
 
@@ -22,100 +24,163 @@ namespace
 {
 
 /// A skin on its way: arrays, and the ranges of their values, which are found while these are at hand.
-struct MovedSkin
+class MovedSkin
 {
-  RestSkin Rest;
-  const SkinBinding* Binding;
-  vtkSmartPointer<vtkFloatArray> Points;
-  vtkSmartPointer<vtkFloatArray> Normals;
-  std::array<TupleRanges, 2> Ranges;
+public:
+  using Ranges = std::array<TupleRanges, 2>;
 
-  MovedSkin(const SeaweedSkinBlock& skin, FrameArrays& arrays)
-    : Rest(ReadSkin(skin.Rest))
-    , Binding(&skin.Binding)
+  MovedSkin(SeaweedSkinBlock& skin, FrameArrays& arrays)
+    : Block(skin)
+    , Rest(ReadSkin(skin.Rest))
     , Points(arrays.Like(FloatPointsOf(skin.Rest)))
     , Normals(arrays.Like(FindNormals(skin.Rest)))
+    , HasFixed(arrays.IsFormer(this->Points) && arrays.IsFormer(this->Normals))
   {
   }
 
-  /// Moves a run of vertices; adds to the ranges of its points and normals.
-  void Move(const SkinRun& run, const std::vector<JointChange>& changes, float rigidity,
-    std::array<TupleRanges, 2>& ranges) const
+  /// Sees to the vertices that never move: an array that is used again has them.
+  void MoveFixed(const std::vector<JointChange>& changes)
+  {
+    if (!this->HasFixed)
+    {
+      const std::vector<SkinRun>& runs = this->Block.Skin.GetFixedRuns();
+      this->Block.FixedRanges = {};
+      SmpFor(runs.size(), [&](std::size_t begin, std::size_t end) {
+        Ranges ranges;
+        std::for_each(
+          runs.data() + begin, runs.data() + end, [&](const SkinRun& run) { this->Move(run, changes, 0.0f, ranges); });
+        this->Add(ranges, this->Block.FixedRanges);
+      });
+    }
+    this->Add(this->Block.FixedRanges, this->Found);
+  }
+
+  /// Moves all of a plant; adds to the ranges.
+  void MovePlant(std::size_t plant, const std::vector<JointChange>& changes, float rigidity, Ranges& ranges) const
+  {
+    const SeaweedSkin& own = this->Block.Skin;
+    std::for_each(own.RunsOf(plant), own.RunsOf(plant + 1),
+      [&](const SkinRun& run) { this->Move(run, changes, rigidity, ranges); });
+  }
+
+  void AddRanges(const Ranges& ranges) { this->Add(ranges, this->Found); }
+
+  void Write(vtkMultiBlockDataSet* blocks) const
+  {
+    KeepRanges(this->Points.Get(), this->Found[0]);
+    KeepRanges(this->Normals.Get(), this->Found[1]);
+    vtkNew<vtkPolyData> block;
+    block->ShallowCopy(this->Block.Rest);
+    block->SetPoints(PointsWithRanges(this->Points));
+    block->GetPointData()->SetNormals(this->Normals);
+    ReplaceBlock(blocks, this->Block.Name, block);
+  }
+
+private:
+  SeaweedSkinBlock& Block;
+  RestSkin Rest;
+  vtkSmartPointer<vtkFloatArray> Points;
+  vtkSmartPointer<vtkFloatArray> Normals;
+  bool HasFixed;
+  Ranges Found;
+  std::mutex Adding;
+
+  void Move(const SkinRun& run, const std::vector<JointChange>& changes, float rigidity, Ranges& ranges) const
   {
     float* p = this->Points->GetPointer(0);
     float* n = this->Normals->GetPointer(0);
-    MoveSkin(this->Rest, *this->Binding, changes.data(), run.First, run.End, p, n, rigidity);
+    if (rigidity < 1.0f)
+    {
+      MoveSkin(this->Rest, this->Block.Binding, changes.data(), run.First, run.End, p, n, rigidity);
+    }
+    else
+    {
+      MoveRigidly(this->Rest, this->Block.Rigid, changes.data(), run.First, run.End, p, n);
+    }
     ranges[0].AddTuples(p + 3 * run.First, p + 3 * run.End, 3);
     ranges[1].AddTuples(n + 3 * run.First, n + 3 * run.End, 3);
   }
 
-  void Write(const SeaweedSkinBlock& skin, vtkMultiBlockDataSet* blocks) const
+  void Add(const Ranges& part, Ranges& sum)
   {
-    KeepRanges(this->Points.Get(), this->Ranges[0]);
-    KeepRanges(this->Normals.Get(), this->Ranges[1]);
-    vtkNew<vtkPolyData> block;
-    block->ShallowCopy(skin.Rest);
-    block->SetPoints(PointsWithRanges(this->Points));
-    block->GetPointData()->SetNormals(this->Normals);
-    ReplaceBlock(blocks, skin.Name, block);
+    const std::lock_guard<std::mutex> lock(this->Adding);
+    sum[0].Add(part[0]);
+    sum[1].Add(part[1]);
   }
 };
 
 /// Replaces the skins among the blocks. All of a plant is done by one thread, at one go.
-void WriteSkins(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock>& skins, FrameArrays& arrays,
-  vtkMultiBlockDataSet* blocks)
+void WriteSkins(
+  const SeaweedScene& scene, std::vector<SeaweedSkinBlock>& skins, SeaweedFrames& frames, vtkMultiBlockDataSet* blocks)
 {
-  arrays.BeginFrame();
-  std::vector<MovedSkin> moved;
-  moved.reserve(skins.size());
-  for (const SeaweedSkinBlock& skin : skins)
+  std::deque<MovedSkin> moved;
+  for (SeaweedSkinBlock& skin : skins)
   {
-    moved.emplace_back(skin, arrays);
+    moved.emplace_back(skin, frames.Arrays);
   }
-  arrays.EndFrame();
+  std::vector<JointChange>& changes = frames.Changes;
+  changes.resize(scene.GetStand().GetSkeleton().Nodes.size());
+  for (MovedSkin& skin : moved)
+  {
+    skin.MoveFixed(changes);
+  }
   const std::vector<glm::dquat> rotations = scene.SkinRotations();
-  std::vector<JointChange> changes(scene.GetStand().GetSkeleton().Nodes.size());
-  std::mutex adding;
   SmpFor(scene.GetStand().GetPlants().size(), [&](std::size_t begin, std::size_t end) {
-    std::vector<std::array<TupleRanges, 2>> parts(moved.size());
+    std::vector<MovedSkin::Ranges> parts(moved.size());
     for (std::size_t plant = begin; plant < end; ++plant)
     {
       scene.FindChanges(plant, rotations, changes);
       for (std::size_t skin = 0; skin < moved.size(); ++skin)
       {
-        const SeaweedSkin& own = skins[skin].Skin;
-        for (const SkinRun* run = own.RunsOf(plant); run != own.RunsOf(plant + 1); ++run)
-        {
-          moved[skin].Move(*run, changes, scene.RigidityOf(plant), parts[skin]);
-        }
+        moved[skin].MovePlant(plant, changes, scene.RigidityOf(plant), parts[skin]);
       }
     }
-    const std::lock_guard<std::mutex> lock(adding);
     for (std::size_t skin = 0; skin < moved.size(); ++skin)
     {
-      moved[skin].Ranges[0].Add(parts[skin][0]);
-      moved[skin].Ranges[1].Add(parts[skin][1]);
+      moved[skin].AddRanges(parts[skin]);
     }
   });
-  for (std::size_t skin = 0; skin < moved.size(); ++skin)
+  for (const MovedSkin& skin : moved)
   {
-    moved[skin].Write(skins[skin], blocks);
+    skin.Write(blocks);
   }
 }
 
-void WriteSkeleton(const SeaweedScene& scene, vtkPolyData* bones, vtkMultiBlockDataSet* blocks)
+/// Positions of the nodes as shown: in an array of an earlier frame where they are of single precision.
+vtkSmartPointer<vtkDataArray> MovedNodes(const SeaweedScene& scene, vtkDataArray* rest, FrameArrays& arrays)
+{
+  const std::size_t nodes = scene.GetStand().GetSkeleton().Nodes.size();
+  if (auto* floats = vtkFloatArray::SafeDownCast(rest))
+  {
+    const auto moved = arrays.Like(floats);
+    float* to = moved->GetPointer(0);
+    SmpFor(nodes, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t node = begin; node < end; ++node)
+      {
+        const Vector3 place = scene.NodePosition(node);
+        to[3 * node] = static_cast<float>(place.x);
+        to[3 * node + 1] = static_cast<float>(place.y);
+        to[3 * node + 2] = static_cast<float>(place.z);
+      }
+    });
+    return moved;
+  }
+  const auto moved = vtkSmartPointer<vtkDataArray>::Take(rest->NewInstance());
+  moved->SetNumberOfComponents(3);
+  SetTuples(moved, static_cast<vtkIdType>(nodes));
+  for (std::size_t node = 0; node < nodes; ++node)
+  {
+    const Vector3 place = scene.NodePosition(node);
+    moved->SetTuple(static_cast<vtkIdType>(node), &place.x);
+  }
+  return moved;
+}
+
+void WriteSkeleton(const SeaweedScene& scene, vtkPolyData* bones, FrameArrays& arrays, vtkMultiBlockDataSet* blocks)
 {
   vtkNew<vtkPolyData> bent;
   bent->ShallowCopy(bones);
-  vtkNew<vtkPoints> points;
-  points->SetDataType(bones->GetPoints()->GetDataType());
-  SetTuples(points->GetData(), bones->GetNumberOfPoints());
-  const std::vector<Vector3> nodes = scene.NodePositions();
-  for (std::size_t node = 0; node < nodes.size(); ++node)
-  {
-    points->SetPoint(static_cast<vtkIdType>(node), &nodes[node].x);
-  }
-  bent->SetPoints(PointsWithRanges(points->GetData()));
+  bent->SetPoints(PointsWithRanges(MovedNodes(scene, bones->GetPoints()->GetData(), arrays)));
   if (!scene.GetVelocities().empty())
   {
     bent->GetPointData()->AddArray(ArrayOf<vtkFloatArray>("Velocity", 3, scene.GetVelocities()));
@@ -136,7 +201,9 @@ std::vector<SeaweedSkinBlock> ReadSkins(vtkMultiBlockDataSet* plants, const Seaw
     }
     RequireSkin(block, name, stand.GetSkeleton().Nodes.size());
     const auto vertices = static_cast<std::size_t>(block->GetNumberOfPoints());
-    skins.push_back({ name, block, SeaweedSkin(ReadJointIds(block), vertices, stand), ReadBinding(block) });
+    const SkinBinding binding = ReadBinding(block);
+    skins.push_back(
+      { name, block, SeaweedSkin(ReadJointIds(block), vertices, stand), binding, RigidBinding(binding), {} });
   }
   return skins;
 }
@@ -172,7 +239,7 @@ void ReadSeaweeds(vtkMultiBlockDataSet* plants, const SeaweedOptions& options, c
 }
 
 //----------------------------------------------------------------------------
-void WriteSeaweeds(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock>& skins, FrameArrays& arrays,
+void WriteSeaweeds(const SeaweedScene& scene, std::vector<SeaweedSkinBlock>& skins, SeaweedFrames& frames,
   vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output)
 {
   if (scene.GetStand().GetSkeleton().Nodes.empty())
@@ -181,8 +248,10 @@ void WriteSeaweeds(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock
   }
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->ShallowCopy(FindBlock(plants, plant::High));
-  WriteSkins(scene, skins, arrays, blocks);
-  WriteSkeleton(scene, PlantPartOf(plants, plant::High, plant::Skeleton), blocks);
+  frames.Arrays.BeginFrame();
+  WriteSkins(scene, skins, frames, blocks);
+  WriteSkeleton(scene, PlantPartOf(plants, plant::High, plant::Skeleton), frames.Arrays, blocks);
+  frames.Arrays.EndFrame();
   ReplaceBlock(output, plant::High, blocks);
 }
 

@@ -6,10 +6,13 @@
 // Scenes of seaweeds between blocks and the numerics. Private: never installed, never wrapped.
 
 #include "Data/FrameArrays.h"
+#include "Pipeline/Ranges.h"
+#include "Plants/RigidSkinning.h"
 #include "Plants/SkinBinding.h"
 #include "Seaweed/SeaweedScene.h"
 #include "Seaweed/SeaweedSkin.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -26,14 +29,23 @@ struct SeaweedSkinBlock
   vtkPolyData* Rest;
   SeaweedSkin Skin;
   SkinBinding Binding;
+  RigidBinding Rigid;
+  std::array<TupleRanges, 2> FixedRanges; ///< of points and normals that never move, once they were written
+};
+
+/// What the frames of a scene take in turn.
+struct SeaweedFrames
+{
+  FrameArrays Arrays;
+  std::vector<JointChange> Changes; ///< of nodes; zero where they are fixed to the ground
 };
 
 /// Reads plants into a scene, and their skins. Throws InvalidInput.
 void ReadSeaweeds(vtkMultiBlockDataSet* plants, const SeaweedOptions& options, const SeaState& sea, SeaweedScene& scene,
   std::vector<SeaweedSkinBlock>& skins);
 
-/// Writes the plants of a scene as shown, a frame of `arrays`; `output` is a shallow copy of `plants`.
-void WriteSeaweeds(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock>& skins, FrameArrays& arrays,
+/// Writes the plants of a scene as shown, one of the frames of the same skins; `output` is a shallow copy of `plants`.
+void WriteSeaweeds(const SeaweedScene& scene, std::vector<SeaweedSkinBlock>& skins, SeaweedFrames& frames,
   vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output);
 
 /// Adds the block of the joints as shown.

@@ -710,12 +710,27 @@ TEST(ParticleLevels, BadOptions)
   EXPECT_EQ(WhyInvalid(ParticleLevelOptions{}), "");
 }
 
+namespace
+{
+
+ParticleFog FogOf(
+  const FogGrid& grid, const std::vector<FogParticle>& particles, const ParallelFor& parallel = SerialFor)
+{
+  const auto read = [&particles](std::size_t begin, std::size_t end, FogParticle* to) {
+    std::copy(
+      particles.begin() + static_cast<std::ptrdiff_t>(begin), particles.begin() + static_cast<std::ptrdiff_t>(end), to);
+  };
+  FogMemory memory;
+  return ParticleFog(grid, particles.size(), read, memory, parallel);
+}
+
+}
+
 TEST(ParticleFog, BoundsAreThatThick)
 {
   using Bounds = std::array<double, 6>;
-  EXPECT_EQ(BoundsOf({}, 0.5), (Bounds{ 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 }));
-  const std::vector<FogParticle> particles{ { { 1.0, 5.0, -2.0 }, 1.0 }, { { 4.0, 5.0, -1.75 }, 1.0 } };
-  EXPECT_EQ(BoundsOf(particles, 0.5), (Bounds{ 1.0, 4.0, 4.75, 5.25, -2.125, -1.625 }));
+  EXPECT_EQ(Thickened({ 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 }, 0.5), (Bounds{ 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 }));
+  EXPECT_EQ(Thickened({ 1.0, 4.0, 5.0, 5.0, -2.0, -1.75 }, 0.5), (Bounds{ 1.0, 4.0, 4.75, 5.25, -2.125, -1.625 }));
 }
 
 TEST(ParticleFog, KeepsTheSumOfCrossSections)
@@ -729,13 +744,13 @@ TEST(ParticleFog, KeepsTheSumOfCrossSections)
     particles.push_back({ place, 1e-4 * (1.0 + place.x * place.x) });
     sum += particles.back().CrossSection;
   }
-  const ParticleFog fog(grid, particles);
+  const ParticleFog fog = FogOf(grid, particles);
   EXPECT_EQ(fog.GetOutside(), 0);
   EXPECT_NEAR(TotalCrossSection(grid, fog.GetExtinction()) / sum, 1.0, 1e-6);
 
   // One particle: the integral of the field about it, and its first moment.
   const FogParticle one{ { 0.13, 3.04, -1.3 }, 2e-3 };
-  const ParticleFog alone(grid, { one });
+  const ParticleFog alone = FogOf(grid, { one });
   Vector3 moment(0.0);
   for (int k = 0; k < grid.Count[2]; ++k)
   {
@@ -751,9 +766,71 @@ TEST(ParticleFog, KeepsTheSumOfCrossSections)
   EXPECT_LT(glm::distance(moment / one.CrossSection, one.Place), 1e-6);
 
   particles.push_back({ { 2.01, 3.0, -1.0 }, 1.0 });
-  const ParticleFog again(grid, particles, OnThreads(2));
+  const ParticleFog again = FogOf(grid, particles, OnThreads(2));
   EXPECT_EQ(again.GetOutside(), 1);
   EXPECT_EQ(again.GetExtinction(), fog.GetExtinction());
+}
+
+// More layers and particles than one thread takes at a time, against a sum over all particles in their order.
+TEST(ParticleFog, LayersKeepTheOrderOfTheParticles)
+{
+  const FogGrid grid{ { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, { 3, 3, 21 } };
+  const std::vector<Vector3> places = Places(9000, { { -0.1, 0.0, 0.0 }, { 2.0, 2.0, 20.0 } });
+  std::vector<FogParticle> particles;
+  std::vector<double> below(grid.NumberOfSamples(), 0.0); // of the particles under a sample
+  std::vector<double> above(grid.NumberOfSamples(), 0.0);
+  long long outside = 0;
+  for (const Vector3& p : places)
+  {
+    particles.push_back({ p, 1e-3 * (1.0 + p.z) });
+    if (p.x < 0.0)
+    {
+      ++outside;
+      continue;
+    }
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const int at[3] = { static_cast<int>(p.x) + corner % 2, static_cast<int>(p.y) + corner / 2 % 2,
+        static_cast<int>(p.z) + corner / 4 };
+      double share = 1.0;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        share *= 1.0 - std::abs(p[axis] - at[axis]);
+      }
+      const std::size_t sample = static_cast<std::size_t>((at[2] * 3 + at[1]) * 3 + at[0]);
+      (corner / 4 > 0 ? below : above)[sample] += share * particles.back().CrossSection;
+    }
+  }
+  const ParticleFog fog = FogOf(grid, particles);
+  EXPECT_EQ(fog.GetOutside(), outside);
+  EXPECT_GT(outside, 0);
+  EXPECT_EQ(FogOf(grid, particles, OnThreads(3)).GetExtinction(), fog.GetExtinction());
+  for (std::size_t n = 0; n < below.size(); ++n)
+  {
+    const int at[3] = { static_cast<int>(n % 3), static_cast<int>(n / 3 % 3), static_cast<int>(n / 9) };
+    const double volume = (at[0] == 1 ? 1.0 : 0.5) * (at[1] == 1 ? 1.0 : 0.5) * (at[2] % 20 > 0 ? 1.0 : 0.5);
+    EXPECT_FLOAT_EQ(fog.GetExtinction()[n], static_cast<float>((below[n] + above[n]) / volume));
+  }
+}
+
+TEST(ParticleFog, MemoryOfFormerFogsDoesNotShow)
+{
+  const FogGrid grid{ { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, { 3, 3, 3 } };
+  FogMemory memory;
+  for (const int count : { 500, 20, 9000 })
+  {
+    std::vector<FogParticle> particles;
+    for (const Vector3& place : Places(count, { { 0.0, 0.0, 0.0 }, { 2.0, 2.0, 2.0 } }))
+    {
+      particles.push_back({ place, 1e-3 });
+    }
+    const auto read = [&particles](std::size_t begin, std::size_t end, FogParticle* to) {
+      std::copy(particles.data() + begin, particles.data() + end, to);
+    };
+    EXPECT_EQ(
+      ParticleFog(grid, particles.size(), read, memory).GetExtinction(), FogOf(grid, particles).GetExtinction());
+    memory.Limit(400);
+  }
 }
 
 TEST(ParticleFog, SpreadsParticlesOverTheVolumeOfTheirSample)
@@ -765,7 +842,7 @@ TEST(ParticleFog, SpreadsParticlesOverTheVolumeOfTheirSample)
     const int i = faces > 0 ? 0 : 2;
     const int j = faces > 1 ? 4 : 2;
     const int k = faces > 2 ? 4 : 2;
-    const ParticleFog fog(grid, { { { 0.5 * i, 0.25 * j, 1.0 * k }, 2e-3 } });
+    const ParticleFog fog = FogOf(grid, { { { 0.5 * i, 0.25 * j, 1.0 * k }, 2e-3 } });
     const double volume = 0.125 * std::pow(0.5, faces);
     EXPECT_NEAR(fog.GetExtinction()[(static_cast<std::size_t>(k) * 5 + j) * 5 + i] * volume, 2e-3, 1e-9);
   }
@@ -834,8 +911,8 @@ TEST(ParticleFog, HidesAsMuchAsItsParticlesDo)
   {
     particle.CrossSection = section;
   }
-  const std::vector<float> blended = ParticleFog(grid, particles).GetExtinction();
-  const std::vector<float> whole = ParticleFog(grid, all).GetExtinction();
+  const std::vector<float> blended = FogOf(grid, particles).GetExtinction();
+  const std::vector<float> whole = FogOf(grid, all).GetExtinction();
 
   double drawn = 0.0;
   double fog = 0.0;

@@ -440,7 +440,7 @@ TEST(SeaweedStand, KnowsThePlantOfEachNodeAndLink)
   EXPECT_EQ(SeaweedStand(bed.Rest, links, nullptr).GetPlants().size(), 1u);
 }
 
-TEST(SeaweedSkin, RunsHoldAllVerticesOfAPlant)
+TEST(SeaweedSkin, RunsHoldAllVerticesOfAPlantThatMove)
 {
   const Bed bed = TwoPlants();
   const SeaweedStand stand(bed.Rest, LinksOf(bed.Rest, bed.Segments, {}), bed.Ids.data());
@@ -464,7 +464,12 @@ TEST(SeaweedSkin, RunsHoldAllVerticesOfAPlant)
       }
     }
   }
-  EXPECT_EQ(vertices[0], (std::vector<std::size_t>{ 0, 1, 5 }));
+  ASSERT_LT(stand.LinkOf(0), 0); // it is a holdfast
+  ASSERT_LT(stand.LinkOf(1), 0);
+  EXPECT_EQ(vertices[0], (std::vector<std::size_t>{ 5 }));
+  ASSERT_EQ(skin.GetFixedRuns().size(), 1u);
+  EXPECT_EQ(skin.GetFixedRuns()[0].First, 0u);
+  EXPECT_EQ(skin.GetFixedRuns()[0].End, 2u);
   EXPECT_EQ(vertices[1], (std::vector<std::size_t>{ 2, 3, 4, 6 }));
 }
 
@@ -494,7 +499,8 @@ TEST(SeaweedLevels, TrainsLeaveOutNoMoreThanTheMaximum)
   {
     for (const double maximum : { 1e-4, 1e-2, 0.1, 10.0 })
     {
-      const std::vector<float> shares = TrainShares(sea, height, maximum);
+      std::vector<float> shares(sea.Trains.size(), -1.0f);
+      FindTrainShares(TrainSums(sea, height).data(), shares.size(), maximum, shares.data());
       double left = 0.0;
       for (std::size_t n = 0; n < shares.size(); ++n)
       {
