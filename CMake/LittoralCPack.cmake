@@ -144,8 +144,13 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "littoral (= ${PROJECT_VERSION}), l
 if (LITTORAL_WITH_PARAVIEW)
   set(CPACK_DEBIAN_LITTORAL_PACKAGE_DEPENDS "paraview")
   string(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS ", python3-paraview")
-  # Its CMake files ask for the last two where a program draws, without depending on them.
-  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", paraview-dev, libglew-dev, libx11-dev")
+  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", paraview-dev")
+endif ()
+if (VTK_DIR MATCHES "paraview")
+  # What CMake files of ParaView's own VTK ask for where a program draws, without a dependency of their package
+  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libglew-dev, libx11-dev")
+else ()
+  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libvtk9-dev")
 endif ()
 
 include(CPack)
