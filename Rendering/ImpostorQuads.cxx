@@ -38,6 +38,13 @@ namespace littoral
 
 vtkStandardNewMacro(ImpostorQuads);
 
+namespace
+{
+
+constexpr std::array<const char*, 3> InstanceAttributes = { "instancePlace", "instanceTurn", "instanceTint" };
+
+}
+
 //----------------------------------------------------------------------------
 ImpostorQuads::ImpostorQuads()
 {
@@ -99,15 +106,46 @@ void ImpostorQuads::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   this->UpdateShaders(squares, renderer, actor);
   if (squares.Program)
   {
-    this->BindAttributes(squares);
     squares.IBO->Bind();
-    glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(squares.IBO->IndexCount), GL_UNSIGNED_INT, nullptr,
-      static_cast<GLsizei>(this->Instances.Values.size() / ImpostorInstances::Numbers));
+    this->HasInstancedArrays() ? this->DrawTogether(squares) : this->DrawEach(squares);
     squares.IBO->Release();
   }
   for (vtkTextureObject* texture : textures)
   {
     texture->Deactivate();
+  }
+}
+
+//----------------------------------------------------------------------------
+/// OpenGL 3.3, or an extension
+bool ImpostorQuads::HasInstancedArrays()
+{
+  return glVertexAttribDivisor || glVertexAttribDivisorARB;
+}
+
+//----------------------------------------------------------------------------
+void ImpostorQuads::DrawTogether(vtkOpenGLHelper& squares)
+{
+  this->BindAttributes(squares);
+  glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(squares.IBO->IndexCount), GL_UNSIGNED_INT, nullptr,
+    static_cast<GLsizei>(this->Instances.Values.size() / ImpostorInstances::Numbers));
+}
+
+//----------------------------------------------------------------------------
+/// The same, one instance after the other.
+void ImpostorQuads::DrawEach(vtkOpenGLHelper& squares)
+{
+  squares.VAO->Bind();
+  const std::vector<float>& values = this->Instances.Values;
+  for (std::size_t instance = 0; instance < values.size(); instance += ImpostorInstances::Numbers)
+  {
+    for (std::size_t k = 0; k < InstanceAttributes.size(); ++k)
+    {
+      const auto program = static_cast<GLuint>(squares.Program->GetHandle());
+      const GLint place = glGetAttribLocation(program, InstanceAttributes[k]);
+      glVertexAttrib4fv(static_cast<GLuint>(place), values.data() + instance + 4 * k);
+    }
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(squares.IBO->IndexCount), GL_UNSIGNED_INT, nullptr);
   }
 }
 
@@ -121,7 +159,7 @@ void ImpostorQuads::BindAttributes(vtkOpenGLHelper& squares)
   }
   int offset = 0;
   squares.VAO->Bind();
-  for (const char* name : { "instancePlace", "instanceTurn", "instanceTint" })
+  for (const char* name : InstanceAttributes)
   {
     squares.VAO->AddAttributeArrayWithDivisor(squares.Program, this->Buffer, name, offset,
       ImpostorInstances::Numbers * sizeof(float), VTK_FLOAT, 4, false, 1, false);

@@ -66,6 +66,9 @@ private:
   ImpostorQuads(const ImpostorQuads&) = delete;
   void operator=(const ImpostorQuads&) = delete;
 
+  static bool HasInstancedArrays();
+  void DrawTogether(vtkOpenGLHelper& squares);
+  void DrawEach(vtkOpenGLHelper& squares);
   void BindAttributes(vtkOpenGLHelper& squares);
 
   ImpostorInstances Instances;

@@ -77,6 +77,8 @@ public:
 
   /// Whether shadows are soft: where depths may be read from their maps.
   bool HasSoftShadows() const { return this->WantsSoftShadows && this->HasShadows() && this->Depths.IsOn(); }
+  /// Whether they are wanted but may not, while the textures are bound.
+  bool LacksSoftShadows() const { return this->WantsSoftShadows && this->HasShadows() && !this->Depths.IsOn(); }
 
   /// Whether what is out of focus is blurred.
   bool HasLens() const { return this->Aperture > 0.0 && !this->IsParallel; }

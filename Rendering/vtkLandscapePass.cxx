@@ -150,6 +150,7 @@ struct vtkLandscapePass::Internals
   std::vector<vtkProp*> Shown;
   vtkSmartPointer<vtkMultiProcessController> Controller;
   bool HasMaps = false;  ///< of the next picture
+  bool HasTold = false;  ///< what the graphics driver lacks
   vtkTimeStamp Reported; ///< of the last mistake
 
   void DrawCover(vtkRenderer* renderer);
@@ -630,6 +631,11 @@ void vtkLandscapePass::Render(const vtkRenderState* state)
   own.HasMaps = false;
   this->TakeCamera(renderer);
   own.Light.Activate(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
+  if (own.Light.LacksSoftShadows() && !own.HasTold)
+  {
+    own.HasTold = true;
+    vtkWarningMacro(<< "Shadows are not soft: the graphics driver has no sampler objects (OpenGL 3.3).");
+  }
   own.Lit->Render(state);
   own.Light.Deactivate();
   this->NumberOfRenderedProps = own.Lit->GetNumberOfRenderedProps();

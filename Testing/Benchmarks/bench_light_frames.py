@@ -4,7 +4,8 @@
 
     build/bin/littoral-env --display pvpython Testing/Benchmarks/bench_light_frames.py [ENTRY...]
 
-ENTRY: of Sources > Littoral; default Forest. In each of five rounds a view is drawn without its light and with it in each
+ENTRY: of Sources > Littoral, default Forest, or foam: a sea surface at other times, with foam that is left behind over
+one without, and its frame in that light. In each of five rounds a view is drawn without its light and with it in each
 quality, after turns of the camera by 1 degree. Printed are medians of processor time [s] and their ratios to those
 without the light.
 """
@@ -50,7 +51,32 @@ def measure(entry):
     return {name: float(np.median(some)) for name, some in times.items()}
 
 
+def measure_foam():
+    """Medians of processor times of a sea surface at another time, and of its frame [s], by lifetime of foam [s]."""
+    view = simple.CreateView("RenderView")
+    view.ViewSize = [960, 540]
+    simple.Show(simple.LandscapeLight(), view)
+    sea = simple.SeaSurface(Input=simple.SeaState(WindSpeed=12.0))
+    simple.Show(sea, view)
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0, -30, 8], [0, 0, 0], [0, 0, 1]
+    times = {0.0: [], 4.0: []}
+    for step in range(ROUNDS + 1):
+        for lifetime, some in times.items():
+            sea.FoamLifetime = lifetime
+            begin = time.process_time()
+            sea.UpdatePipeline(0.5 * step)
+            surface = time.process_time() - begin
+            simple.Render(view)  # what another lifetime changes is made anew
+            some.append((surface, frame(view)))
+    return {lifetime: np.median(some[1:], axis=0) for lifetime, some in times.items()}
+
+
 simple._DisableFirstRenderCameraReset()  # pylint: disable=protected-access
 for one in sys.argv[1:] or ["Forest"]:
+    if one == "foam":
+        seas = measure_foam()
+        for what, k in (("surface", 0), ("frame", 1)):
+            print(f"{what} without foam {seas[0.0][k]:.3f} s, with {seas[4.0][k]:.3f} s ({seas[4.0][k] / seas[0.0][k]:.2f})")
+        continue
     medians = measure(one)
     print(one, ", ".join(f"{name} {some:.2f} s ({some / medians['without']:.2f})" for name, some in medians.items()))
