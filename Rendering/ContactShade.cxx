@@ -102,14 +102,7 @@ void ContactShade::TakeNearest(vtkMultiProcessController* processes)
 //----------------------------------------------------------------------------
 void ContactShade::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (auto* picture : { &this->Ways, &this->Hidden })
-  {
-    if (*picture)
-    {
-      (*picture)->ReleaseGraphicsResources(window);
-    }
-    *picture = nullptr;
-  }
+  PictureShader::Release({ &this->Ways, &this->Hidden }, window);
   this->ToWays.ReleaseGraphicsResources(window);
   this->ToHidden.ReleaseGraphicsResources(window);
 }

@@ -58,14 +58,7 @@ void Lens::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* lit, const View
 //----------------------------------------------------------------------------
 void Lens::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (auto* picture : { &this->Tiles, &this->Blurred })
-  {
-    if (*picture)
-    {
-      (*picture)->ReleaseGraphicsResources(window);
-    }
-    *picture = nullptr;
-  }
+  PictureShader::Release({ &this->Tiles, &this->Blurred }, window);
   this->ToTiles.ReleaseGraphicsResources(window);
   this->ToBlurred.ReleaseGraphicsResources(window);
 }

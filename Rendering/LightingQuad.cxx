@@ -112,14 +112,7 @@ void LightingQuad::Layer::Allocate(vtkOpenGLRenderWindow* window, int width, int
 //----------------------------------------------------------------------------
 void LightingQuad::Layer::Clear(vtkWindow* window)
 {
-  for (auto* picture : { &this->Albedo, &this->Surface, &this->Depth })
-  {
-    if (*picture)
-    {
-      (*picture)->ReleaseGraphicsResources(window);
-    }
-    *picture = nullptr;
-  }
+  PictureShader::Release({ &this->Albedo, &this->Surface, &this->Depth }, window);
 }
 
 //----------------------------------------------------------------------------
@@ -413,14 +406,7 @@ void LightingQuad::ReleaseGraphicsResources(vtkWindow* window)
   this->Wet.Clear(window);
   this->Contact.ReleaseGraphicsResources(window);
   this->Glass.ReleaseGraphicsResources(window);
-  for (auto* picture : { &this->Lit, &this->Kinds })
-  {
-    if (*picture)
-    {
-      (*picture)->ReleaseGraphicsResources(window);
-    }
-    *picture = nullptr;
-  }
+  PictureShader::Release({ &this->Lit, &this->Kinds }, window);
   this->Frame->ReleaseGraphicsResources(window);
   for (auto& [defined, quad] : this->Parts)
   {

@@ -41,6 +41,19 @@ vtkSmartPointer<vtkTextureObject> PictureShader::NewPicture(
 }
 
 //----------------------------------------------------------------------------
+void PictureShader::Release(std::initializer_list<vtkSmartPointer<vtkTextureObject>*> pictures, vtkWindow* window)
+{
+  for (auto* picture : pictures)
+  {
+    if (*picture)
+    {
+      (*picture)->ReleaseGraphicsResources(window);
+    }
+    *picture = nullptr;
+  }
+}
+
+//----------------------------------------------------------------------------
 /// The program; null if it does not compile.
 vtkShaderProgram* PictureShader::Ready(vtkOpenGLRenderWindow* window)
 {

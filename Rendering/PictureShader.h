@@ -7,6 +7,7 @@
 #include "vtkSmartPointer.h"
 
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <utility>
@@ -32,6 +33,9 @@ public:
 
   /// A picture without a filter, with a number of channels.
   static vtkSmartPointer<vtkTextureObject> NewPicture(vtkOpenGLRenderWindow* window, int width, int height, int parts);
+
+  /// Gives back what pictures, of which some may be null, have of a window, and makes them null.
+  static void Release(std::initializer_list<vtkSmartPointer<vtkTextureObject>*> pictures, vtkWindow* window);
 
   using Inputs = std::vector<std::pair<const char*, vtkTextureObject*>>;
 

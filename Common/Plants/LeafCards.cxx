@@ -55,7 +55,7 @@ struct SprayBlade
   double Shade;
 };
 
-/// Those in front first, so that each lies upon the next one below it.
+/// Blades from the front to the back: each lies upon the next one below it.
 constexpr SprayBlade Spray[] = { { 0.585, 0.02, 0.38, 1.0 }, { 0.47, 0.72, 0.33, 0.97 }, { 0.43, -0.80, 0.34, 0.98 },
   { 0.27, 1.02, 0.34, 0.93 }, { 0.24, -1.05, 0.345, 0.95 }, { 0.10, 0.72, 0.31, 0.89 }, { 0.06, -0.62, 0.31, 0.91 } };
 /// Opacity of what is not a blade: cut out by itself, but not in a mean with the blades around it, so that a spray that

@@ -276,19 +276,20 @@ std::array<double, 3> BarkOf(double grey, double distance)
   return found;
 }
 
-/// Bark has furrows along the trunk and the color of its data on average; from afar, and on bright trunks, it is
-/// smooth.
+/// Bark has furrows along the trunk, and marks across it where it is bright; it has the color of its data on average,
+/// and is smooth from afar.
 bool TestBark()
 {
   const std::array<double, 3> near = BarkOf(0.2, 15.0);
   const std::array<double, 3> far = BarkOf(0.2, 80.0);
   const std::array<double, 3> bright = BarkOf(0.6, 15.0);
   std::cout << "Bark: mean " << near[0] << ", changes across over those upward " << std::sqrt(near[1] / near[2])
-            << "\n";
-  return Check(std::abs(near[0] / far[0] - 1.0) < 0.05, "Bark has another color near by.") &&
+            << "; bright, mean " << bright[0] << ", " << std::sqrt(bright[1] / bright[2]) << "\n";
+  return Check(std::abs(near[0] / 0.2 - 1.0) < 0.05 && std::abs(bright[0] / 0.6 - 1.0) < 0.05,
+           "Bark has another color near by.") &&
     Check(near[1] > 2.0 * near[2], "Bark has no furrows.") &&
-    Check(
-      far[1] + far[2] < 1e-7 && bright[1] + bright[2] < 1e-7, "Bark is rough from afar, or that of a bright trunk.");
+    Check(bright[2] > 4.0 * bright[1], "Marks on bright bark are not across it.") &&
+    Check(far[1] + far[2] < 1e-7, "Bark is rough from afar.");
 }
 
 }
