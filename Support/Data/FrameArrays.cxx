@@ -21,6 +21,32 @@ void FrameArrays::EndFrame()
   this->Former.erase(std::remove_if(this->Former.begin(), this->Former.end(), isUseless), this->Former.end());
 }
 
+vtkSmartPointer<vtkDataArray> FrameArrays::Like(vtkDataArray* other, vtkIdType tuples)
+{
+  const int components = other->GetNumberOfComponents();
+  vtkSmartPointer<vtkDataArray> array;
+  for (vtkSmartPointer<vtkDataArray>& former : this->Former)
+  {
+    if (IsFree(former, components, tuples) && former->IsA(other->GetClassName()))
+    {
+      array = former;
+      former = nullptr;
+      array->SetNumberOfTuples(tuples);
+      array->Modified();
+      break;
+    }
+  }
+  if (!array)
+  {
+    array.TakeReference(other->NewInstance());
+    array->SetNumberOfComponents(components);
+    SetTuples(array, tuples);
+  }
+  array->SetName(other->GetName());
+  this->Given.push_back(array);
+  return array;
+}
+
 vtkSmartPointer<vtkFloatArray> FrameArrays::Like(vtkFloatArray* other)
 {
   return this->New<vtkFloatArray>(other->GetName(), other->GetNumberOfComponents(), other->GetNumberOfTuples());

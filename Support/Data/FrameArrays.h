@@ -74,6 +74,9 @@ public:
     return array;
   }
 
+  /// An array of the name and type of another one, with room for tuples, not filled.
+  vtkSmartPointer<vtkDataArray> Like(vtkDataArray* other, vtkIdType tuples);
+
   /// An array of the same name and size, not filled.
   vtkSmartPointer<vtkFloatArray> Like(vtkFloatArray* other);
 
