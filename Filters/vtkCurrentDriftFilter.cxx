@@ -6,6 +6,7 @@
 #include "Data/Arrays.h"
 #include "Data/CurrentInputs.h"
 #include "Data/Followers.h"
+#include "Data/FrameArrays.h"
 #include "Data/Inputs.h"
 #include "Data/SeaStateTable.h"
 #include "Numerics/ParameterCheck.h"
@@ -45,7 +46,7 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 using littoral::Vector3;
 
 /// Points that one thread carries at a time.
-constexpr std::size_t PointsAtOnce = 1 << 10;
+constexpr std::size_t PointsAtOnce = 1 << 12;
 
 /// Adds the points of a leaf where they start.
 void AddPoints(vtkPointSet* leaf, const littoral::WaterLayer& layer, littoral::Drifters& points)
@@ -66,6 +67,21 @@ void AddPoints(vtkPointSet* leaf, const littoral::WaterLayer& layer, littoral::D
   }
 }
 
+/// Places of the points from begin up to end that have gone a way, of those that are free.
+template <typename Real>
+void Shift(const littoral::Drifters& start, std::size_t first, const Vector3& way, std::size_t begin, std::size_t end,
+  Real* places)
+{
+  for (std::size_t id = begin; id < end; ++id)
+  {
+    const bool isFree = start.Fates[first + id] == littoral::DriftFate::Free;
+    const Vector3& from = start.Positions[first + id];
+    places[3 * id] = static_cast<Real>(isFree ? from.x + way.x : from.x);
+    places[3 * id + 1] = static_cast<Real>(isFree ? from.y + way.y : from.y);
+    places[3 * id + 2] = static_cast<Real>(isFree ? from.z + way.z : from.z);
+  }
+}
+
 /// Runs a task on all points, PointsAtOnce at a time, with progress from first to last. False when aborted.
 bool RunOnPoints(vtkAlgorithm* algorithm, std::size_t count, double first, double last, const littoral::RangeTask& task)
 {
@@ -76,9 +92,55 @@ bool RunOnPoints(vtkAlgorithm* algorithm, std::size_t count, double first, doubl
 
 }
 
+namespace
+{
+
+/// What stays of a leaf while its points are carried.
+struct StillPoints
+{
+  vtkPointSet* Leaf = nullptr; ///< compared, never used
+  vtkMTimeType Time = 0;
+  vtkSmartPointer<vtkDataArray> Start;
+  vtkSmartPointer<vtkUnsignedCharArray> Captured; ///< where no point is ever captured
+};
+
+}
+
 /// State that is kept between requests.
 class vtkCurrentDriftFilter::vtkInternals : public littoral::MarchingRequests<littoral::DriftHistory>
 {
+public:
+  littoral::FrameArrays Arrays;
+  std::vector<StillPoints> Still; ///< of each leaf
+  std::size_t Leaf = 0;           ///< that comes next
+
+  void BeginFrame()
+  {
+    this->Arrays.BeginFrame();
+    this->Leaf = 0;
+  }
+
+  void EndFrame()
+  {
+    this->Arrays.EndFrame();
+    this->Still.resize(this->Leaf);
+  }
+
+  /// What stays of the next leaf, as long as the leaf does.
+  template <typename Array>
+  StillPoints& NextStill(vtkPointSet* leaf)
+  {
+    this->Still.resize(std::max(this->Still.size(), this->Leaf + 1));
+    StillPoints& still = this->Still[this->Leaf++];
+    if (still.Leaf != leaf || still.Time != leaf->GetMTime())
+    {
+      const auto start = vtkSmartPointer<littoral::SharedArray<Array>>::New();
+      start->Share(littoral::WithType<Array>(leaf->GetPoints()->GetData()));
+      start->SetName(littoral::sea::Start);
+      still = { leaf, leaf->GetMTime(), start, nullptr };
+    }
+    return still;
+  }
 };
 
 //----------------------------------------------------------------------------
@@ -288,6 +350,15 @@ int vtkCurrentDriftFilter::RequestData(
 //----------------------------------------------------------------------------
 bool vtkCurrentDriftFilter::WriteAll(vtkDataObject* input, vtkDataObject* output)
 {
+  this->Internals->BeginFrame();
+  const bool isDone = this->WriteLeaves(input, output);
+  this->Internals->EndFrame();
+  return isDone;
+}
+
+//----------------------------------------------------------------------------
+bool vtkCurrentDriftFilter::WriteLeaves(vtkDataObject* input, vtkDataObject* output)
+{
   auto* blocks = vtkDataObjectTree::SafeDownCast(input);
   std::size_t first = 0;
   if (!blocks)
@@ -332,11 +403,18 @@ bool vtkCurrentDriftFilter::WriteLeafAs(vtkPointSet* input, vtkPointSet* output,
   using Real = typename Array::ValueType;
   const littoral::DriftHistory& history = this->Internals->Scene;
   const vtkIdType count = input->GetNumberOfPoints();
-  const auto places = littoral::NewArray<Array>("Points", 3, count);
-  const auto captured = littoral::NewArray<vtkUnsignedCharArray>(littoral::sea::Captured, 1, count);
+  StillPoints& still = this->Internals->NextStill<Array>(input);
+  const auto places = this->Internals->Arrays.New<Array>("Points", 3, count);
   const auto flow = littoral::NewArray<vtkFloatArray>(littoral::sea::Current, 3, this->GenerateCurrent ? count : 0);
   const littoral::Slaves slaves = littoral::ReadSlaves(input);
   const littoral::StepCurrents currents = history.NextCurrents();
+  // Where all points go the same way, nothing else is asked of them.
+  const bool isShift = history.IsClosed() && slaves.Master.empty() && !this->GenerateCurrent;
+  auto captured = isShift ? still.Captured : nullptr;
+  if (!captured)
+  {
+    captured = littoral::NewArray<vtkUnsignedCharArray>(littoral::sea::Captured, 1, count);
+  }
   const auto write = [&](vtkIdType id) {
     const vtkIdType master = slaves.Master.empty() ? -1 : slaves.Master[id];
     Vector3 place;
@@ -357,20 +435,31 @@ bool vtkCurrentDriftFilter::WriteLeafAs(vtkPointSet* input, vtkPointSet* output,
       flow->SetTuple3(id, velocity.x, velocity.y, velocity.z);
     }
   };
-  const bool done =
-    RunOnPoints(this, static_cast<std::size_t>(count), 0.98, 1.0, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t id = begin; id < end; ++id)
-      {
-        write(static_cast<vtkIdType>(id));
-      }
-    });
+  const Vector3 way = isShift ? history.ClosedWay(currents) : Vector3(0.0);
+  const bool done = isShift
+    ? RunOnPoints(this, static_cast<std::size_t>(count), 0.98, 1.0,
+        [&](std::size_t begin, std::size_t end) {
+          Shift(history.GetStart(), first, way, begin, end, places->GetPointer(0));
+        })
+    : RunOnPoints(this, static_cast<std::size_t>(count), 0.98, 1.0, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t id = begin; id < end; ++id)
+        {
+          write(static_cast<vtkIdType>(id));
+        }
+      });
   if (!done)
   {
     return false;
   }
+  if (isShift && !still.Captured)
+  {
+    std::fill_n(captured->GetPointer(0), count, static_cast<unsigned char>(0));
+    still.Captured = captured;
+  }
   vtkNew<vtkPoints> points;
   points->SetData(places);
   output->SetPoints(points);
+  output->GetPointData()->AddArray(still.Start);
   output->GetPointData()->AddArray(captured);
   if (this->GenerateCurrent)
   {

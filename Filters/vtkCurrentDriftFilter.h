@@ -11,7 +11,8 @@
  * rectilinear grid of one layer is valid at all heights. Velocities that are not finite count as 0, as ocean models
  * have them on land.
  *
- * Output: the points at the requested time, in the precision of the input, with the point array `Captured` (1 in the
+ * Output: the points at the requested time, in the precision of the input, with the point arrays `Start`[3] [m], where
+ * they began, and `Captured` (1 in the
  * core of a sink). Connect it to vtkParticleOrbitFilter, for which these are the centers of orbits. Without currents
  * the input is passed through. Before StartTime the points are at their initial positions.
  *
@@ -187,6 +188,7 @@ private:
   template <typename Array>
   bool WriteLeafAs(vtkPointSet* input, vtkPointSet* output, std::size_t first);
   bool WriteAll(vtkDataObject* input, vtkDataObject* output);
+  bool WriteLeaves(vtkDataObject* input, vtkDataObject* output);
 
   std::unique_ptr<vtkInternals> Internals;
 };

@@ -63,6 +63,11 @@ void DriftHistory::CarryOne(const StepCurrents& currents, double length, Vector3
   }
 }
 
+Vector3 DriftHistory::ClosedWay(const StepCurrents& currents) const
+{
+  return std::max(0.0, this->GetGoal().Time - this->GetGrid().Start) * currents.Velocity(Vector3(0.0), 0);
+}
+
 void DriftHistory::At(const StepCurrents& currents, std::size_t id, Vector3& position, DriftFate& fate) const
 {
   const StepGoal& goal = this->GetGoal();
@@ -72,7 +77,7 @@ void DriftHistory::At(const StepCurrents& currents, std::size_t id, Vector3& pos
   fate = points.Fates[id];
   if (isClosed && fate == DriftFate::Free)
   {
-    position += std::max(0.0, goal.Time - this->GetGrid().Start) * currents.Velocity(position, 0);
+    position += this->ClosedWay(currents);
   }
   else if (!isClosed && goal.Remainder > 0.0)
   {

@@ -96,6 +96,12 @@ public:
   /// A point at the time of the goal.
   void At(const StepCurrents& currents, std::size_t id, Vector3& position, DriftFate& fate) const;
 
+  /// The points at the start.
+  const Drifters& GetStart() const { return this->Marching.GetStart(); }
+
+  /// The way that free points have gone at the time of the goal, where that is a closed form [m].
+  Vector3 ClosedWay(const StepCurrents& currents) const;
+
 private:
   void CarryOne(const StepCurrents& currents, double length, Vector3& position, DriftFate& fate) const;
 

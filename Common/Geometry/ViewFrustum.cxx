@@ -130,6 +130,26 @@ double SightDistance(const View& view, const Box& box)
   return least;
 }
 
+double FarthestSight(const View& view, const Box& box)
+{
+  double most = 0.0;
+  for (int index = 0; index < 8; ++index)
+  {
+    most = std::max(most, SightDistance(view, CornerOf(box, index)));
+  }
+  return most;
+}
+
+Distances LevelDistances(const View& view, const Box& box)
+{
+  if (view.IsParallel)
+  {
+    const double all = LevelDistance(view, box.Low);
+    return { all, all };
+  }
+  return { Distance(box, view.Point) / view.DetailFactor, FarthestSight(view, box) / view.DetailFactor };
+}
+
 ViewFrustum::ViewFrustum(const View& view)
   : Seen(view)
   , Ahead(glm::normalize(view.Direction))
@@ -206,6 +226,18 @@ bool ViewFrustum::MayShow(const Box& box) const
       corner[axis] = plane.Normal[axis] > 0.0 ? box.High[axis] : box.Low[axis];
     }
     return glm::dot(plane.Normal, corner) + plane.Offset >= 0.0;
+  });
+}
+
+bool ViewFrustum::Holds(const Box& box, double distance) const
+{
+  return std::all_of(this->Planes.begin(), this->Planes.end(), [&](const Plane& plane) {
+    Vector3 corner; // the one that is least inside
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      corner[axis] = plane.Normal[axis] > 0.0 ? box.Low[axis] : box.High[axis];
+    }
+    return glm::dot(plane.Normal, corner) + plane.Offset >= distance;
   });
 }
 

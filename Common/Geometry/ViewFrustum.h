@@ -66,6 +66,19 @@ double Distance(const Box& box, const Vector3& point);
 /// The smallest sight distance of a place in a box [m].
 double SightDistance(const View& view, const Box& box);
 
+/// A bound of the largest sight distance of a place in a box [m].
+double FarthestSight(const View& view, const Box& box);
+
+/// Bounds of distances [m].
+struct Distances
+{
+  double Least;
+  double Most;
+};
+
+/// Bounds of the distances by which levels of detail go, of all places in a box.
+Distances LevelDistances(const View& view, const Box& box);
+
 /**
  * The volume that a valid view shows: four sides, through the view point or parallel, a near plane, and a far plane if
  * Far is finite.
@@ -92,6 +105,9 @@ public:
 
   bool MayShow(const Box& box) const;
   bool MayShow(const Vector3& center, double radius) const;
+
+  /// Whether all of a box is inside, by a distance [m] at least.
+  bool Holds(const Box& box, double distance) const;
 
   /**
    * Bound of the distance on the screen [pixels] of two places of a box, one straight above the other by at most a rise

@@ -21,6 +21,9 @@ namespace
 
 constexpr int MostSlaves = 1000;
 
+/// Particles that are not worth a thread.
+constexpr std::size_t ParticlesOfOneThread = 1 << 13;
+
 int LongestSide(const Box& box)
 {
   const Vector3 size = box.High - box.Low;
@@ -67,35 +70,37 @@ struct ParticleGroups::Item
   int Particle;
 };
 
-ParticleGroups::ParticleGroups(const std::vector<Vector3>& places, const GroupOptions& options,
-  std::size_t particlesPerCell, const ParallelFor& parallelFor, const Poll& poll, std::vector<int> former)
-  : GroupSize(static_cast<std::size_t>(options.Slaves) + 1)
+ParticleGroups::ParticleGroups(const PlaceList& places, const GroupOptions& options, std::size_t particlesPerCell,
+  const ParallelFor& parallelFor, const Poll& poll, std::vector<int> former)
+  : Options(options)
+  , GroupSize(static_cast<std::size_t>(options.Slaves) + 1)
   , Order(std::move(former))
-  , Masters(places.size())
-  , Offsets(places.size(), Vector3(0.0))
+  , Masters(places.Size())
+  , Offsets(places.Size(), Vector3(0.0))
 {
-  if (this->Order.size() != places.size())
+  if (this->Order.size() != places.Size())
   {
-    this->Order.resize(places.size());
+    this->Order.resize(places.Size());
     std::iota(this->Order.begin(), this->Order.end(), 0);
   }
-  if (places.empty())
+  if (places.Size() == 0)
   {
     return;
   }
-  std::vector<Item> items(places.size());
-  for (std::size_t n = 0; n < places.size(); ++n)
+  std::vector<Item> items(places.Size());
+  for (std::size_t n = 0; n < places.Size(); ++n)
   {
     items[n] = { places[this->Order[n]], this->Order[n] };
   }
   const std::size_t group = this->GroupSize;
   const std::size_t cell = std::max(group, particlesPerCell);
+  const ParallelFor& onThreads = items.size() > ParticlesOfOneThread ? parallelFor : SerialFor;
   // A few large parts one after the other, each of them by a thread.
   std::vector<Cell> parts;
   const Cell all{ 0, items.size(), BoxOf(items, 0, items.size()) };
   Split(items, all, group, std::max(cell, items.size() / 32), parts, poll);
   std::vector<std::vector<Cell>> cells(parts.size());
-  parallelFor(parts.size(), [&](std::size_t first, std::size_t last) {
+  onThreads(parts.size(), [&](std::size_t first, std::size_t last) {
     std::vector<Cell> groups;
     for (std::size_t part = first; part < last; ++part)
     {
@@ -106,7 +111,7 @@ ParticleGroups::ParticleGroups(const std::vector<Vector3>& places, const GroupOp
         Split(items, each, group, group, groups, NoPoll);
         for (const Cell& one : groups)
         {
-          this->Arrange(items, options, one.Begin, one.End);
+          this->Arrange(items, one.Begin, one.End);
         }
         const double scatter = options.Scatter && options.Slaves > 0 ? options.MaximumOffset : 0.0;
         each.Bounds.Low -= scatter;
@@ -170,8 +175,21 @@ void ParticleGroups::Split(std::vector<Item>& items, const Cell& all, std::size_
   Split(items, high, group, cell, cells, poll);
 }
 
-void ParticleGroups::Arrange(std::vector<Item>& items, const GroupOptions& options, std::size_t begin, std::size_t end)
+bool ParticleGroups::IsOffset(const Vector3& offset) const
 {
+  const double length = glm::length(offset);
+  return length >= this->Options.NearestOffset && length <= this->Options.MaximumOffset;
+}
+
+bool ParticleGroups::Follows(int particle, const Vector3& place, const Vector3& master, Vector3& offset) const
+{
+  offset = this->Options.Scatter ? this->Offsets[particle] : place - master;
+  return this->Options.Scatter || this->IsOffset(offset);
+}
+
+void ParticleGroups::Arrange(std::vector<Item>& items, std::size_t begin, std::size_t end)
+{
+  const GroupOptions& options = this->Options;
   const auto first = items.begin() + static_cast<std::ptrdiff_t>(begin);
   const auto last = items.begin() + static_cast<std::ptrdiff_t>(end);
   std::sort(first, last, [](const Item& a, const Item& b) { return a.Particle < b.Particle; });
@@ -190,9 +208,7 @@ void ParticleGroups::Arrange(std::vector<Item>& items, const GroupOptions& optio
     {
       offset = PlaceInShell(random, item->Particle, options.NearestOffset, options.MaximumOffset);
     }
-    const double length = glm::length(offset);
-    const bool follows =
-      item != first && (options.Scatter || (length >= options.NearestOffset && length <= options.MaximumOffset));
+    const bool follows = item != first && (options.Scatter || this->IsOffset(offset));
     this->Order[begin + static_cast<std::size_t>(item - first)] = item->Particle;
     this->Masters[item->Particle] = follows ? master.Particle : item->Particle;
     this->Offsets[item->Particle] = follows ? offset : Vector3(0.0);

@@ -6,6 +6,7 @@
 #include "Geometry/ViewFrustum.h"
 #include "Numerics/Parallel.h"
 #include "Numerics/Vector3.h"
+#include "Particles/PlaceList.h"
 
 #include <cstddef>
 #include <string>
@@ -40,7 +41,7 @@ public:
   /// About as many particles as asked for, at least one group, in a cell. Options must be valid, places finite. The
   /// order of former groups of the same particles, if given, saves time where they have moved little; the groups are
   /// the same without.
-  ParticleGroups(const std::vector<Vector3>& places, const GroupOptions& options, std::size_t particlesPerCell,
+  ParticleGroups(const PlaceList& places, const GroupOptions& options, std::size_t particlesPerCell,
     const ParallelFor& parallelFor = SerialFor, const Poll& poll = NoPoll, std::vector<int> former = {});
 
   /// Particles from begin up to end in the order, and the box that holds them, at their own places and as slaves.
@@ -65,6 +66,10 @@ public:
   /// Offset that a slave keeps from its master [m]; zero for others.
   const Vector3& OffsetOf(int particle) const { return this->Offsets[particle]; }
 
+  /// Whether a particle follows the first one of its group, of which it is another, from where both are now, and the
+  /// offset that it keeps [m]. At the places of the grouping it does if its MasterOf() is another one.
+  bool Follows(int particle, const Vector3& place, const Vector3& master, Vector3& offset) const;
+
 private:
   struct Item; ///< a particle with its place beside it
 
@@ -72,8 +77,11 @@ private:
   static void Halve(std::vector<Item>& items, const Cell& low, const Cell& high, int axis);
   static void Split(std::vector<Item>& items, const Cell& all, std::size_t group, std::size_t cell,
     std::vector<Cell>& cells, const Poll& poll);
-  void Arrange(std::vector<Item>& items, const GroupOptions& options, std::size_t begin, std::size_t end);
+  void Arrange(std::vector<Item>& items, std::size_t begin, std::size_t end);
 
+  bool IsOffset(const Vector3& offset) const;
+
+  GroupOptions Options;
   std::size_t GroupSize;
   std::vector<int> Order;
   std::vector<int> Masters;

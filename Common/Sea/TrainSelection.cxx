@@ -84,6 +84,7 @@ bool IsPermutation(const std::vector<int>& order)
 TrainTable::TrainTable(
   const SeaState& sea, double lowest, double highest, const View& view, TrainRule rule, double screenError)
   : Trains(static_cast<int>(sea.Trains.size()))
+  , Rule(rule)
   , Highest(highest)
   , Step((highest - lowest) / NumberOfRows)
 {
@@ -101,20 +102,20 @@ TrainTable::TrainTable(
       row.Tail[train] = row.Tail[train + 1] + axis;
       row.Steepness += sea.Trains[train].WaveNumber * axis;
     }
-    this->FillCounts(row, sea, view, rule, screenError);
+    this->FillCounts(row, sea, view, screenError);
   }
 }
 
-void TrainTable::FillCounts(Row& row, const SeaState& sea, const View& view, TrainRule rule, double screenError) const
+void TrainTable::FillCounts(Row& row, const SeaState& sea, const View& view, double screenError) const
 {
   row.Counts.assign(NumberOfDistances, static_cast<int>(sea.Trains.size()));
   const double tangent = std::tan(0.5 * view.Angle);
   const double pixels = view.Height / (2.0 * tangent); // of a metre across the view, a metre away
   const double corner = 1.0 + tangent * tangent * (1.0 + view.AspectRatio * view.AspectRatio);
-  for (int column = 0; column < NumberOfDistances && rule != TrainRule::All; ++column)
+  for (int column = 0; column < NumberOfDistances && !this->IsComplete(); ++column)
   {
     const double distance = DistanceOf(column);
-    if (rule == TrainRule::PerTrain)
+    if (this->Rule == TrainRule::PerTrain)
     {
       row.Counts[column] = CountPerTrain(row.Tail, pixels / distance, screenError);
       continue;
@@ -140,7 +141,7 @@ int TrainTable::RowOf(double height) const
 
 int TrainTable::CountAt(double distance, double height) const
 {
-  if (!(distance >= NearestDistance))
+  if (this->IsComplete() || !(distance >= NearestDistance))
   {
     return this->Trains;
   }

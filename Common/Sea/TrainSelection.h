@@ -66,6 +66,9 @@ public:
 
   int NumberOfTrains() const { return this->Trains; }
 
+  /// Whether all trains act everywhere.
+  bool IsComplete() const { return this->Rule == TrainRule::All; }
+
 private:
   struct Row
   {
@@ -76,9 +79,10 @@ private:
   };
 
   int RowOf(double height) const;
-  void FillCounts(Row& row, const SeaState& sea, const View& view, TrainRule rule, double screenError) const;
+  void FillCounts(Row& row, const SeaState& sea, const View& view, double screenError) const;
 
   int Trains;
+  TrainRule Rule;
   double Highest = 0.0;
   double Step = 1.0;
   std::vector<Row> Rows;

@@ -21,6 +21,24 @@ void FrameArrays::EndFrame()
   this->Former.erase(std::remove_if(this->Former.begin(), this->Former.end(), isUseless), this->Former.end());
 }
 
+vtkSmartPointer<vtkDataArray> FrameArrays::Like(vtkDataArray* other, vtkIdType tuples)
+{
+  const int components = other->GetNumberOfComponents();
+  Pointer array = this->Take([&](const Frame& former) {
+    return IsFree(former.Array, components, tuples) && former.Array->IsA(other->GetClassName());
+  });
+  if (!array)
+  {
+    array.TakeReference(other->NewInstance());
+    array->SetNumberOfComponents(components);
+    SetTuples(array, tuples);
+  }
+  array->SetNumberOfTuples(tuples);
+  array->SetName(other->GetName());
+  this->Given.push_back({ array, nullptr, false });
+  return array;
+}
+
 vtkSmartPointer<vtkFloatArray> FrameArrays::Like(vtkFloatArray* other)
 {
   const int components = other->GetNumberOfComponents();

@@ -70,6 +70,9 @@ public:
     return array;
   }
 
+  /// An array of the name and type of another one, with room for tuples, not filled.
+  vtkSmartPointer<vtkDataArray> Like(vtkDataArray* other, vtkIdType tuples);
+
   /// An array of the same name and size, not filled but for what IsFormer() says.
   vtkSmartPointer<vtkFloatArray> Like(vtkFloatArray* other);
 

@@ -58,6 +58,16 @@ struct TupleRanges
   template <typename T>
   void AddTuples(const T* tuple, const T* end, int components)
   {
+    if (components == 1)
+    {
+      this->AddNumbers(tuple, end);
+      return;
+    }
+    if (components == 3)
+    {
+      this->AddTriples(tuple, end);
+      return;
+    }
     for (; tuple != end; tuple += components)
     {
       double squares = 0.0;
@@ -70,6 +80,71 @@ struct TupleRanges
       this->SquaredLength.Add(squares);
       this->AreFinite = this->AreFinite && std::isfinite(squares);
     }
+  }
+
+  /// Numbers side by side, which the compiler makes vectors of.
+  template <typename T>
+  void AddNumbers(const T* number, const T* end)
+  {
+    constexpr int lanes = 16;
+    if (number == end)
+    {
+      return;
+    }
+    std::array<T, lanes> low;
+    std::array<T, lanes> high;
+    std::array<T, lanes> checks{}; // no number as soon as one of them is not finite
+    low.fill(*number);
+    high.fill(*number);
+    const auto add = [&](int lane, T value) {
+      low[lane] = value < low[lane] ? value : low[lane];
+      high[lane] = value > high[lane] ? value : high[lane];
+      checks[lane] = static_cast<T>(checks[lane] + (value - value)); // NOLINT(misc-redundant-expression)
+    };
+    for (; end - number >= lanes; number += lanes)
+    {
+      for (int lane = 0; lane < lanes; ++lane)
+      {
+        add(lane, number[lane]);
+      }
+    }
+    for (; number != end; ++number)
+    {
+      add(0, *number);
+    }
+    for (int lane = 0; lane < lanes; ++lane)
+    {
+      this->Components[0].Add(static_cast<double>(low[lane]));
+      this->Components[0].Add(static_cast<double>(high[lane]));
+      this->AreFinite = this->AreFinite && checks[lane] == T{};
+    }
+  }
+
+  template <typename T>
+  void AddTriples(const T* triple, const T* end)
+  {
+    ValueRange x;
+    ValueRange y;
+    ValueRange z;
+    ValueRange squared;
+    double check = 0.0; // no number as soon as one of them is not finite
+    for (; triple != end; triple += 3)
+    {
+      const double a = static_cast<double>(triple[0]);
+      const double b = static_cast<double>(triple[1]);
+      const double c = static_cast<double>(triple[2]);
+      const double squares = a * a + b * b + c * c;
+      x.Add(a);
+      y.Add(b);
+      z.Add(c);
+      squared.Add(squares);
+      check += squares - squares; // NOLINT(misc-redundant-expression)
+    }
+    this->Components[0].Add(x);
+    this->Components[1].Add(y);
+    this->Components[2].Add(z);
+    this->SquaredLength.Add(squared);
+    this->AreFinite = this->AreFinite && check == 0.0;
   }
 
   void Add(const TupleRanges& other);

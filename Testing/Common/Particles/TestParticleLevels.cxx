@@ -9,6 +9,7 @@
 #include "Particles/ParticleFog.h"
 #include "Particles/ParticleGroups.h"
 #include "Particles/ParticleLevels.h"
+#include "Particles/ParticleMotion.h"
 #include "Sea/TrainSelection.h"
 #include "Sea/WaveOrbits.h"
 
@@ -137,11 +138,63 @@ TrainTable Table(
   return TrainTable(sea, low, high, view, rule, error);
 }
 
-ParticleSelection Select(const SeaState& sea, const std::vector<Vector3>& places, const ParticleGroups& groups,
-  const View& view, const ParticleLevelOptions& options, TrainRule rule)
+/// A selection particle by particle.
+struct Listed : ParticleCounts
 {
-  return SelectParticles(
-    places, groups, Table(sea, groups, view, rule), ViewFrustum(view), options, 0, groups.GetCells().size());
+  std::vector<ShownParticle> Near;
+  std::vector<ShownParticle> Middle; ///< those with orbits first
+  std::vector<ShownParticle> Far;
+};
+
+std::vector<ShownParticle> ListOf(const ShownLevel& level, const ParticleGroups& groups)
+{
+  std::vector<ShownParticle> list;
+  level.ForEach(
+    [&](std::size_t begin, std::size_t end, std::size_t place, int trains) {
+      EXPECT_EQ(place, list.size());
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        list.push_back({ groups.GetOrder()[n], static_cast<int>(n), -1, trains, 1.0f, 0.0f });
+      }
+    },
+    [&](const ShownParticle& particle, std::size_t place) {
+      EXPECT_EQ(place, list.size());
+      EXPECT_EQ(groups.GetOrder()[particle.Place], particle.Particle);
+      list.push_back(particle);
+    });
+  return list;
+}
+
+Listed ListOf(const ParticleSelection& selection, const ParticleGroups& groups)
+{
+  Listed all;
+  static_cast<ParticleCounts&>(all) = selection;
+  const auto append = [](std::vector<ShownParticle>& to, const std::vector<ShownParticle>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  for (const ParticlePart& part : selection.Parts)
+  {
+    append(all.Near, ListOf(part.Near, groups));
+    append(all.Far, ListOf(part.Far, groups));
+    append(all.Middle, part.Masters);
+  }
+  for (const ParticlePart& part : selection.Parts)
+  {
+    for (ShownParticle slave : part.Slaves)
+    {
+      slave.Master += static_cast<int>(part.Before.Masters);
+      all.Middle.push_back(slave);
+    }
+  }
+  return all;
+}
+
+Listed Select(const SeaState& sea, const std::vector<Vector3>& places, const ParticleGroups& groups, const View& view,
+  const ParticleLevelOptions& options, TrainRule rule)
+{
+  return ListOf(SelectParticles(places, groups, Table(sea, groups, view, rule), ViewFrustum(view), options, 0,
+                  groups.GetCells().size()),
+    groups);
 }
 
 /// A view of frame n on a way through the water, looking about.
@@ -429,9 +482,9 @@ TEST(ParticleGroups, AreTheSameWhateverWasBefore)
 TEST(ParticleGroups, OddSets)
 {
   const GroupOptions options;
-  EXPECT_TRUE(ParticleGroups({}, options, 64).GetCells().empty());
+  EXPECT_TRUE(ParticleGroups(std::vector<Vector3>(), options, 64).GetCells().empty());
   // The order of other particles is of no use.
-  EXPECT_TRUE(ParticleGroups({}, options, 64, SerialFor, NoPoll, { 1, 0 }).GetOrder().empty());
+  EXPECT_TRUE(ParticleGroups(std::vector<Vector3>(), options, 64, SerialFor, NoPoll, { 1, 0 }).GetOrder().empty());
   const std::vector<Vector3> three = Places(3, { { 0.0, 0.0, -1.0 }, { 1.0, 1.0, 0.0 } });
   EXPECT_EQ(ParticleGroups(three, options, 64, SerialFor, NoPoll, { 4, 2, 0, 1, 3 }).GetOrder(),
     ParticleGroups(three, options, 64).GetOrder());
@@ -466,7 +519,7 @@ TEST(ParticleLevels, SlavesStayWithinTheirBound)
       grouping.Scatter = scatter;
       const ParticleGroups groups(places, grouping, 64);
       const View view = Look({ 0.0, -2.0, -4.0 }, { 0.0, 1.0, 0.0 }, 70.0);
-      const ParticleSelection selection = Select(sea, places, groups, view, {}, TrainRule::TailSum);
+      const Listed selection = Select(sea, places, groups, view, {}, TrainRule::TailSum);
       const TrainTable table = Table(sea, groups, view, TrainRule::TailSum);
       double closest = 0.0;
       int slaves = 0;
@@ -522,7 +575,7 @@ TEST(ParticleLevels, ASlaveAboveItsMasterMovesMoreThanIt)
   const ParticleGroups groups(places, grouping, 3);
   ASSERT_EQ(groups.MasterOf(1), 0);
   const View view = Look({ 0.0, 0.0, -2.0 }, { 0.0, 1.0, 0.0 }, 70.0);
-  const ParticleSelection selection = Select(sea, places, groups, view, {}, TrainRule::All);
+  const Listed selection = Select(sea, places, groups, view, {}, TrainRule::All);
   int slaves = 0;
   double largest = 0.0;
   for (const ShownParticle& particle : selection.Middle)
@@ -575,7 +628,7 @@ TEST(ParticleLevels, NothingVisibleIsLost)
     ParticleLevelOptions options;
     options.Margin = 0.0;
     options.MiddleDistance = view.IsParallel ? 6.0 : options.MiddleDistance;
-    const ParticleSelection selection = Select(sea, places, groups, view, options, TrainRule::All);
+    const Listed selection = Select(sea, places, groups, view, options, TrainRule::All);
     std::vector<double> weight(places.size(), 0.0);
     for (const auto* level : { &selection.Near, &selection.Middle, &selection.Far })
     {
@@ -621,7 +674,7 @@ TEST(ParticleLevels, WeightsOfLevelsSumToOne)
   options.UseCulling = false;
   options.BlendDistance = 1.0;
   const View view = Look({ 0.0, 0.0, -6.0 }, { 0.0, 1.0, 0.0 });
-  const ParticleSelection selection = Select(sea, places, groups, view, options, TrainRule::PerTrain);
+  const Listed selection = Select(sea, places, groups, view, options, TrainRule::PerTrain);
   std::vector<double> sum(places.size(), 0.0);
   int blended = 0;
   for (const auto* level : { &selection.Near, &selection.Middle, &selection.Far })
@@ -643,6 +696,57 @@ TEST(ParticleLevels, WeightsOfLevelsSumToOne)
     EXPECT_NEAR(w.Near + w.Middle + w.Far, 1.0, 1e-15);
     EXPECT_TRUE(w.Near >= 0.0 && w.Middle >= 0.0 && w.Far >= 0.0);
   }
+}
+
+/// Cells of one particle are hardly ever in a level as a whole with what is about them: they are looked at one by one.
+TEST(ParticleLevels, WholeCellsAreAsTheirParticles)
+{
+  const SeaState sea = Sea(30.0);
+  const std::vector<Vector3> places = Places(20000, { { -15.0, -15.0, -9.0 }, { 15.0, 15.0, -1.0 } });
+  const ParticleGroups groups(places, {}, 64);
+  for (int frame = 0; frame < 12; ++frame)
+  {
+    View view = FrameView(11 * frame);
+    view.IsParallel = frame % 4 == 3;
+    view.ParallelScale = 3.0;
+    ParticleLevelOptions options;
+    options.UseCulling = frame % 3 > 0;
+    options.VisibleDistance = 20.0;
+    const TrainRule rule = frame % 2 == 0 ? TrainRule::All : TrainRule::TailSum;
+    const Listed whole = Select(sea, places, groups, view, options, rule);
+    // A shift that says nothing of where particles are makes no cell a whole one.
+    const Box anywhere{ Vector3(-100.0), Vector3(100.0) };
+    const TrainTable table = Table(sea, groups, view, rule);
+    const Listed each = ListOf(SelectParticles(places, groups, table, ViewFrustum(view), options, 0,
+                                 groups.GetCells().size(), SerialFor, anywhere),
+      groups);
+    EXPECT_EQ(whole.Near, each.Near);
+    EXPECT_EQ(whole.Middle, each.Middle);
+    EXPECT_EQ(whole.Far, each.Far);
+    EXPECT_EQ(whole.TrainSum, each.TrainSum);
+    EXPECT_EQ(whole.Shown, each.Shown);
+    EXPECT_EQ(whole.MaximumSlaveError, each.MaximumSlaveError);
+  }
+}
+
+TEST(ParticleMotion, WaysOfAll)
+{
+  const std::vector<Vector3> from = Places(40001, { { -5.0, 0.0, -8.5 }, { 5.0, 10.0, -7.5 } });
+  std::vector<Vector3> to = from;
+  std::for_each(to.begin(), to.end(), [](Vector3& place) { place += Vector3(1.0, -2.0, 0.5); });
+  to[17] += Vector3(0.0, 0.25, 0.0);
+  to[40000] -= Vector3(0.0, 0.0, 1.0);
+  double sum = 0.0;
+  std::for_each(to.begin(), to.end(), [&](const Vector3& place) { sum += place.z; });
+  const ParticleMotion motion = MotionOf(from, to, OnThreads(3));
+  EXPECT_LT(glm::distance(motion.Shift.Low, Vector3(1.0, -2.0, -0.5)), 1e-12);
+  EXPECT_LT(glm::distance(motion.Shift.High, Vector3(1.0, -1.75, 0.5)), 1e-12);
+  EXPECT_NEAR(motion.Spread(), 1.0, 1e-12);
+  EXPECT_NEAR(motion.MeanHeight, sum / 40001.0, 1e-10);
+  EXPECT_EQ(motion.MeanHeight, MotionOf(from, to).MeanHeight);
+  EXPECT_TRUE(motion.IsFinite);
+  to[40000].y = std::nan("");
+  EXPECT_FALSE(MotionOf(from, to).IsFinite);
 }
 
 TEST(ParticleLevels, WorkOfTheTableOfThePaper)
@@ -669,7 +773,7 @@ TEST(ParticleLevels, WorkOfTheTableOfThePaper)
       options.UseCulling = variant != 1;
       options.VisibleDistance = 30.0;
       const TrainRule rule = variant == 0 ? TrainRule::All : TrainRule::PerTrain;
-      const ParticleSelection selection = Select(sea, places, groups, view, options, rule);
+      const Listed selection = Select(sea, places, groups, view, options, rule);
       ratio[variant][step] = everything / static_cast<double>(selection.TrainSum);
     }
     for (const double* row : std::array<const double*, 2>{ published[variant], ratio[variant] })

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralParticleMotion_h
+#define LittoralParticleMotion_h
+
+#include "Geometry/ViewFrustum.h"
+#include "Numerics/Parallel.h"
+#include "Particles/PlaceList.h"
+
+namespace littoral
+{
+
+/// How particles have moved together.
+struct ParticleMotion
+{
+  Box Shift;               ///< bounds of the ways of all [m]
+  double MeanHeight = 0.0; ///< where they are [m]
+  bool IsFinite = true;    ///< else the others mean nothing
+
+  /// The largest difference of two ways along an axis [m].
+  double Spread() const;
+};
+
+/// The motion of particles, at least one, from some places to others. Sums are those of any number of threads.
+ParticleMotion MotionOf(const PlaceList& from, const PlaceList& to, const ParallelFor& parallelFor = SerialFor);
+
+}
+
+#endif
