@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Frames of a swaying tree and of kelp take each other's memory in turn, and never that of one which somebody holds.
+#include "Data/PlantBlocks.h"
+#include "Data/PlantForm.h"
 #include "PlantChecks.h"
 #include "vtkBeamTreeDeformationFilter.h"
+#include "vtkPlantScatterFilter.h"
 #include "vtkReevesTreeSource.h"
 #include "vtkSeaStateSource.h"
 #include "vtkSeaweedDeformationFilter.h"
@@ -10,6 +13,10 @@
 #include "vtkWindFieldSource.h"
 
 #include "vtkFloatArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -111,11 +118,65 @@ vtkSmartPointer<vtkAlgorithm> Kelp()
   return swell;
 }
 
+/// Kelp on a site.
+struct KelpBed
+{
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkPolyData> Sites;
+  vtkNew<vtkPlantScatterFilter> Scatter;
+  vtkNew<vtkSeaStateSource> Sea;
+  vtkNew<vtkSeaweedDeformationFilter> Move;
+
+  explicit KelpBed(double x)
+  {
+    vtkNew<vtkSeaweedSource> kelp;
+    this->Points->InsertNextPoint(x, 0.0, 0.0);
+    this->Sites->SetPoints(this->Points);
+    this->Scatter->SetInputData(this->Sites);
+    this->Scatter->AddPrototypeConnection(kelp->GetOutputPort());
+    this->Scatter->UseLevelsOff();
+    this->Scatter->UseCullingOff();
+    this->Sea->SetSeaLevel(8.0);
+    this->Move->SetInputConnection(this->Scatter->GetOutputPort());
+    this->Move->SetSeaStateConnection(this->Sea->GetOutputPort());
+  }
+
+  /// Points of a skin at a time.
+  std::vector<float> SkinAt(double time, const char* name)
+  {
+    this->Move->UpdateTimeStep(time);
+    auto* plants = vtkMultiBlockDataSet::SafeDownCast(this->Move->GetOutputDataObject(0));
+    return Values(
+      vtkFloatArray::SafeDownCast(littoral::PlantPartOf(plants, littoral::plant::High, name)->GetPoints()->GetData()));
+  }
+};
+
+/// Vertices of a holdfast are written once: again where the plants themselves have gone.
+bool PlantsThatWentAreWrittenAnew()
+{
+  KelpBed bed(0.0);
+  for (const double time : { 0.0, 0.3, 0.6 })
+  {
+    bed.Move->UpdateTimeStep(time);
+  }
+  bed.Points->SetPoint(0, 5.0, 0.0, 0.0);
+  bed.Points->Modified();
+  bed.Sites->Modified();
+  KelpBed fresh(5.0);
+  bool good = true;
+  for (const char* name : { littoral::plant::Skin, littoral::plant::Leaves })
+  {
+    good &= Check(bed.SkinAt(0.9, name) == fresh.SkinAt(0.9, name), "a holdfast has stayed behind");
+  }
+  return good;
+}
+
 }
 
 int TestFrameArrays(int, char*[])
 {
   bool good = FramesAreTheirOwn(Tree);
   good &= FramesAreTheirOwn(Kelp);
+  good &= PlantsThatWentAreWrittenAnew();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

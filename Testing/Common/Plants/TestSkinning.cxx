@@ -3,6 +3,7 @@
 // Skins of joints whose turns are known.
 #include "Numerics/Constants.h"
 #include "Numerics/RandomStream.h"
+#include "Plants/RigidSkinning.h"
 #include "Plants/Skinning.h"
 
 #include <gtest/gtest.h>
@@ -228,6 +229,55 @@ TEST(Skinning, RigidVerticesFollowOneJoint)
     EXPECT_FLOAT_EQ(p[5], 0.75f + 0.25f * rigidity);
     MoveSkin(rest, binding, changes.data(), 0, 1, p.data(), n.data(), rigidity);
     EXPECT_FLOAT_EQ(p[2], 0.25f - 0.25f * rigidity);
+  }
+}
+
+// Each vertex by the definition in double precision, with the joint of its largest weight alone.
+TEST(Skinning, RigidSkinsFollowTheMainJoint)
+{
+  const RandomSkin skin({ 300.0, -300.0, 2.0 });
+  const RigidBinding binding(skin.Binding());
+  std::vector<float> points(skin.Points.size());
+  std::vector<float> normals(skin.Points.size());
+  MoveRigidly(skin.Rest(), binding, skin.Changes.data(), 0, RandomSkin::Vertices, points.data(), normals.data());
+  for (int vertex = 0; vertex < RandomSkin::Vertices; ++vertex)
+  {
+    const float* weights = &skin.Weights[4 * vertex];
+    const int joint = skin.Ids[4 * vertex + (std::max_element(weights, weights + 4) - weights)];
+    const JointPose& pose = skin.Poses[joint];
+    for (const bool isNormal : { false, true })
+    {
+      const float* from = (isNormal ? skin.Normals : skin.Points).data() + 3 * vertex;
+      const float* to = (isNormal ? normals : points).data() + 3 * vertex;
+      const Vector3 rest(from[0], from[1], from[2]);
+      const Vector3 moved =
+        isNormal ? pose.Rotation * rest : skin.Places[joint] + pose.Rotation * (rest - skin.Places[joint]) + pose.Shift;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        EXPECT_NEAR(to[axis], moved[axis], 2e-6 + std::abs(moved[axis]) * 0x1p-24);
+      }
+    }
+  }
+}
+
+TEST(Skinning, AnyRangeOfARigidSkinHasTheSameBytes)
+{
+  const RandomSkin skin({ 50.0, 20.0, 1.0 });
+  const RigidBinding binding(skin.Binding());
+  std::vector<float> points(skin.Points.size());
+  std::vector<float> normals(skin.Points.size());
+  MoveRigidly(skin.Rest(), binding, skin.Changes.data(), 0, RandomSkin::Vertices, points.data(), normals.data());
+  for (const std::size_t length : { 1, 2, 5, 300 })
+  {
+    std::vector<float> p(points.size());
+    std::vector<float> n(points.size());
+    for (std::size_t begin = 0; begin < RandomSkin::Vertices; begin += length)
+    {
+      const std::size_t end = std::min<std::size_t>(RandomSkin::Vertices, begin + length);
+      MoveRigidly(skin.Rest(), binding, skin.Changes.data(), begin, end, p.data(), n.data());
+    }
+    EXPECT_EQ(p, points);
+    EXPECT_EQ(n, normals);
   }
 }
 
