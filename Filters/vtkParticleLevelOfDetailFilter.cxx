@@ -374,7 +374,7 @@ private:
     if (count > 0) // VTK would free the memory of an array of no tuples
     {
       first->ShallowCopy(this->Numbers);
-      first->SetNumberOfTuples(count);
+      littoral::SetTuples(first, count);
     }
     return first;
   }

@@ -31,9 +31,8 @@ vtkSmartPointer<vtkDataArray> FrameArrays::Like(vtkDataArray* other, vtkIdType t
   {
     array.TakeReference(other->NewInstance());
     array->SetNumberOfComponents(components);
-    SetTuples(array, tuples);
   }
-  array->SetNumberOfTuples(tuples);
+  SetTuples(array, tuples);
   array->SetName(other->GetName());
   this->Given.push_back({ array, nullptr, false });
   return array;

@@ -64,7 +64,7 @@ public:
     {
       array = NewArray<Array>(name, components, tuples);
     }
-    array->SetNumberOfTuples(tuples);
+    SetTuples(array, tuples);
     array->SetName(name);
     this->Given.push_back({ array, nullptr, false });
     return array;

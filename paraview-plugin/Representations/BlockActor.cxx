@@ -111,17 +111,6 @@ bool IsPicture(vtkDataArray* texels, vtkDataArray* size, int components)
     texels->GetNumberOfTuples() == static_cast<vtkIdType>(columns) * rows;
 }
 
-/// Whether the mean of a picture with an alpha is not cut out, as that of thin leaves and gaps is: it has mip levels.
-bool IsOpaqueOnAverage(vtkDataArray* texels)
-{
-  double sum = 0.0;
-  for (vtkIdType texel = 0; texel < texels->GetNumberOfTuples() && texels->GetNumberOfComponents() == 4; ++texel)
-  {
-    sum += texels->GetComponent(texel, 3);
-  }
-  return sum > 0.5 * 255.0 * static_cast<double>(texels->GetNumberOfTuples());
-}
-
 /// Whether a tree's mapper would draw its only leaf by nothing but the actor's property and arrays that it has.
 bool IsDrawnAlone(const PartOfTree& part, vtkMapper* like)
 {
@@ -162,7 +151,7 @@ bool IsVisible(vtkDataObject* node, const vtkCompositeDataDisplayAttributes* att
 BlockActor::Picture::Picture()
 {
   this->Texture->InterpolateOn();
-  this->Texture->SetMaximumAnisotropicFiltering(1.0f); // more takes a processor that draws several times as long
+  this->Texture->MipmapOff(); // with levels, merged plants and instances differ along the outlines of leaves
   this->Texture->RepeatOff();
   this->Texture->EdgeClampOn();
 }
@@ -181,7 +170,6 @@ void BlockActor::Picture::Show(vtkDataArray* texels, vtkDataArray* size)
   image->SetDimensions(columns, rows, 1);
   image->GetPointData()->SetScalars(texels);
   this->Texture->SetInputData(image);
-  this->Texture->SetMipmap(IsOpaqueOnAverage(texels));
 }
 
 //----------------------------------------------------------------------------
