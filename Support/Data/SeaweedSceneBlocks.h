@@ -33,7 +33,7 @@ struct SeaweedSkinBlock
   std::array<TupleRanges, 2> FixedRanges; ///< of points and normals that never move, once they were written
 };
 
-/// What the frames of a scene take in turn.
+/// Arrays and joints that the frames of a scene take in turn.
 struct SeaweedFrames
 {
   FrameArrays Arrays;

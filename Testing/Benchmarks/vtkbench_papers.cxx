@@ -136,7 +136,7 @@ void Seaweeds(benchmark::State& state)
 }
 BENCHMARK(Seaweeds)
   ->ArgNames({ "plants", "levels" })
-  ->ArgsProduct({ { 25, 50, 100, 200, 300, 3000, 30000 }, { 0, 1 } })
+  ->ArgsProduct({ { 25, 50, 100, 200, 300, 30000 }, { 0, 1 } })
   ->Unit(benchmark::kMillisecond)
   ->MeasureProcessCPUTime();
 
