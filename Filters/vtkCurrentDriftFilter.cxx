@@ -95,7 +95,7 @@ bool RunOnPoints(vtkAlgorithm* algorithm, std::size_t count, double first, doubl
 namespace
 {
 
-/// What stays of a leaf while its points are carried.
+/// Arrays of a leaf that stay while its points are carried.
 struct StillPoints
 {
   vtkPointSet* Leaf = nullptr; ///< compared, never used
@@ -126,7 +126,7 @@ public:
     this->Still.resize(this->Leaf);
   }
 
-  /// What stays of the next leaf, as long as the leaf does.
+  /// Arrays of the next leaf that stay as long as the leaf does.
   template <typename Array>
   StillPoints& NextStill(vtkPointSet* leaf)
   {

@@ -20,7 +20,7 @@ namespace
 constexpr std::size_t CellsAtOnce = 16;
 constexpr std::size_t CellsOfOneThread = 128;
 
-/// What lies nearer to a boundary than this is tested by particles, for sums are rounded [m].
+/// Distance from a boundary within which particles are tested one by one, for sums are rounded [m].
 constexpr double Slack = 1e-6;
 
 /// The least single precision number that is not below: bounds stay bounds.
@@ -71,7 +71,7 @@ public:
   }
 
 private:
-  /// How the particles of a cell are shown.
+  /// Level of the particles of a cell.
   enum class CellLevel
   {
     Mixed,       ///< each in its own way

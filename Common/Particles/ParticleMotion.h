@@ -10,7 +10,7 @@
 namespace littoral
 {
 
-/// How particles have moved together.
+/// Motion that particles have in common.
 struct ParticleMotion
 {
   Box Shift;               ///< bounds of the ways of all [m]
