@@ -126,7 +126,7 @@ public:
     this->Still.resize(this->Leaf);
   }
 
-  /// What stays of the next leaf, as long as the leaf does.
+  /// The things that stay of the next leaf, as long as the leaf does.
   template <typename Array>
   StillPoints& NextStill(vtkPointSet* leaf)
   {

@@ -306,7 +306,7 @@ public:
   double Time;
 };
 
-/// What one frame leaves to the next one.
+/// The things that one frame leaves to the next one.
 class vtkParticleOrbitFilter::vtkInternals
 {
 public:

@@ -5,6 +5,8 @@
 #include "Check.h"
 #include "ErrorCounter.h"
 #include "FilledArray.h"
+#include "vtkCurrentDriftFilter.h"
+#include "vtkFlowPrimitiveSource.h"
 #include "vtkParticleFogFilter.h"
 #include "vtkParticleLevelOfDetailFilter.h"
 #include "vtkParticleOrbitFilter.h"
@@ -128,6 +130,78 @@ std::vector<char> BytesOf(vtkAlgorithm* algorithm)
     }
   }
   return bytes;
+}
+
+/// Frames of particles that drift, alike or not, as levels that have seen others before and as new ones show them. The
+/// frames that are held keep their bytes.
+bool CheckDriftedFrames()
+{
+  bool good = true;
+  vtkNew<Sea> sea;
+  vtkNew<vtkPolyData> particles = Particles(30000, VTK_FLOAT);
+  for (const int flow : { vtkFlowPrimitiveSource::Uniform, vtkFlowPrimitiveSource::Vortex })
+  {
+    vtkNew<vtkFlowPrimitiveSource> current;
+    current->SetFlowType(flow);
+    current->SetStrength(flow == vtkFlowPrimitiveSource::Uniform ? 0.3 : 20.0);
+    vtkNew<vtkCurrentDriftFilter> drift;
+    drift->SetInputData(0, particles);
+    drift->AddCurrentConnection(current->GetOutputPort());
+    const auto look = [&](Levels* levels, double time) {
+      levels->SetInputConnection(0, drift->GetOutputPort());
+      levels->SetSeaStateConnection(sea->GetOutputPort());
+      LookAlongY(levels);
+      levels->UpdateTimeStep(time);
+      return BytesOf(levels);
+    };
+    vtkNew<Levels> kept;
+    std::vector<vtkSmartPointer<vtkDataArray>> held;
+    std::vector<std::vector<char>> bytes;
+    for (const double time : { 0.0, 0.1, 4.0, 0.1, 40.0, 2.0 })
+    {
+      vtkNew<Levels> fresh;
+      good &= Check(look(kept, time) == look(fresh, time), "a frame depends on those before");
+      for (int index = 0; index < 3; ++index)
+      {
+        held.emplace_back(BlockOf(kept, index)->GetPoints()->GetData());
+        held.emplace_back(BlockOf(kept, index)->GetPointData()->GetArray("Alpha"));
+      }
+      while (bytes.size() < held.size())
+      {
+        vtkDataArray* next = held[bytes.size()];
+        Append(bytes.emplace_back(), next);
+      }
+    }
+    for (std::size_t n = 0; n < held.size(); ++n)
+    {
+      std::vector<char> now;
+      Append(now, held[n]);
+      good &= Check(now == bytes[n], "a frame that is held has changed");
+    }
+    // Together, all keep their master.
+    const auto masters = [&](double time) {
+      look(kept, time);
+      std::map<vtkIdType, vtkIdType> all;
+      vtkPointData* arrays = BlockOf(kept, 1)->GetPointData();
+      vtkDataArray* ids = arrays->GetArray("ParticleId");
+      for (vtkIdType n = 0; n < ids->GetNumberOfTuples(); ++n)
+      {
+        const auto master = static_cast<vtkIdType>(arrays->GetArray("MasterId")->GetTuple1(n));
+        all[static_cast<vtkIdType>(ids->GetTuple1(n))] =
+          master < 0 ? -1 : static_cast<vtkIdType>(ids->GetTuple1(master));
+      }
+      return all;
+    };
+    const auto before = masters(0.0);
+    int changed = 0;
+    for (const auto& [particle, master] : masters(40.0))
+    {
+      const auto same = before.find(particle);
+      changed += same != before.end() && master >= 0 && same->second >= 0 && same->second != master;
+    }
+    good &= Check(flow != vtkFlowPrimitiveSource::Uniform || changed == 0, "groups that drift alike change");
+  }
+  return good;
 }
 
 bool CheckArrays()
@@ -872,6 +946,7 @@ int Picture(int argc, char* argv[])
 int TestParticleLevels(int argc, char* argv[])
 {
   bool good = CheckArrays();
+  good &= CheckDriftedFrames();
   good &= CheckMotion();
   good &= CheckPixelPromise();
   good &= CheckSameBytes();
