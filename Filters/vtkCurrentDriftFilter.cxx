@@ -95,7 +95,7 @@ bool RunOnPoints(vtkAlgorithm* algorithm, std::size_t count, double first, doubl
 namespace
 {
 
-/// What stays of a leaf while its points are carried.
+/// The things that stay of a leaf while its points are carried.
 struct StillPoints
 {
   vtkPointSet* Leaf = nullptr; ///< compared, never used

@@ -20,7 +20,7 @@ namespace
 constexpr std::size_t CellsAtOnce = 16;
 constexpr std::size_t CellsOfOneThread = 128;
 
-/// What lies nearer to a boundary than this is tested by particles, for sums are rounded [m].
+/// Cells nearer to a boundary than this are tested by particles, for sums are rounded [m].
 constexpr double Slack = 1e-6;
 
 /// The least single precision number that is not below: bounds stay bounds.
@@ -71,7 +71,7 @@ public:
   }
 
 private:
-  /// How the particles of a cell are shown.
+  /// The ways in which the particles of a cell are shown.
   enum class CellLevel
   {
     Mixed,       ///< each in its own way

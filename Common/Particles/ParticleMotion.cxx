@@ -22,7 +22,7 @@ constexpr std::size_t ParticlesAtOnce = 1 << 14;
 /// Numbers that are compared side by side: eight particles.
 constexpr std::size_t Lanes = 24;
 
-/// What some particles add, by lanes, of which each third one belongs to the same axis.
+/// Sums and bounds of some particles, by lanes, of which each third one belongs to the same axis.
 struct Compared
 {
   double Low[Lanes];

@@ -10,7 +10,7 @@
 namespace littoral
 {
 
-/// How particles have moved together.
+/// The common motion of particles.
 struct ParticleMotion
 {
   Box Shift;               ///< bounds of the ways of all [m]
