@@ -107,31 +107,16 @@ struct StillPoints
 }
 
 /// State that is kept between requests.
-class vtkCurrentDriftFilter::vtkInternals : public littoral::MarchingRequests<littoral::DriftHistory>
+class vtkCurrentDriftFilter::vtkInternals
+  : public littoral::MarchingRequests<littoral::DriftHistory>
+  , public littoral::LeafFrames<StillPoints>
 {
 public:
-  littoral::FrameArrays Arrays;
-  std::vector<StillPoints> Still; ///< of each leaf
-  std::size_t Leaf = 0;           ///< that comes next
-
-  void BeginFrame()
-  {
-    this->Arrays.BeginFrame();
-    this->Leaf = 0;
-  }
-
-  void EndFrame()
-  {
-    this->Arrays.EndFrame();
-    this->Still.resize(this->Leaf);
-  }
-
   /// Arrays of the next leaf that stay as long as the leaf does.
   template <typename Array>
   StillPoints& NextStill(vtkPointSet* leaf)
   {
-    this->Still.resize(std::max(this->Still.size(), this->Leaf + 1));
-    StillPoints& still = this->Still[this->Leaf++];
+    StillPoints& still = this->NextEntry();
     if (still.Leaf != leaf || still.Time != leaf->GetMTime())
     {
       const auto start = vtkSmartPointer<littoral::SharedArray<Array>>::New();

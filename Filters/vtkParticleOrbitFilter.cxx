@@ -307,31 +307,14 @@ public:
 };
 
 /// State that one frame leaves to the next one.
-class vtkParticleOrbitFilter::vtkInternals
+class vtkParticleOrbitFilter::vtkInternals : public littoral::LeafFrames<RestingPoints>
 {
 public:
-  littoral::FrameArrays Arrays;
-  std::vector<RestingPoints> Rest; ///< of each leaf
-  std::size_t Leaf = 0;            ///< that comes next
-
-  void BeginFrame()
-  {
-    this->Arrays.BeginFrame();
-    this->Leaf = 0;
-  }
-
-  void EndFrame()
-  {
-    this->Arrays.EndFrame();
-    this->Rest.resize(this->Leaf);
-  }
-
   /// The points at rest of the next leaf.
   template <typename Array>
   Array* CentersOf(vtkPointSet* leaf)
   {
-    this->Rest.resize(std::max(this->Rest.size(), this->Leaf + 1));
-    RestingPoints& rest = this->Rest[this->Leaf++];
+    RestingPoints& rest = this->NextEntry();
     if (rest.Leaf != leaf || rest.Time != leaf->GetMTime() || !Array::SafeDownCast(rest.Centers))
     {
       rest = { leaf, leaf->GetMTime(), ::CentersOf<Array>(leaf) };

@@ -11,6 +11,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 class vtkFloatArray;
@@ -108,6 +110,38 @@ private:
     }
     return nullptr;
   }
+};
+
+/// Memory of a filter from frame to frame: its arrays, and an entry of each leaf of its input, by their order.
+template <typename Entry>
+class LeafFrames
+{
+public:
+  FrameArrays Arrays;
+
+  void BeginFrame()
+  {
+    this->Arrays.BeginFrame();
+    this->Leaf = 0;
+  }
+
+  void EndFrame()
+  {
+    this->Arrays.EndFrame();
+    this->Entries.resize(this->Leaf);
+  }
+
+protected:
+  /// Entry of the next leaf.
+  Entry& NextEntry()
+  {
+    this->Entries.resize(std::max(this->Entries.size(), this->Leaf + 1));
+    return this->Entries[this->Leaf++];
+  }
+
+private:
+  std::vector<Entry> Entries;
+  std::size_t Leaf = 0; ///< that comes next
 };
 
 }
