@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <limits>
 
 // Four doubles in one vector register, a lane each, so that a kernel is written once for a Real that is a double or a
@@ -85,6 +86,14 @@ struct alignas(LaneCount * sizeof(double)) SimdDouble4
 
 /// Four floats, for loads and stores.
 typedef float SimdFloat4 __attribute__((vector_size(LaneCount * sizeof(float))));
+
+/// Four numbers anywhere in memory.
+LITTORAL_INLINE SimdFloat4 LoadFloats(const float* from)
+{
+  SimdFloat4 four;
+  std::memcpy(&four, from, sizeof four);
+  return four;
+}
 
 /// Lane by lane, a < b ? then : other.
 LITTORAL_INLINE double SelectLess(double a, double b, double then, double other)

@@ -5,7 +5,6 @@
 #include "Numerics/SimdDouble4.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 
 namespace littoral
@@ -13,13 +12,6 @@ namespace littoral
 
 namespace
 {
-
-LITTORAL_INLINE SimdFloat4 Load(const float* from)
-{
-  SimdFloat4 four;
-  std::memcpy(&four, from, sizeof four);
-  return four;
-}
 
 LITTORAL_INLINE SimdDouble4 Doubles(const SimdFloat4& four)
 {
@@ -80,7 +72,8 @@ LITTORAL_SIMD_CLONES VectorRange RangeOf(const float* vectors, std::size_t count
   for (; next + 4 <= count; next += 4)
   {
     // x0 y0 z0 x1, y1 z1 x2 y2, z2 x3 y3 z3
-    const SimdFloat4 part[3] = { Load(vectors + 3 * next), Load(vectors + 3 * next + 4), Load(vectors + 3 * next + 8) };
+    const SimdFloat4 part[3] = { LoadFloats(vectors + 3 * next), LoadFloats(vectors + 3 * next + 4),
+      LoadFloats(vectors + 3 * next + 8) };
     for (int k = 0; k < 3; ++k)
     {
       low[k] = part[k] < low[k] ? part[k] : low[k];
@@ -121,7 +114,7 @@ LITTORAL_SIMD_CLONES VectorRange RangeOfPairs(const float* pairs, std::size_t co
   for (; next + 4 <= count; next += 4)
   {
     // x0 y0 x1 y1, x2 y2 x3 y3
-    const SimdFloat4 part[2] = { Load(pairs + 2 * next), Load(pairs + 2 * next + 4) };
+    const SimdFloat4 part[2] = { LoadFloats(pairs + 2 * next), LoadFloats(pairs + 2 * next + 4) };
     for (const SimdFloat4& four : part)
     {
       low = four < low ? four : low;

@@ -13,13 +13,6 @@ namespace littoral
 namespace
 {
 
-LITTORAL_INLINE SimdFloat4 Load(const float* from)
-{
-  SimdFloat4 four;
-  std::memcpy(&four, from, sizeof four);
-  return four;
-}
-
 /// Four vertices as they follow each other in memory: x0 y0 z0 x1, y1 z1 x2 y2, z2 x3 y3 z3.
 struct FourVectors
 {
@@ -27,7 +20,7 @@ struct FourVectors
 
   LITTORAL_INLINE static FourVectors At(const float* from)
   {
-    return { { Load(from), Load(from + 4), Load(from + 8) } };
+    return { { LoadFloats(from), LoadFloats(from + 4), LoadFloats(from + 8) } };
   }
   /// The same vector four times.
   LITTORAL_INLINE static FourVectors All(float x, float y, float z)
