@@ -29,9 +29,7 @@ set(standard_TestIntensityTrend IntensityTrend.WeightsTakeTheTrendOutOfPairs
 set(all_TestIntensityTrend IntensityTrend.WhatWasSimulatedIsFoundAgain)
 set(standard_TestLevelLooks *LookTheSameAtAllLevels)
 set(standard_TestPairFunctions PairFunctions.OfRandomPatternsAreThoseOfChance PairFunctions.AgreeWithSpatstat PairFunctions.FollowTheirDefinitions)
-set(standard_TestParticleLevels
-  ParticleLevels.NothingVisibleIsLost ParticleLevels.SlavesStayWithinTheirBound
-  TrainSelection.TailSumBoundsTheErrorOnTheScreen)
+set(standard_TestParticleLevels ParticleLevels.NothingVisibleIsLost ParticleLevels.SlavesStayWithinTheirBound)
 set(standard_TestPatternVerdict
   PatternVerdict.CellsAreMadeByASoftCoreAndNotByAStrictDistance PatternVerdict.WhatNothingMakesIsCalledByNoName
   PatternVerdict.PolygonsHaveProcessesOnly PatternVerdict.MappedPatternsAreRegrown)
@@ -61,6 +59,7 @@ set(standard_TestSoftCore
   SoftCore.IntensityIsThatAskedFor)
 set(standard_TestTerrainLevels *AreWatertightInRandomViews/*)
 set(standard_TestTrunkModes TrunkModes.MeasuredTreesFromStoutToSlender TrunkModes.BroadleavesOfAllSizes)
+set(standard_TestTrainSelection TrainSelection.TailSumBoundsTheErrorOnTheScreen)
 set(standard_TestTurningBands
   TurningBands.TablesKeepThePowerOfTheShortestWaves
   */SimpleExponential */Spherical */Bessel1 TurningBands.SpectrumIsAsEvenAsThatOfExactNoise
