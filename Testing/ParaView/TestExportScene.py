@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython together=plants
+# run-with: pvpython together=views
 """ExportView writes what a view shows as one scene of glTF; TestLegends exports one in the window, TestServer a wood where
 the data are."""
 import os

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython together=plants
+# run-with: pvpython together=views
 """Far plants of a forest of instances under Landscape Light are impostors: as bright and as large as in the level before,
 also where they are exchanged for each other pixel by pixel. Without the light they are as before.
 """

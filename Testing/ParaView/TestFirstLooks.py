@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvbatch
-# run-with: pvbatch mpi=2 tier=all
+# run-with: pvpython together=looks
+# run-with: pvbatch mpi=1,2 tier=all
 """The first looks of a terrain, a sea, a flow and a wind: what one rank draws of all data, on one rank and on two."""
 
 import quick

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython together=plants
+# run-with: pvpython together=views
 """Plants of textured quadrics in ParaView: blocks, a forest of two kinds, the wind, the picture on the leaves."""
 
 import os

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython together=plants
+# run-with: pvpython together=views
 """A forest as instances looks like the merged forest: in Full Surface by itself, and as ParaView's 3D Glyphs in outline.
 
 TestServers has it before a server.

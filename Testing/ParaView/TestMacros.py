@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython together=plants
+# run-with: pvpython together=views
 """Macros: a forest of a CSV file has its trees and their heights; a twin has the grid and the variance of its place."""
 import contextlib
 import io

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython together=plants
+# run-with: pvpython together=views
 """Beam Tree Deformation from ParaView: its inputs, properties and times."""
 import quick
 from gusts import INFORMATION, WIND

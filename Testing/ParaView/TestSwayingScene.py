@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython together=plants
+# run-with: pvpython together=views
 """TestScenes.py for a forest in the wind; defaults come back."""
 
 from TestScenes import check, check_defaults

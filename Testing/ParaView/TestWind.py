@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython together=plants
+# run-with: pvpython together=views
 """The wind in ParaView: its times, its period, its direction."""
 
 import quick
