@@ -100,7 +100,10 @@ def add_trees(renderer, heights, number):
         scales, turns = random.uniform(0.75, 1.2, len(own)), random.uniform(0.0, 360.0, len(own))
         for name, color in zip(("Skin", "Leaves"), colors):
             actor = grown(block(tree.GetOutput(), "High", name), color, own, scales, turns)
-            vtkLandscapePass.SetTransmittance(actor, 0.4 if name == "Leaves" else 0.0)
+            if name == "Skin":
+                vtkLandscapePass.SetMaterial(actor, vtkLandscapePass.Bark)
+            else:
+                vtkLandscapePass.SetTransmittance(actor, 0.4)
             renderer.AddActor(actor)
 
 

@@ -6,7 +6,8 @@ import resource
 
 import numpy as np
 from littoral import vtkBeamTreeDeformationFilter, vtkGardnerPlantSource, vtkPlantScatterFilter, vtkReevesTreeSource
-from littoral import vtkSeaweedSource, vtkWindFieldSource
+from littoral import vtkLandscapePass, vtkSeaweedSource, vtkWindFieldSource
+from littoral.plants import level_actors
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPolyData
@@ -175,3 +176,11 @@ assert told == 84.0 * 100000
 assert abs(1024.0 * instances.GetActualMemorySize() - told) < 0.02 * told, f"{instances.GetActualMemorySize()} KiB"
 assert grown < 200.0, f"{grown:.0f} MB for 100 000 instances"
 print(f"100 000 instances: {told / 1e6:.1f} MB, {grown:.0f} MB in all")
+
+# What the landscape pass is told of the actors of a plant.
+tree = prototypes()[0]
+tree.Update()
+for level, material in (("High", vtkLandscapePass.Bark), ("Medium", vtkLandscapePass.Surface)):
+    wood, leaves = level_actors(tree, level)
+    assert vtkLandscapePass.GetMaterial(wood) == material and vtkLandscapePass.GetTransmittance(wood) == 0.0
+    assert vtkLandscapePass.GetTransmittance(leaves) == 0.3

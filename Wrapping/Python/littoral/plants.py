@@ -11,6 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkTexture
 
 from .glb import direction
+from .LittoralRendering import vtkLandscapePass
 from .versions import block_name
 
 
@@ -114,19 +115,22 @@ def carried_actor(part):
     return show_carried(cut_out(plant_actor(part, picture, tinted=True, mipmap=False)), part)
 
 
-def level_actors(source, level, cut_leaves=False):
+def level_actors(source, level, cut_leaves=False, transmittance=0.3):
     """Actors of a level, "High", "Medium" or "Low", of an updated plant source or scattered plants.
 
     cut_leaves: put the texture on the leaves of High and cut it out. Quadrics need this, kites do
-    not.
+    not. In vtkLandscapePass the skin is bark, and leaves let that part of their light through.
     """
     data = source.GetOutputDataObject(0)
     if level == "High":
         skin, leaves = plant_actor(block(data, "High", "Skin")), block(data, "High", "Leaves")
-        return [skin, carried_actor(leaves) if cut_leaves else plant_actor(leaves)]
-    if level == "Medium":
-        return [carried_actor(block(data, "Medium", name)) for name in ("Trunk", "Crown")]
-    return [carried_actor(block(data, "Low"))]
+        vtkLandscapePass.SetMaterial(skin, vtkLandscapePass.Bark)
+        actors = [skin, carried_actor(leaves) if cut_leaves else plant_actor(leaves)]
+    else:
+        names = [("Medium", "Trunk"), ("Medium", "Crown")] if level == "Medium" else [("Low",)]
+        actors = [carried_actor(block(data, *name)) for name in names]
+    vtkLandscapePass.SetTransmittance(actors[-1], transmittance)
+    return actors
 
 
 def add_daylight(renderer, sun=(215.0, 40.0)):

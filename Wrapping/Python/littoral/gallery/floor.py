@@ -15,12 +15,11 @@ REACH = 6000.0
 
 
 def plant_actors(forest):
-    """Actors of all levels of an updated vtkPlantScatterFilter; leaves let light through."""
+    """Actors of all levels of an updated vtkPlantScatterFilter."""
     actors = []
     for level, *part in (("High", "Leaves"), ("Medium", "Crown"), ("Low",)):
         if block(forest.GetOutput(), level, *part):
             actors += level_actors(forest, level)
-            vtkLandscapePass.SetTransmittance(actors[-1], 0.3)
     return actors
 
 
