@@ -127,21 +127,53 @@ vec3 landscapeInWater(vec3 luminance, vec3 d, float depth, float way)
   return luminance * exp(-(landscapeAbsorption + landscapeScattering) * way) + landscapeScattered(d, depth, way);
 }
 
-// What gathered light changes in the light that water scatters into a line of sight from the eye: shafts, the sum of
-// b p (I - 1) E exp(-K z - c l) over parts of the line that send the same light.
+// Where in a step of a line of sight it is sampled, from 0 to 1: another place for each pixel near by, without bands
+// (Jimenez 2014, interleaved gradient noise)
+float landscapeDither()
+{
+  return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+}
+
+// Whether the sun is seen from a place in the water, by the first map that has it.
+float landscapeSunThrough(vec3 placeV)
+{
+#ifndef LandscapeNoShadows
+  for (int map = 0; map < 3; ++map)
+  {
+    vec3 at = (landscapeToMap[map] * vec4(placeV, 1.0)).xyz;
+    if (landscapeTexel[map] > 0.0 && landscapeWithin(at) >= 1.0)
+    {
+      return landscapeReaches(map, at);
+    }
+  }
+#endif
+  return 1.0;
+}
+
+// What gathered light and shadows change in the light that water scatters into a line of sight from the eye: shafts, the
+// sum of b p (V I - 1) E exp(-K z - c l) over parts of the line that send the same light.
 vec3 landscapeShafts(vec3 d, float way)
 {
   const int steps = 12;
   vec3 c = landscapeAbsorption + landscapeScattering;
   float all_ = 1.0 - exp(-c.y * way);
+  float within = landscapeDither();
   vec3 sum = vec3(0.0);
   for (int step_ = 0; step_ < steps; ++step_)
   {
-    float l = -log(1.0 - all_ * (float(step_) + 0.5) / float(steps)) / c.y;
+    float l = -log(1.0 - all_ * (float(step_) + within) / float(steps)) / c.y;
     float depth = max(landscapeBelow - d.z * l, 0.0);
-    sum += (landscapeGathered(d.xy * l, depth, 0.3) - 1.0) * exp(-landscapeDownward() * depth - (c - c.y) * l);
+    float light = landscapeGathered(d.xy * l, depth, 0.3) * landscapeSunThrough(l * d * landscapeToWorld);
+    sum += (light - 1.0) * exp(-landscapeDownward() * depth - (c - c.y) * l);
   }
   return landscapeScattering * landscapePhase(d) * landscapeSunBelow() * sum * all_ / (c.y * float(steps));
+}
+
+// Color of light that comes through a leaf, over that which it sends back: it passes the pigments once more, which hold
+// back of each color what they hold back of the albedo, a / max a
+vec3 landscapeThroughLeaf(vec3 albedo)
+{
+  return albedo / max(max(albedo.r, albedo.g), max(albedo.b, 1e-4));
 }
 
 // Luminance of a surface in the water, of an albedo and of a transmittance.
@@ -149,12 +181,13 @@ vec3 landscapeWet(vec3 albedo, vec3 placeV, vec3 normalV, float transmittance)
 {
   vec3 normal = landscapeToWorld * normalV;
   float depth = max(landscapeBelow - (landscapeToWorld * placeV).z, 0.0);
+  vec3 through = transmittance * landscapeThroughLeaf(albedo);
   float towards = dot(normal, landscapeSunInWater());
   float open = landscapeSkySeen(placeV, normalV);
-  vec3 light = landscapeSkyBelow() * (0.5 + 0.5 * normal.z + transmittance * (0.5 - 0.5 * normal.z));
+  vec3 light = landscapeSkyBelow() * (0.5 + 0.5 * normal.z + through * (0.5 - 0.5 * normal.z));
   light *= open / (1.0 - albedo * (1.0 - open));
-  float facing = max(towards, 0.0) + transmittance * max(-towards, 0.0);
-  if (facing > 0.0)
+  vec3 facing = max(towards, 0.0) + through * max(-towards, 0.0);
+  if (towards > 0.0 || transmittance > 0.0)
   {
     float seen = landscapeSunSeen(placeV, towards > 0.0 ? normalV : -normalV, towards);
     light += facing * seen * landscapeBelowClouds(landscapeToWorld * placeV) * landscapeSunBelow() *

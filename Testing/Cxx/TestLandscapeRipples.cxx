@@ -136,6 +136,46 @@ bool TestGatheredLight()
   return good;
 }
 
+/// Green of deep water on a level line of sight from 2.5 m below its surface, towards the sun or from it, below a raft
+/// or not.
+double GreenAlong(double north, bool isBelowRaft)
+{
+  Water picture({ 0.4, 0.3, 0.3 }, { 0.2, 0.2, 0.2 });
+  picture.Pass->SetSunElevation(40.0);
+  picture.Pass->SetSunAzimuth(0.0);
+  picture.Pass->SetWaterSlopeVariance(0.01);
+  picture.Pass->SetWaterRipples(isBelowRaft);
+  picture.Pass->SetShadowDistance(60.0);
+  picture.Pass->SetExposureCompensation(2.0);
+  if (isBelowRaft)
+  {
+    picture.Add(Level(60.0, -1.0), 0.5);
+  }
+  picture.Look({ 0.0, 0.0, -2.5 }, { 0.0, north, -2.5 }, { 0.0, 0.0, 1.0 });
+  picture.Renderer->GetActiveCamera()->SetClippingRange(0.1, 3000.0);
+  picture.Draw();
+  return 0.5 * (picture.LinearAt(Width / 2, Height / 2)[1] + picture.LinearAt(Width / 2, Height / 2 - 1)[1]);
+}
+
+/// Water in the shadow of a raft scatters no light of the sun: what is left is the same in both directions, and in
+/// sunlight it is what Henyey and Greenstein's law for two angles leaves of two luminances.
+bool TestShadowInWater()
+{
+  const double along = std::cos(vtkMath::RadiansFromDegrees(40.0)) / 1.333;
+  const auto phase = [](double cosine) { return std::pow(1.81 - 1.8 * cosine, -1.5); }; // g = 0.9
+  const double ahead = GreenAlong(1.0, false);
+  const double back = GreenAlong(-1.0, false);
+  const double sky = ahead - (ahead - back) * phase(along) / (phase(along) - phase(-along));
+  bool good = Check(ahead < 1.0 && sky < 0.8 * ahead, "The sun gives too little: " + std::to_string(sky));
+  for (const double north : { 1.0, -1.0 })
+  {
+    const double found = GreenAlong(north, true);
+    good &= Check(std::abs(found - sky) < 0.03 * ahead,
+      "Water in a shadow is " + std::to_string(found) + " for " + std::to_string(sky));
+  }
+  return good;
+}
+
 /// A sprite in air is as bright as a sphere, white for a white furnace; in water, as a wall of its albedo at its
 /// distance.
 bool TestSprite()
@@ -208,6 +248,7 @@ int TestLandscapeRipples(int, char*[])
 {
   bool good = TestRipples();
   good &= TestGatheredLight();
+  good &= TestShadowInWater();
   good &= TestSprite();
   return good ? 0 : 1;
 }

@@ -220,6 +220,28 @@ bool TestFoam(float jacobian, float left)
     "Foam is " + std::to_string(foam) + " and water " + std::to_string(water));
 }
 
+/// A level leaf in clear water, from below over from above: its transmittance, times its color over the largest one.
+bool TestLeafInWater()
+{
+  std::array<Color, 2> seen;
+  for (int isAbove = 0; isAbove < 2; ++isAbove)
+  {
+    Water picture({ 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 });
+    picture.Pass->SetSunElevation(50.0);
+    picture.Pass->ShadowsOff();
+    vtkActor* leaf = picture.Add(Level(50.0, -2.0), 0.5);
+    leaf->GetProperty()->SetColor(CodeOf(0.36), CodeOf(0.24), CodeOf(0.12));
+    vtkLandscapePass::SetTransmittance(leaf, 0.5);
+    const double eye = isAbove ? -1.0 : -3.0;
+    picture.Look({ 0.0, 0.0, eye }, { 0.0, 0.0, -2.0 }, { 0.0, 1.0, 0.0 });
+    picture.Draw();
+    seen[isAbove] = picture.LinearAt(Width / 2, Height / 2);
+  }
+  const Color part{ 0.5, 0.5 * 0.24 / 0.36, 0.5 * 0.12 / 0.36 };
+  return Near(seen[0], { part[0] * seen[1][0], part[1] * seen[1][1], part[2] * seen[1][2] }, 0.02, 0.004,
+    "A leaf against the light");
+}
+
 /// Strings of foam cover the part of the water that its stretch tells, 0.5 halfway between none and all.
 bool TestLace()
 {
@@ -373,6 +395,7 @@ int TestLandscapeWater(int, char*[])
   good &= TestCard();
   good &= TestFoam(0.01F, 0.0F);
   good &= TestFoam(1.0F, 0.99F);
+  good &= TestLeafInWater();
   good &= TestLace();
   good &= TestCarriedFoam();
   good &= TestGlitter();

@@ -111,6 +111,7 @@ void MoveCamera(vtkCamera* camera, const CameraPlace& place)
   {
     camera->SetPosition(place.Eye);
     camera->SetFocalPoint(place.Target);
+    camera->SetViewAngle(place.Angle > 0.0 ? place.Angle : camera->GetViewAngle());
     return;
   }
   const double elevation = place.Elevation * Pi / 180.0;

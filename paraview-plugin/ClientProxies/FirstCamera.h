@@ -39,6 +39,7 @@ struct CameraPlace
   bool IsFixed = false;      ///< whether Eye and Target count instead
   double Eye[3] = { 0.0, 0.0, 0.0 };
   double Target[3] = { 0.0, 0.0, 0.0 };
+  double Angle = 0.0; ///< of view, from the bottom to the top, of a fixed camera [degrees]; 0: the camera's
 };
 
 /// Moves a camera that shows all data, with z upwards.

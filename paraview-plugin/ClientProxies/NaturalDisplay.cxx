@@ -655,6 +655,7 @@ void NaturalDisplay::SetUpView(int port)
   const char* target = this->Hint("target");
   const char* elevation = this->Hint("elevation");
   const char* closer = this->Hint("closer");
+  const char* angle = this->Hint("view-angle");
   vtkPVDataInformation* data = this->Owner->GetDataInformation(port);
   CameraPlace place;
   place.IsFixed = eye && target && ReadPlace(eye, place.Eye) && ReadPlace(target, place.Target);
@@ -670,6 +671,7 @@ void NaturalDisplay::SetUpView(int port)
   }
   place.Elevation = elevation ? std::strtod(elevation, nullptr) : 0.0;
   place.Closer = closer ? std::strtod(closer, nullptr) : 1.0;
+  place.Angle = angle ? std::strtod(angle, nullptr) : 0.0;
   if (place.IsFixed && HasFirstCamera(view))
   {
     // Filters that follow the camera have nothing to show before it is there.

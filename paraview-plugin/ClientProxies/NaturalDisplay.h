@@ -47,8 +47,9 @@ namespace littoral
  *    those of `forest-blocks`, if there are any. With `own-levels` the surface is not decimated while the camera moves:
  *    that would tear leaves and crowns to shreds.
  *  - Where the source is the first thing in its view, the camera looks from `elevation` [degrees] above the horizon, z
- *    upwards, and `closer` times closer than ParaView would go to show all, or from `eye` to `target` [m]; and the view
- *    gets the background and the sun of `light`, see LightView, if it has ParaView's.
+ *    upwards, and `closer` times closer than ParaView would go to show all, or from `eye` to `target` [m], with
+ *    `view-angle` [degrees] if it is given; and the view gets the background and the sun of `light`, see LightView, if
+ * it has ParaView's.
  *  - A drag leaves the eye above `lowest` and below `highest` [m], and `least-elevation` above the horizon [degrees],
  * see SceneDrag.
  *
