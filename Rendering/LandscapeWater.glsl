@@ -228,8 +228,7 @@ float landscapeSlopeDensity(vec3 facet, vec3 n, float slopes)
 // Foam at a place of which it covers a part on the mean: in xy the slopes of its bubbles, in z their shade, 1 on the mean,
 // in w its cover. It is strings along the middle value of a noise, which is about normal, as wide as P(|z| < w) = part,
 // with a soft rim, and holes where it is whole. A footprint [m] above the size of an octave has none of it, and above the
-// width of the strings the part
-// alone.
+// width of the strings the part alone.
 vec4 landscapeLace(float part, vec2 place, float footprint)
 {
   vec4 lace = vec4(0.0, 0.0, 1.0, 0.0);
