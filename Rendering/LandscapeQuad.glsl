@@ -275,8 +275,8 @@ void main()
   luminance = landscapeMoist(wetness, film, !isGrass, albedo, d, place, normal, landscapeFilm(smoothed, normal),
     isGrass ? 0.4 : 0.0, 1.0);
 #if LandscapeHasShore
-  float surf = landscapeLace(isGrass ? 0.0 : landscapeShoreFoam(height, at), at, away);
-  luminance = mix(luminance, landscapeLuminance(vec3(0.6), place, smoothed, 0.0, 1.0), surf);
+  vec4 surf = landscapeLace(isGrass ? 0.0 : landscapeShoreFoam(height, at), at, away);
+  luminance = mix(luminance, landscapeFoamLuminance(surf, place, landscapeToWorld * smoothed), surf.w);
 #endif
 #else
   luminance = landscapeLuminance(albedo, place, normal, isGrass ? 0.4 : 0.0, 1.0);
@@ -331,9 +331,9 @@ void main()
   luminance = mix(luminance, beside, isShore ? 1.0 - smoothstep(0.0, 0.3 * landscapeRunUp, depthBelow) : 0.0);
   foam = max(foam, isShore ? landscapeShoreFoam(ground.z - landscapeEyeDepth, groundAt) : 0.0);
 #endif
-  foam = landscapeLace(foam, (landscapeEye + landscapeToWorld * wetPlace).xy - landscapeWayOf(carried.rgb), footprint);
+  vec4 lace = landscapeLace(foam, (landscapeEye + landscapeToWorld * wetPlace).xy - landscapeWayOf(carried.rgb), footprint);
   landscapeHidden = vec3(0.0);
-  luminance = mix(luminance, landscapeLuminance(vec3(0.6), wetPlace, wetNormal * landscapeToWorld, 0.0, 1.0), foam);
+  luminance = mix(luminance, landscapeFoamLuminance(lace, wetPlace, wetNormal), lace.w);
   luminance = landscapeBehindAir(luminance, eye, wetPlace);
 #endif
 #endif

@@ -225,16 +225,38 @@ float landscapeSlopeDensity(vec3 facet, vec3 n, float slopes)
   return exp(-dot(off, off) / variance) / (landscapePi * variance);
 }
 
-// Foam at a place of which it covers a part on the mean: strings along the middle value of a noise, which is about normal,
-// as wide as P(|z| < w) = part. A footprint [m] above their width has the part alone.
-float landscapeLace(float part, vec2 place, float footprint)
+// Foam at a place of which it covers a part on the mean: in xy the slopes of its bubbles, in z their shade, 1 on the mean,
+// in w its cover. It is strings along the middle value of a noise, which is about normal, as wide as P(|z| < w) = part,
+// with a soft rim, and holes where it is whole. A footprint [m] above the size of an octave has none of it, and above the
+// width of the strings the part alone.
+vec4 landscapeLace(float part, vec2 place, float footprint)
 {
-  float n = 0.65 * landscapeNoise(place, 0.5, 31u).x + 0.35 * landscapeNoise(place, 0.125, 32u).x;
-  float z = abs(n - 0.5) / 0.167;
-  float width = log((1.0 + part) / (1.0001 - part)) / 1.702;
-  float soft = 0.4 * min(width, 1.0) + 1e-4;
-  float lace = 1.0 - smoothstep(width - soft, width + soft, z);
-  return mix(lace, part, smoothstep(0.1, 0.4, footprint));
+  vec4 lace = vec4(0.0, 0.0, 1.0, 0.0);
+  // A loop, which processors that draw leave at once where no pixel has foam, unlike a branch
+  for (float k = 0.0; k < part; k += 1.0)
+  {
+    vec4 fades = 1.0 - smoothstep(0.5, 1.0, footprint / vec4(2.0, 0.5, 0.125, 0.03125));
+    vec3 wide = landscapeNoise(place, 2.0, 34u) - vec3(0.5, 0.0, 0.0);
+    vec3 strings = landscapeNoise(place, 0.5, 31u) - vec3(0.5, 0.0, 0.0);
+    vec3 knots = landscapeNoise(place, 0.125, 32u) - vec3(0.5, 0.0, 0.0);
+    vec3 bubbles = landscapeNoise(place, 0.03125, 33u) - vec3(0.5, 0.0, 0.0);
+    // sum w n over its deviation, 0.226 sqrt(sum w2)
+    float z = abs(0.65 * strings.x + 0.35 * knots.x + 0.1 * bubbles.x) / 0.168;
+    float covered = min(part, 0.95);
+    float width = log((1.0 + covered) / (1.0001 - covered)) / 1.702;
+    float soft = 0.9 * min(width, 1.0) + 1e-4;
+    lace.w = mix(1.0 - smoothstep(width - soft, width + soft, z), covered, smoothstep(0.15, 0.5, footprint));
+    lace.xy = 0.15 * fades.y * strings.yz + 0.3 * fades.z * knots.yz + 0.4 * fades.w * bubbles.yz;
+    lace.z = 1.0 + dot(fades, vec4(0.3, 0.5, 0.6, 0.6) * vec4(wide.x, strings.x, knots.x, bubbles.x));
+  }
+  return lace;
+}
+
+// Luminance of foam on a surface with a normal: it is white, of the albedo 0.6, and half of its bubbles' walls are of all
+// directions, so that it is bright against the sun too.
+vec3 landscapeFoamLuminance(vec4 lace, vec3 placeV, vec3 n)
+{
+  return landscapeLuminance(vec3(0.6 * lace.z), placeV, landscapeFacet(n, lace.xy) * landscapeToWorld, 0.0, 0.5);
 }
 
 // Way of water from its place at rest by the colors of SurfacePass [m].

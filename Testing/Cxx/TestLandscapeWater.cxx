@@ -197,7 +197,8 @@ vtkSmartPointer<vtkFloatArray> ByX(const char* name, float left, float right)
   return array;
 }
 
-/// Water has foam, of the albedo 0.6, where its surface nearly folds, or did some time before.
+/// Water has foam, of the albedo 0.6 on the mean, brighter in places, where its surface nearly folds, or did some time
+/// before.
 bool TestFoam(float jacobian, float left)
 {
   Picture picture;
@@ -214,10 +215,18 @@ bool TestFoam(float jacobian, float left)
   vtkLandscapePass::SetMaterial(picture.Add(surface, 0.2), vtkLandscapePass::Water);
   picture.Look({ 0.0, 0.0, 35.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
   picture.Draw();
-  const double foam = picture.LinearAt(Width / 2 - 70, Height / 2)[1];
+  double foam = 0.0;
+  double most = 0.0;
+  constexpr int side = 40; // of a square of 5 m, with bubbles of all sizes
+  for (int pixel = 0; pixel < side * side; ++pixel)
+  {
+    const double one = picture.LinearAt(Width / 2 - 84 + pixel % side, Height / 2 - side / 2 + pixel / side)[1];
+    foam += one / (side * side);
+    most = std::max(most, one);
+  }
   const double water = picture.LinearAt(Width / 2 + 70, Height / 2)[1];
-  return Check(foam > 0.5 && foam < 0.62 && water < 0.05,
-    "Foam is " + std::to_string(foam) + " and water " + std::to_string(water));
+  return Check(foam > 0.5 && foam < 0.62 && most > 0.66 && most < 0.9 && water < 0.05,
+    "Foam is " + std::to_string(foam) + " up to " + std::to_string(most) + " and water " + std::to_string(water));
 }
 
 /// A level leaf in clear water, from below over from above: its transmittance, times its color over the largest one.
