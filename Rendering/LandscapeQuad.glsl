@@ -71,10 +71,18 @@ vec3 landscapeGrown(bool isGrass, vec3 albedo, vec3 d, vec3 place, inout vec3 no
 #endif
   float footprint = landscapePixel * (landscapeIsParallel == 1 ? 1.0 : -place.z) /
     sqrt(max(0.04, abs(normal.z))); // sharper than its length: what grows stands up
-  albedo = landscapeGround(albedo, at, landscapeWideEye + off.xy, footprint, up);
+#ifdef LandscapeHasWoods
+  vec3 smoothed = up;
+#endif
+  albedo = landscapeGround(albedo, at, footprint, up);
 #ifdef LandscapeHasTurf
   // Bright at its tips, dark between them, and as bright as the ground on average
   albedo *= mix(1.0, 0.3 + 1.35 * turf.z, stands * (1.0 - landscapeGrowth(at).w));
+#endif
+#ifdef LandscapeHasWoods
+  vec3 level = smoothed;
+  albedo = landscapeWooded(albedo, at, landscapeWideEye + off.xy, d, footprint, smoothed);
+  up = normalize(up + smoothed - level);
 #endif
   normal = up * landscapeToWorld;
   return albedo;
