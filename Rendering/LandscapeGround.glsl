@@ -33,8 +33,9 @@ vec3 landscapeTurfOn(vec2 place, vec2 way)
 }
 
 #ifdef LandscapeHasWoods
-// Puts woods on a color of the ground, along a line of sight d; the normal gets their relief.
-vec3 landscapeWooded(vec3 color, vec2 place, vec2 wide, vec3 d, float footprint, inout vec3 normal)
+// Puts woods on a color of the ground, along a line of sight d; the normal gets their relief. A pixel is as
+// wide as away [m]: crowns face the eye.
+vec3 landscapeWooded(vec3 color, vec2 place, vec2 wide, vec3 d, float away, inout vec3 normal)
 {
   float slope = length(normal.xy) / max(normal.z, 0.1);
   landscapeWoodLeast = landscapeWoodFrom(slope);
@@ -43,17 +44,17 @@ vec3 landscapeWooded(vec3 color, vec2 place, vec2 wide, vec3 d, float footprint,
   float stand = landscapeNoise(wide / 16.0, 4.0, 9u).x;
   // Meadows are moist and green below, dry above
   float dry = landscapeNoise(wide / 16.0, 16.0, 47u).x + 0.6 * (stand - 0.5) + 1.5 * min(slope, 0.4);
-  color *= mix(vec3(0.80, 0.92, 0.86), vec3(1.30, 1.04, 0.80), smoothstep(0.2, 1.0, dry));
+  color *= mix(vec3(0.80, 0.92, 0.86), vec3(1.30, 1.04, 0.80), smoothstep(0.3, 0.85, dry));
   // From afar a wood is even
-  float crowns = clamp(2.0 - 0.2 * footprint, 0.0, 1.0);
+  float crowns = clamp(2.0 - 0.25 * away, 0.0, 1.0);
   float wood = smoothstep(-0.012, 0.012, inside);
-  vec3 even = landscapeLeaves(0.5, 0.5) * (0.75 + 0.5 * stand) * 0.8;
+  vec3 even = vec3(0.022, 0.033, 0.014) * (0.75 + 0.5 * stand);
   vec2 way = landscapeCanopy * normal.z / max(-dot(d, normal), 0.15) * d.xy;
   vec2 shade = landscapeCanopy * landscapeSun.xy / max(landscapeSun.z, 0.1);
-  float near = inside + max(max(0.0, -dot(field.yz, way)), dot(field.yz, 0.7 * shade));
-  bool hasCrowns = crowns > 0.0 && near > -0.08;
-  vec3 hit = landscapeWoodOn(place, wide, way, hasCrowns ? int(clamp(length(way) / 5.0, 5.0, 16.0)) : 0);
-  landscapeShaded = mix(1.0, landscapeBelowCrowns(place + hit.xy, wide + hit.xy, hit.z, hasCrowns ? 3 : 0), crowns);
+  float near = inside + max(max(0.0, -dot(field.yz, way)), 0.7 * dot(field.yz, shade));
+  bool hasCrowns = crowns > 0.0 && near > -0.06;
+  vec3 hit = landscapeWoodOn(place, wide, way, hasCrowns ? int(clamp(length(way) / 6.0, 4.0, 12.0)) : 0);
+  landscapeShaded = mix(1.0, landscapeBelowCrowns(place + hit.xy, wide + hit.xy, hit.z, hasCrowns ? 2 : 0), crowns);
   for (int k = 0; k < (hasCrowns ? 1 : 0); ++k)
   {
     vec4 crown = landscapeCrowns(place + hit.xy, wide + hit.xy);
@@ -74,10 +75,15 @@ vec3 landscapeGround(vec3 albedo, vec2 place, float footprint, inout vec3 normal
 {
   vec4 growth = landscapeGrowth(place);
   vec3 small = landscapeNoise(place, 1.0, 3u) - vec3(0.5, 0.0, 0.0);
-  vec3 fine = landscapeNoise(place, 0.25, 5u) - vec3(0.5, 0.0, 0.0);
-  vec3 grain = landscapeNoise(place, 0.0625, 6u) - vec3(0.5, 0.0, 0.0);
-  // What is smaller than some pixels has no relief and no contrast.
+  // What is smaller than some pixels has no relief and no contrast; a loop that does not begin takes no time.
   vec3 seen = clamp(2.0 - 2.0 * footprint / vec3(1.0, 0.25, 0.0625), 0.0, 1.0);
+  vec3 fine = vec3(0.0);
+  vec3 grain = vec3(0.0);
+  for (int k = 0; k < (seen.y > 0.0 ? 1 : 0); ++k)
+  {
+    fine = landscapeNoise(place, 0.25, 5u) - vec3(0.5, 0.0, 0.0);
+    grain = landscapeNoise(place, 0.0625, 6u) - vec3(0.5, 0.0, 0.0);
+  }
   float steep = smoothstep(0.22, 0.38, 1.0 - normal.z + 0.15 * small.x);
   const vec3 soil = vec3(0.115, 0.080, 0.052);
   const vec3 rock = vec3(0.235, 0.220, 0.195);

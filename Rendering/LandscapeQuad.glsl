@@ -81,7 +81,8 @@ vec3 landscapeGrown(bool isGrass, vec3 albedo, vec3 d, vec3 place, inout vec3 no
 #endif
 #ifdef LandscapeHasWoods
   vec3 level = smoothed;
-  albedo = landscapeWooded(albedo, at, landscapeWideEye + off.xy, d, footprint, smoothed);
+  float width = landscapePixel * (landscapeIsParallel == 1 ? 1.0 : -place.z);
+  albedo = landscapeWooded(albedo, at, landscapeWideEye + off.xy, d, width, smoothed);
   up = normalize(up + smoothed - level);
 #endif
   normal = up * landscapeToWorld;
