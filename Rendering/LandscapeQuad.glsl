@@ -342,7 +342,10 @@ void main()
 #endif
   foam = landscapeLace(foam, (landscapeEye + landscapeToWorld * wetPlace).xy - landscapeWayOf(carried.rgb), footprint);
   landscapeHidden = vec3(0.0);
-  luminance = mix(luminance, landscapeLuminance(vec3(0.6), wetPlace, wetNormal * landscapeToWorld, 0.0, 1.0), foam);
+  // Sedges and mud at the rims of a river, else foam
+  vec4 rim = landscapeBank(2.0 * carried.r - 1.0, (landscapeEye + landscapeToWorld * wetPlace).xy);
+  vec4 on = isRiver ? rim : vec4(vec3(0.6), foam);
+  luminance = mix(luminance, landscapeLuminance(on.rgb, wetPlace, wetNormal * landscapeToWorld, 0.0, 1.0), on.w);
   luminance = landscapeBehindAir(luminance, eye, wetPlace);
 #endif
 #endif

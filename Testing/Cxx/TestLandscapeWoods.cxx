@@ -1,7 +1,11 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Woods of the ground by vtkLandscapePass: their part of it, what their crowns hide, and where their shadows fall.
+// Woods of the ground by vtkLandscapePass: their part of it, what their crowns hide, and where their shadows fall; and
+// banks of rivers.
 #include "LandscapePicture.h"
+
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -166,6 +170,43 @@ bool TestShadow()
     Check(places[0] > 50 && std::abs(open - 1.0) < 0.05, "Open ground is in the shadow of woods.");
 }
 
+/// A river's rims are darker than its middle, where an even sky is mirrored from above, if its data have banks.
+bool TestBanks()
+{
+  double rim[2] = { 0.0, 0.0 };
+  for (const bool hasBanks : { false, true })
+  {
+    Picture picture;
+    picture.Pass->SetSkyToEven();
+    picture.Pass->SetOcclusionRadius(0.0);
+    const auto band = Level(20.0);
+    vtkNew<vtkFloatArray> banks;
+    banks->SetName(hasBanks ? "Bank" : "Other");
+    for (vtkIdType point = 0; point < band->GetNumberOfPoints(); ++point)
+    {
+      banks->InsertNextValue(band->GetPoint(point)[0] < 0.0 ? 1.0F : -1.0F);
+    }
+    band->GetPointData()->AddArray(banks);
+    vtkLandscapePass::SetMaterial(picture.Add(band, 0.5), vtkLandscapePass::River);
+    picture.Look({ 0.0, -60.0, 20.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
+    picture.Renderer->GetActiveCamera()->ParallelProjectionOn();
+    picture.Renderer->GetActiveCamera()->SetParallelScale(15.0);
+    picture.Renderer->ResetCameraClippingRange();
+    picture.Draw();
+    double sum[2] = { 0.0, 0.0 };
+    for (int off = 0; off < 8; ++off)
+    {
+      sum[0] += picture.LinearAt(Width / 2 - 4 + off, Height / 2)[2];
+      sum[1] += picture.LinearAt(Width / 2 - 105 + off, Height / 2)[2] / 2.0;
+      sum[1] += picture.LinearAt(Width / 2 + 97 + off, Height / 2)[2] / 2.0;
+    }
+    rim[hasBanks] = sum[1] / sum[0];
+  }
+  std::cout << "Rims of a river over its middle " << rim[0] << ", with banks " << rim[1] << "\n";
+  return Check(std::abs(rim[0] - 1.0) < 0.05, "A river without banks is not even.") &&
+    Check(rim[1] < 0.6, "Nothing grows on banks.");
+}
+
 }
 
 int TestLandscapeWoods(int, char*[])
@@ -173,5 +214,6 @@ int TestLandscapeWoods(int, char*[])
   bool good = TestWoods();
   good &= TestStand();
   good &= TestShadow();
+  good &= TestBanks();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }
