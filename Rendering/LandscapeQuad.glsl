@@ -344,6 +344,7 @@ void main()
   landscapeHidden = vec3(0.0);
   // Sedges and mud at the rims of a river, else foam
   vec4 rim = landscapeBank(2.0 * carried.r - 1.0, (landscapeEye + landscapeToWorld * wetPlace).xy);
+  rim.w *= clamp(2.0 - wetAway, 0.0, 1.0); // narrower than pixels from afar
   vec4 on = isRiver ? rim : vec4(vec3(0.6), foam);
   luminance = mix(luminance, landscapeLuminance(on.rgb, wetPlace, wetNormal * landscapeToWorld, 0.0, 1.0), on.w);
   luminance = landscapeBehindAir(luminance, eye, wetPlace);
