@@ -106,6 +106,7 @@ void WriteBands(const std::vector<std::vector<littoral::RiverSection>>& rivers, 
   littoral::SetTuples(points->GetData(), 2 * sections);
   const auto widths = littoral::NewArray<vtkDoubleArray>("ChannelWidth", 1, 2 * sections);
   const auto areas = littoral::NewArray<vtkDoubleArray>("DrainageArea", 1, 2 * sections);
+  const auto banks = littoral::NewArray<vtkFloatArray>("Bank", 1, 2 * sections);
   const auto normals = littoral::NewArray<vtkFloatArray>("Normals", 3, 2 * sections);
   const auto colors = littoral::NewArray<vtkUnsignedCharArray>("RGB", 3, 2 * sections);
   vtkNew<vtkCellArray> triangles;
@@ -121,6 +122,7 @@ void WriteBands(const std::vector<std::vector<littoral::RiverSection>>& rivers, 
         points->SetPoint(next, bank.x, bank.y, bank.z + lift);
         widths->SetValue(next, section.Width);
         areas->SetValue(next, section.Area);
+        banks->SetValue(next, next % 2 == 0 ? 1.0F : -1.0F);
         normals->SetTuple3(next, section.Normal.x, section.Normal.y, section.Normal.z);
         colors->SetTypedTuple(next++, WaterColor);
       }
@@ -137,6 +139,7 @@ void WriteBands(const std::vector<std::vector<littoral::RiverSection>>& rivers, 
   output->SetPolys(triangles);
   output->GetPointData()->AddArray(widths);
   output->GetPointData()->AddArray(areas);
+  output->GetPointData()->AddArray(banks);
   output->GetPointData()->AddArray(colors);
   output->GetPointData()->SetNormals(normals);
 }

@@ -11,7 +11,8 @@
  * Output: a vtkPolyData of triangles, a band for each river along its smoothed course, level from bank to bank, which
  * falls downstream or is level. Its width is that of rivers by their drainage area, w = WidthOfUnitArea (A / 1 km^2) ^
  * WidthExponent (Leopold and Maddock 1953). Point arrays: `ChannelWidth` double [m], by which vtkLandscapePass is told
- * in ParaView that this is water, `DrainageArea` double [m^2], `RGB`, `Normals`.
+ * in ParaView that this is water, `DrainageArea` double [m^2], `Bank` float, 1 at the left and -1 at the right one,
+ * `RGB`, `Normals`.
  *
  * The whole input is requested, and the surface is in piece 0. A bad input or property is reported as one error.
  *

@@ -128,6 +128,9 @@ float landscapeOpenNear(vec2 azimuth)
   return clamp(1.0 - landscapeHidden.x - 2.0 * dot(landscapeHidden.yz, azimuth), 0.0, 1.0);
 }
 
+// Part of the sun's light that what is drawn on a surface lets through to it.
+float landscapeShaded = 1.0;
+
 // Part of the light of the sky that reaches a place, by what is open to the zenith along 11 rays: one upward, for the
 // quarter of the light from within 30 degrees of the zenith, five at 45 degrees for the half from within 60 degrees,
 // and five at 15 degrees above the horizon for the rest; each ray is tried at two distances. What is below something
@@ -290,7 +293,7 @@ void landscapeLightOn(vec3 albedo, float open, vec3 placeV, vec3 normalV, float 
   if (facing > 0.0)
   {
     float seen = landscapeSunSeen(placeV, towards > 0.0 ? normalV : -normalV, towards);
-    sun = seen * landscapeBelowClouds(landscapeToWorld * placeV) * landscapeSunLight;
+    sun = landscapeShaded * seen * landscapeBelowClouds(landscapeToWorld * placeV) * landscapeSunLight;
   }
 }
 

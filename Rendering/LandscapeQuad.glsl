@@ -71,10 +71,19 @@ vec3 landscapeGrown(bool isGrass, vec3 albedo, vec3 d, vec3 place, inout vec3 no
 #endif
   float footprint = landscapePixel * (landscapeIsParallel == 1 ? 1.0 : -place.z) /
     sqrt(max(0.04, abs(normal.z))); // sharper than its length: what grows stands up
-  albedo = landscapeGround(albedo, at, landscapeWideEye + off.xy, footprint, up);
+#ifdef LandscapeHasWoods
+  vec3 smoothed = up;
+#endif
+  albedo = landscapeGround(albedo, at, footprint, up);
 #ifdef LandscapeHasTurf
   // Bright at its tips, dark between them, and as bright as the ground on average
   albedo *= mix(1.0, 0.3 + 1.35 * turf.z, stands * (1.0 - landscapeGrowth(at).w));
+#endif
+#ifdef LandscapeHasWoods
+  vec3 level = smoothed;
+  float width = landscapePixel * (landscapeIsParallel == 1 ? 1.0 : -place.z);
+  albedo = landscapeWooded(albedo, at, landscapeWideEye + off.xy, d, width, smoothed);
+  up = normalize(up + smoothed - level);
 #endif
   normal = up * landscapeToWorld;
   return albedo;
@@ -333,7 +342,13 @@ void main()
 #endif
   vec4 lace = landscapeLace(foam, (landscapeEye + landscapeToWorld * wetPlace).xy - landscapeWayOf(carried.rgb), footprint);
   landscapeHidden = vec3(0.0);
-  luminance = mix(luminance, landscapeFoamLuminance(lace, wetPlace, wetNormal), lace.w);
+  // Sedges and mud at the rims of a river, else foam
+  vec4 rim = landscapeBank(2.0 * carried.r - 1.0, (landscapeEye + landscapeToWorld * wetPlace).xy);
+  rim.w *= clamp(2.0 - wetAway, 0.0, 1.0); // narrower than pixels from afar
+  vec4 on = isRiver ? rim : lace;
+  vec3 foamed = landscapeFoamLuminance(isRiver ? vec4(0.0, 0.0, 1.0, 0.0) : lace, wetPlace, wetNormal);
+  // A rim is foam of its own color.
+  luminance = mix(luminance, isRiver ? foamed * rim.rgb / 0.6 : foamed, on.w);
   luminance = landscapeBehindAir(luminance, eye, wetPlace);
 #endif
 #endif

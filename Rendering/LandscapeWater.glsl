@@ -259,6 +259,15 @@ vec3 landscapeFoamLuminance(vec4 lace, vec3 placeV, vec3 n)
   return landscapeLuminance(vec3(0.6 * lace.z), placeV, landscapeFacet(n, lace.xy) * landscapeToWorld, 0.0, 0.5);
 }
 
+// Albedo of what grows at the rim of a river, and in w whether it is there, by the place between the banks, -1 and 1.
+vec4 landscapeBank(float across, vec2 place)
+{
+  float wide = landscapeNoise(place, 16.0, 37u).x;
+  float clump = landscapeNoise(place, 4.0, 38u).x;
+  float w = smoothstep(0.70, 0.78, abs(across) + 0.3 * (wide - 0.5) + 0.3 * (clump - 0.5));
+  return vec4(mix(vec3(0.055, 0.047, 0.034), vec3(0.040, 0.058, 0.022), smoothstep(0.3, 0.6, clump)), w);
+}
+
 // Way of water from its place at rest by the colors of SurfacePass [m].
 vec2 landscapeWayOf(vec3 code)
 {

@@ -11,6 +11,7 @@
 #include "LandscapeUnfolded.h"
 #include "LandscapeWater.h"
 #include "LandscapeWetness.h"
+#include "LandscapeWoods.h"
 #include "Lighting.h"
 #include "NearestPixels.h"
 #include "OpenGL.h"
@@ -80,7 +81,7 @@ vtkShaderProgram* Ready(
     std::string source = LandscapeQuad;
     vtkShaderProgram::Substitute(source, "//VTK::Landscape::Dec",
       defined + LandscapeUnfolded + LandscapeNoise + LandscapeLight + LandscapeSoftShadow + LandscapeBark +
-        LandscapeGround + LandscapeWater + LandscapeWetness);
+        LandscapeWoods + LandscapeGround + LandscapeWater + LandscapeWetness);
     quad = std::make_unique<vtkOpenGLQuadHelper>(window, Corners, source.c_str(), "");
   }
   else
@@ -344,6 +345,7 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   defined += light.HasLens() ? "#define LandscapeHasLens\n" : "";
   defined += light.HasBark ? "#define LandscapeHasBark\n" : "";
   defined += light.Turf.x > 0.0 ? "#define LandscapeHasTurf\n" : "";
+  defined += light.WoodCover > 0.0 ? "#define LandscapeHasWoods\n" : "";
   defined += light.CloudCover > 0.0 ? "" : "#define LandscapeNoClouds\n";
   vtkShaderProgram* program = Ready(this->Parts[defined], window, defined);
   if (!program)

@@ -50,6 +50,11 @@ vec4 landscapeCarried()
   return vec4(vec3(way.x >> 4, ((way.x & 15) << 4) | (way.y >> 8), way.y & 255) / 255.0, stretch);
 }
 )";
+/// Where a fragment of a river is between its banks, from 0 to 1.
+constexpr const char* Banks = R"(
+in float landscapeBankVS;
+vec4 landscapeCarried() { return vec4(0.5 + 0.5 * landscapeBankVS, 0.0, 0.0, 0.0); }
+)";
 constexpr const char* NoStretch = "vec4 landscapeCarried() { return vec4(0.0); }\n";
 
 /// w of the clip coordinates, by which the place of a fragment is found; impostors are not where they are drawn.
@@ -122,7 +127,19 @@ bool SurfacePass::PreReplaceShaderValues(
   vtkShaderProgram::Substitute(fragment, "//VTK::Light::Dec",
     "//VTK::Light::Dec\n#define LandscapeLight\nuniform float landscapeMaterial;\n//VTK::Landscape::Dec", false);
   const bool isWater = vtkLandscapePass::GetMaterial(prop) == vtkLandscapePass::Water;
-  vtkShaderProgram::Substitute(fragment, "//VTK::Landscape::Dec", isWater ? Stretch : NoStretch, false);
+  const bool isRiver = vtkLandscapePass::GetMaterial(prop) == vtkLandscapePass::River;
+  if (isRiver)
+  {
+    vtkShaderProgram::Substitute(
+      vertex, "//VTK::Normal::Dec", "//VTK::Normal::Dec\nin float landscapeBank;\nout float landscapeBankVS;\n", false);
+    vtkShaderProgram::Substitute(
+      vertex, "//VTK::Normal::Impl", "//VTK::Normal::Impl\n  landscapeBankVS = landscapeBank;\n", false);
+  }
+  vtkShaderProgram::Substitute(fragment, "//VTK::Landscape::Dec",
+    isWater     ? Stretch
+      : isRiver ? Banks
+                : NoStretch,
+    false);
   if (isWater)
   {
     vtkShaderProgram::Substitute(vertex, "//VTK::Normal::Dec",

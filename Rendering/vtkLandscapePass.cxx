@@ -290,7 +290,7 @@ void vtkLandscapePass::SetMaterial(vtkProp* prop, int material)
   auto* actor = vtkActor::SafeDownCast(prop);
   auto* mapper = actor ? vtkPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
   // Those of composites have no such arrays, and since VTK 9.3 say so.
-  if (material == Water && mapper && !mapper->IsA("vtkCompositePolyDataMapper"))
+  if ((material == Water || material == River) && mapper && !mapper->IsA("vtkCompositePolyDataMapper"))
   {
     MapStretch(mapper);
   }
@@ -303,6 +303,7 @@ void vtkLandscapePass::MapStretch(vtkPolyDataMapper* mapper)
   mapper->MapDataArrayToVertexAttribute("landscapeStretch", "Jacobian", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
   mapper->MapDataArrayToVertexAttribute("landscapeLeft", "Foam", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
   mapper->MapDataArrayToVertexAttribute("landscapeWay", "Displacement", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+  mapper->MapDataArrayToVertexAttribute("landscapeBank", "Bank", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
 }
 
 //----------------------------------------------------------------------------

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Ground by vtkLandscapePass: its color, grass and woods; and bark.
+// Ground by vtkLandscapePass: its color and grass; and bark.
 #include "LandscapePicture.h"
 
 #include <array>
@@ -220,34 +220,6 @@ bool TestGrassAround()
   return good;
 }
 
-/// Woods cover the part of a level ground that they shall, and none of other surfaces.
-bool TestWoods()
-{
-  bool good = true;
-  for (const double cover : { 0.0, 0.15, 0.5, 0.9 })
-  {
-    Picture picture;
-    picture.Pass->SetSkyToEven();
-    picture.Pass->SetOcclusionRadius(0.0);
-    picture.Pass->SetWoodCover(cover);
-    vtkLandscapePass::SetMaterial(picture.Add(Level(40000.0), 0.6), vtkLandscapePass::Ground);
-    picture.Look({ 0.0, 0.0, 1000.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
-    picture.Renderer->GetActiveCamera()->ParallelProjectionOn();
-    picture.Renderer->GetActiveCamera()->SetParallelScale(25000.0);
-    picture.Renderer->ResetCameraClippingRange();
-    picture.Draw();
-    int woods = 0;
-    for (int pixel = 0; pixel < Width * Height; ++pixel)
-    {
-      woods += picture.LinearAt(pixel % Width, pixel / Width)[1] < 0.1;
-    }
-    const double part = static_cast<double>(woods) / (Width * Height);
-    good &= Check(std::abs(part - cover) < 0.04,
-      "Woods cover " + std::to_string(part) + " of the ground for " + std::to_string(cover));
-  }
-  return good;
-}
-
 /// Bark of a grey, seen across from a distance: its mean, and the squares of its changes across and upward.
 std::array<double, 3> BarkOf(double grey, double distance)
 {
@@ -301,7 +273,6 @@ int TestLandscapeGround(int, char*[])
   good &= TestGrassAtEdges();
   good &= TestGrassAround();
   good &= TestTurf();
-  good &= TestWoods();
   good &= TestBark();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -49,6 +49,18 @@ double WidthAt(vtkPolyData* surface, vtkIdType point)
   return surface->GetPointData()->GetArray("ChannelWidth")->GetComponent(point, 0);
 }
 
+/// Of each pair of points the first is on the left bank.
+bool HasBanks(vtkPolyData* surface)
+{
+  vtkDataArray* banks = surface->GetPointData()->GetArray("Bank");
+  bool good = banks != nullptr;
+  for (vtkIdType point = 0; good && point < surface->GetNumberOfPoints(); ++point)
+  {
+    good = banks->GetComponent(point, 0) == (surface->GetPoint(point)[1] > 0.0 ? 1.0 : -1.0);
+  }
+  return Check(good, "Banks are not left and right of a river.");
+}
+
 /// Triangles face upward, and rivers of a real network fall from section to section.
 bool RiversOfATerrain()
 {
@@ -97,6 +109,7 @@ bool WidthsAndLifts()
   vtkPolyData* surface = rivers->GetOutput();
   bool good = Check(surface->GetNumberOfPoints() == 22 && surface->GetNumberOfPolys() == 20, "another size");
   good &= Check(std::abs(WidthAt(surface, 0) - 6.0) < 1e-12, "another width");
+  good &= HasBanks(surface);
   const double* first = surface->GetPoint(0);
   good &= Check(first[0] == 0.0 && std::abs(first[1] - 3.0) < 1e-12 && first[2] == 10.25, "another left bank");
   return good;

@@ -239,7 +239,8 @@ void TexturedBlocks::Split(vtkDataObject* data)
     this->Parts.push_back(part);
   }
   const auto isSpecial = [](const PartOfTree& part) {
-    return part.Textured || part.Prototype || (part.Block && part.Block->GetPointData()->HasArray("Jacobian"));
+    vtkPointData* arrays = part.Block ? part.Block->GetPointData() : nullptr;
+    return part.Textured || part.Prototype || (arrays && (arrays->HasArray("Jacobian") || arrays->HasArray("Bank")));
   };
   if (std::none_of(this->Parts.begin(), this->Parts.end(), isSpecial))
   {
