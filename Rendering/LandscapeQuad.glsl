@@ -331,7 +331,8 @@ void main()
   luminance = mix(luminance, beside, isShore ? 1.0 - smoothstep(0.0, 0.3 * landscapeRunUp, depthBelow) : 0.0);
   foam = max(foam, isShore ? landscapeShoreFoam(ground.z - landscapeEyeDepth, groundAt) : 0.0);
 #endif
-  vec4 lace = landscapeLace(foam, (landscapeEye + landscapeToWorld * wetPlace).xy - landscapeWayOf(carried.rgb), footprint);
+  vec2 rest = (landscapeEye + landscapeToWorld * wetPlace).xy - landscapeWayOf(carried.rgb);
+  vec4 lace = landscapeLace(foam, rest, footprint);
   landscapeHidden = vec3(0.0);
   luminance = mix(luminance, landscapeFoamLuminance(lace, wetPlace, wetNormal), lace.w);
   luminance = landscapeBehindAir(luminance, eye, wetPlace);
