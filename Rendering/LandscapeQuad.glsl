@@ -340,7 +340,8 @@ void main()
   luminance = mix(luminance, beside, isShore ? 1.0 - smoothstep(0.0, 0.3 * landscapeRunUp, depthBelow) : 0.0);
   foam = max(foam, isShore ? landscapeShoreFoam(ground.z - landscapeEyeDepth, groundAt) : 0.0);
 #endif
-  vec4 lace = landscapeLace(foam, (landscapeEye + landscapeToWorld * wetPlace).xy - landscapeWayOf(carried.rgb), footprint);
+  vec2 rest = (landscapeEye + landscapeToWorld * wetPlace).xy - landscapeWayOf(carried.rgb);
+  vec4 lace = landscapeLace(foam, rest, footprint);
   landscapeHidden = vec3(0.0);
   // Sedges and mud at the rims of a river, else foam
   vec4 rim = landscapeBank(2.0 * carried.r - 1.0, (landscapeEye + landscapeToWorld * wetPlace).xy);
