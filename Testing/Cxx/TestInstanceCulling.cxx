@@ -23,8 +23,8 @@ namespace
 
 constexpr int Instances = 400;
 constexpr int Points = 5; // of the prototype along an edge of its box
-constexpr double Low[3] = { -3.0, -1.0, 0.0 };
-constexpr double High[3] = { 2.0, 4.0, 12.0 };
+constexpr double Low[3] = { 6.0, -12.0, 0.0 };
+constexpr double High[3] = { 9.0, -8.0, 12.0 };
 
 struct Chance
 {
