@@ -165,7 +165,8 @@ void LightingQuad::TakeSurfaces(
   int height = 0;
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&width, &height, &origin[0], &origin[1]);
-  this->Allocate(window, this->Samples * width, this->Samples * height);
+  const auto pixels = [this](int side) { return (this->Samples * side + this->PixelSize - 1) / this->PixelSize; };
+  this->Allocate(window, pixels(width), pixels(height));
   this->Take(window, this->Dry, drawSurfaces);
   if (!drawWater)
   {

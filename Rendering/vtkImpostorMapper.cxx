@@ -256,6 +256,7 @@ void vtkImpostorMapper::UpdateAtlas(vtkRenderer* renderer)
     return;
   }
   own.Atlas.Draw(renderer, own.GetParts(), own.Around, this->Frames, this->FrameSize);
+  ++this->TimesTaken;
   own.AtlasTime = own.GetPartsTime();
   own.Drawn = wished;
   own.Quads->SetAtlas(&own.Atlas, own.Around, this->Frames, this->FrameSize);
@@ -307,5 +308,6 @@ void vtkImpostorMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Parts: " << this->Own->Parts.size() << "\n";
   os << indent << "Frames: " << this->Frames << "\n";
   os << indent << "FrameSize: " << this->FrameSize << "\n";
+  os << indent << "TimesTaken: " << this->TimesTaken << "\n";
   os << indent << "FadeRange: " << this->FadeRange[0] << " " << this->FadeRange[1] << "\n";
 }

@@ -68,6 +68,8 @@ public:
 
   /** Graphics memory of the pictures [bytes]: 9 (Frames FrameSize)^2 (1 + 1/4 + 1/16 + ...). */
   vtkTypeInt64 GetAtlasBytes();
+  /** How often the pictures were taken. */
+  vtkGetMacro(TimesTaken, int);
 
   vtkMTimeType GetMTime() override;
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
@@ -91,6 +93,7 @@ private:
   int Frames;
   int FrameSize;
   double FadeRange[2];
+  int TimesTaken = 0;
 };
 
 #endif

@@ -230,6 +230,7 @@ vtkLandscapePass::vtkLandscapePass()
   , MapSize(2048)
   , Quality(Good)
   , Draft(false)
+  , DraftPixelSize(2)
   , OcclusionRadius(5.0)
   , ContactRadius(0.5)
   , CoverRadius(30.0)
@@ -601,6 +602,7 @@ void vtkLandscapePass::TakeCamera(vtkRenderer* renderer)
 {
   Internals& own = *this->Own;
   own.Quad.SetSamples(this->GetQualityNow() == Best ? 2 : 1);
+  own.Quad.SetPixelSize(this->Draft ? this->DraftPixelSize : 1);
   vtkCamera* camera = renderer->GetActiveCamera();
   own.Light.ToWorld = glm::inverse(littoral::MatrixOf(camera->GetModelViewTransformMatrix()));
   own.Light.IsParallel = camera->GetParallelProjection();
@@ -688,6 +690,7 @@ void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OcclusionRadius: " << this->OcclusionRadius << "\n";
   os << indent << "ContactRadius: " << this->ContactRadius << "\n";
   os << indent << "Draft: " << (this->Draft ? "on" : "off") << "\n";
+  os << indent << "DraftPixelSize: " << this->DraftPixelSize << "\n";
   os << indent << "CoverRadius: " << this->CoverRadius << "\n";
   os << indent << "CoverHeight: " << this->CoverHeight << "\n";
   os << indent << "CoverColor: " << this->CoverColor[0] << " " << this->CoverColor[1] << " " << this->CoverColor[2]

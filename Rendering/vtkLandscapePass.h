@@ -232,6 +232,11 @@ public:
   vtkBooleanMacro(Draft, bool);
   ///@}
   ///@{
+  /** Side of the pixels in which surfaces of pictures in haste are drawn and lit [pixels], 1 to 4; default 2. */
+  vtkSetClampMacro(DraftPixelSize, int, 1, 4);
+  vtkGetMacro(DraftPixelSize, int);
+  ///@}
+  ///@{
   /** Distance of surfaces that hide the sky from a place [m], 0 for none; default 5. */
   vtkSetClampMacro(OcclusionRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(OcclusionRadius, double);
@@ -454,6 +459,7 @@ private:
   int MapSize;
   int Quality;
   bool Draft;
+  int DraftPixelSize;
   double OcclusionRadius;
   double ContactRadius;
   double CoverRadius;

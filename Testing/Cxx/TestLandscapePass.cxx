@@ -422,6 +422,44 @@ bool TestHaste()
   return good & Check(shadowAt(0.0) && !shadowAt(5.0), "A fast picture has an old shadow.");
 }
 
+/// Red, green and blue of a window by rows [1/255].
+std::vector<unsigned char> PixelsOf(Picture& picture, int width, int height)
+{
+  picture.Window->SetSize(width, height);
+  picture.Window->Render();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  picture.Window->GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, pixels);
+  return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
+}
+
+/// A picture in haste is one of half the size, enlarged by a linear filter.
+bool TestPixelsInHaste()
+{
+  Picture picture;
+  picture.Add(Box({ 0.0, 0.0, -1.0 }, { 40.0, 40.0, 2.0 }), 0.5);
+  picture.Add(Box({ 0.0, 0.0, 2.0 }, { 2.0, 2.0, 4.0 }), 0.8);
+  picture.Look({ 0.0, -20.0, 8.0 }, { 0.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0 });
+  picture.Pass->DraftOn();
+  const std::vector<unsigned char> large = PixelsOf(picture, Width, Height);
+  picture.Pass->SetDraftPixelSize(1);
+  const std::vector<unsigned char> sharp = PixelsOf(picture, Width, Height);
+  const std::vector<unsigned char> small = PixelsOf(picture, Width / 2, Height / 2);
+  int largest = 0;
+  for (int pixel = 0; pixel < Width * Height; ++pixel)
+  {
+    // Middles of its pixels lie a quarter from those of the small picture: 3/4 and 1/4 across and up.
+    const int column = pixel % Width;
+    const int row = pixel / Width;
+    const int x[2] = { column / 2, std::clamp(column / 2 + (column % 2 ? 1 : -1), 0, Width / 2 - 1) };
+    const int y[2] = { row / 2, std::clamp(row / 2 + (row % 2 ? 1 : -1), 0, Height / 2 - 1) };
+    const auto at = [&](int i, int j) { return 1.0 * small[4 * (y[j] * (Width / 2) + x[i])]; };
+    const double mean = 0.75 * (0.75 * at(0, 0) + 0.25 * at(1, 0)) + 0.25 * (0.75 * at(0, 1) + 0.25 * at(1, 1));
+    largest = std::max(largest, static_cast<int>(std::abs(mean - large[4 * pixel])));
+  }
+  bool good = Check(largest <= 2, "A picture in haste differs by " + std::to_string(largest));
+  return good & Check(sharp != large, "A picture in haste with pixels of 1 is no other.");
+}
+
 /// Largest and mean difference of two pictures [1/255].
 std::array<double, 2> Differences(const Picture& a, const Picture& b)
 {
@@ -566,6 +604,7 @@ int TestLandscapePass(int, char*[])
   good &= TestLeaf();
   good &= TestRoof();
   good &= TestHaste();
+  good &= TestPixelsInHaste();
   good &= TestColorMap();
   good &= TestPlacement();
   good &= TestBadInput();

@@ -2,8 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython together=views
 """Far plants of a forest of instances under Landscape Light are impostors: as bright and as large as in the level before,
-also where they are exchanged for each other pixel by pixel. Without the light they are as before.
+also where they are exchanged for each other pixel by pixel, and their pictures last through a drag. Without the light
+they are as before.
 """
+
+import re
 
 import quick
 import TestInstances
@@ -50,6 +53,25 @@ def check_far(view, forest):
         assert abs(far_color / color - 1.0) < 0.08, f"{distances}: {far_color / color}"
 
 
+def times_taken(view):
+    """How often pictures of plants were taken."""
+    props = view.GetRenderer().GetViewProps()
+    mappers = [prop.GetMapper() for prop in map(props.GetItemAsObject, range(props.GetNumberOfItems()))
+               if prop.IsA("vtkActor")]
+    impostors = [mapper for mapper in mappers if mapper and mapper.IsA("vtkImpostorMapper")]
+    return [int(re.search(r"TimesTaken: (\d+)", str(mapper))[1]) for mapper in impostors]
+
+
+def check_drag(view, forest):
+    """Pictures of plants are not taken anew for a drag, which shows them by another mapper of the view."""
+    at_level(view, forest, 10.0, 30.0)
+    view.LODThreshold = 0.0
+    before = times_taken(view)
+    for draw in (view.SMProxy.InteractiveRender, lambda: simple.Render(view)):
+        draw()
+        assert before and times_taken(view) == before, f"{times_taken(view)} times, {before} before"
+
+
 def main():
     view, forest = scene()
     dark = at_level(view, forest, 10.0, 30.0)
@@ -57,6 +79,7 @@ def main():
     light = simple.LandscapeLight()
     simple.Show(light, view)
     check_far(view, forest)
+    check_drag(view, forest)
     simple.Hide(light, view)
     assert apart(at_level(view, forest, 10.0, 30.0), dark, 16) < 0.002, "without the light"
 

@@ -124,6 +124,15 @@ bool IsDrawnAlone(const PartOfTree& part, vtkMapper* like)
         like->GetArrayName(), association));
 }
 
+/// What is selected, and the arrays that tell of what is picked.
+void TakeSelection(BlockMapper* mapper, CompositeMapper* like)
+{
+  mapper->SetSelection(like->GetSelection());
+  mapper->SetPointIdArrayName(like->GetPointIdArrayName());
+  mapper->SetCellIdArrayName(like->GetCellIdArrayName());
+  mapper->SetProcessIdArrayName(like->GetProcessIdArrayName());
+}
+
 /// Whether the only leaf of a tree is visible: as the last block on the way to it says.
 bool IsVisible(vtkDataObject* node, const vtkCompositeDataDisplayAttributes* attributes, bool isVisible = true)
 {
@@ -287,13 +296,14 @@ void BlockActor::TakeBlock(const PartOfTree& part, vtkMapper* like)
     this->Actor->SetMapper(mapper);
   }
   mapper->vtkMapper::ShallowCopy(like); // its input is another one
-  mapper->SetSelection(like->GetSelection());
   mapper->SetVBOShiftScaleMethod(other->GetVBOShiftScaleMethod());
   mapper->SetSeamlessU(other->GetSeamlessU());
   mapper->SetSeamlessV(other->GetSeamlessV());
-  mapper->SetPointIdArrayName(other->GetPointIdArrayName());
-  mapper->SetCellIdArrayName(other->GetCellIdArrayName());
-  mapper->SetProcessIdArrayName(other->GetProcessIdArrayName());
+  // Each mapper of a view has a selection of its own, and pictures, which have none, would be taken anew for another.
+  if (!part.IsPictured)
+  {
+    TakeSelection(mapper, other);
+  }
   mapper->SetBlockIndex(part.BlockIndex);
   if (mapper->GetInputDataObject(0, 0) != part.Block)
   {
@@ -355,6 +365,7 @@ void BlockActor::TakeImpostors(const PartOfTree& part, vtkActor* like, vtkMapper
     block.Textured = IsTextured(block.Block) ? block.Tree : nullptr;
     block.Attributes = vtkSmartPointer<vtkCompositeDataDisplayAttributes>::New();
     block.Transmittance = this->Plant[k].Transmittance;
+    block.IsPictured = true;
     this->PlantActors[k]->Draw(block, atOrigin, mapper, isLit);
   }
   own->SetFadeRange(part.FadeRange[0], part.FadeRange[1]);

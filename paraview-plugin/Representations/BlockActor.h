@@ -49,6 +49,7 @@ struct PartOfTree
   std::array<double, 2> FadeRange{ 0.0, 0.0 }; ///< distances between which such plants appear, and others disappear
   double Transmittance = 0.0;                  ///< of the light on the far side of surfaces (vtkLandscapePass)
   bool IsBark = false;                         ///< its material
+  bool IsPictured = false;                     ///< whether it is seen in pictures of a plant alone
 };
 
 /**

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InstanceMapper.h"
+#include "InstanceCulling.h"
 
 #if __has_include("vtk_glad.h") // VTK 9.4 and later
 #include "vtk_glad.h"
@@ -24,6 +25,7 @@
 #include "vtkShaderProgram.h"
 
 #include <string>
+#include <utility>
 
 namespace littoral
 {
@@ -118,10 +120,27 @@ void InstanceMapper::ComputeBounds()
 }
 
 //----------------------------------------------------------------------------
+/// Takes the instances that the camera may show, and tells whether there are any.
+bool InstanceMapper::TakeShown(vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkNew<vtkMatrix4x4> toClip;
+  vtkMatrix4x4::Multiply4x4(
+    renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0),
+    actor->GetMatrix(), toClip);
+  std::vector<float> shown = this->Batch ? InstancesInSight(*this->Batch, toClip) : std::vector<float>();
+  if (shown != this->Shown)
+  {
+    this->Shown = std::move(shown);
+    this->IsUploaded = false;
+  }
+  return !this->Shown.empty();
+}
+
+//----------------------------------------------------------------------------
 void InstanceMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
 {
   vtkOpenGLHelper& triangles = this->Primitives[PrimitiveTris];
-  if (!this->Batch || this->Batch->Values.empty() || triangles.IBO->IndexCount == 0)
+  if (triangles.IBO->IndexCount == 0 || !this->TakeShown(renderer, actor))
   {
     return;
   }
@@ -132,7 +151,7 @@ void InstanceMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
     return;
   }
   this->BindAttributes(triangles);
-  const auto count = static_cast<GLsizei>(this->Batch->Values.size() / InstanceBatch::Numbers);
+  const auto count = static_cast<GLsizei>(this->Shown.size() / InstanceBatch::Numbers);
   triangles.IBO->Bind();
   glDrawElementsInstanced(this->GetOpenGLMode(actor->GetProperty()->GetRepresentation(), PrimitiveTris),
     static_cast<GLsizei>(triangles.IBO->IndexCount), GL_UNSIGNED_INT, nullptr, count);
@@ -144,7 +163,7 @@ void InstanceMapper::BindAttributes(vtkOpenGLHelper& triangles)
 {
   if (!this->IsUploaded)
   {
-    this->Buffer->Upload(this->Batch->Values, vtkOpenGLBufferObject::ArrayBuffer);
+    this->Buffer->Upload(this->Shown, vtkOpenGLBufferObject::ArrayBuffer);
     this->IsUploaded = true;
   }
   constexpr int four = 4 * sizeof(float);

@@ -17,7 +17,8 @@ namespace littoral
  * Polygonal data drawn many times: p -> place + scale R p, normals turned by R, colors times the tint, up to white.
  *
  * Its shader is VTK's, with the vertex, its normal and its color replaced by those of the instance before anything
- * else. vtkGlyph3DMapper has one color an instance, and takes none from the polygons.
+ * else. vtkGlyph3DMapper has one color an instance, and takes none from the polygons. Instances outside the volume that
+ * the camera shows, which is that of a map of depths when it is drawn, are left out before their vertices are computed.
  */
 class InstanceMapper : public vtkOpenGLPolyDataMapper
 {
@@ -48,9 +49,11 @@ private:
   InstanceMapper(const InstanceMapper&) = delete;
   void operator=(const InstanceMapper&) = delete;
 
+  bool TakeShown(vtkRenderer* renderer, vtkActor* actor);
   void BindAttributes(vtkOpenGLHelper& triangles);
 
   std::shared_ptr<const InstanceBatch> Batch;
+  std::vector<float> Shown; ///< instances of the last picture or map of depths
   vtkNew<vtkOpenGLBufferObject> Buffer;
   bool IsUploaded = false;
   float FadeRange[2] = { 0.0F, 0.0F };

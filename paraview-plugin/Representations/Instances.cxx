@@ -152,6 +152,7 @@ std::shared_ptr<const InstanceBatch> BatchOf(const InstancedBlocks::Pair& pair)
   const bool isTinted = !tinted || tinted->GetNumberOfTuples() == 0 || tinted->GetTuple1(0) != 0.0;
   const int index = PrototypeIndex(prototype);
   const vtkBoundingBox box(prototype->GetBounds());
+  batch->Prototype = box;
   for (vtkIdType point = 0; point < instances->GetNumberOfPoints(); ++point)
   {
     if (static_cast<int>(prototypes->GetTuple1(point)) != index)

@@ -56,6 +56,7 @@ struct InstanceBatch
 
   std::vector<float> Values;
   vtkBoundingBox Bounds;
+  vtkBoundingBox Prototype; ///< of the prototype, before it is placed
 };
 
 /// Instances of a prototype as the points give them. Blocks whose field array Tinted is 0 have a tint of 1.
