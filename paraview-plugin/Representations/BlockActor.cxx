@@ -124,7 +124,7 @@ bool IsDrawnAlone(const PartOfTree& part, vtkMapper* like)
         like->GetArrayName(), association));
 }
 
-/// What is selected, and the arrays that tell of what is picked.
+/// Selection, and the arrays that tell of what is picked.
 void TakeSelection(BlockMapper* mapper, CompositeMapper* like)
 {
   mapper->SetSelection(like->GetSelection());
