@@ -28,6 +28,7 @@ uniform int landscapeBackground;    // 1: sky behind the surfaces
 //VTK::Output::Dec
 
 const float landscapeRiverDepth = 0.8;  // of the bed of rivers, which is drawn by no data [m]
+const float landscapeRiverCalm = 0.3;   // slopes over those at sea, where the wind has a fetch
 const float landscapeRiverSlack = 0.002; // of the distance, by which ground may hide a river
 const float landscapeWetGround = 0.5;    // luminance of wet ground, over that of dry one  (Lekner and Dorf 1988)
 
@@ -298,6 +299,7 @@ void main()
   float wetAway = landscapePixel * (landscapeIsParallel == 1 ? 1.0 : -wetPlace.z);
   float footprint = wetAway / sqrt(sqrt(max(abs(dot(d, wetNormal)), 0.02))); // sharper than its length, which blurs
   vec3 ripples = hasSurface ? landscapeRipples((landscapeToWorld * wetPlace).xy, footprint) : vec3(0.0);
+  ripples *= isRiver ? landscapeRiverCalm * vec3(1.0, 1.0, landscapeRiverCalm) : vec3(1.0);
   vec3 rippled = landscapeFacet(wetNormal, ripples.xy);
   // Facets are as large as they look: d n / n_z over that of the mesh, which at its crests turns away
   float side = LandscapePart == LandscapeBelow ? 1.0 : -1.0;

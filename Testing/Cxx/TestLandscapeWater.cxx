@@ -130,6 +130,31 @@ bool TestRiver()
   return good;
 }
 
+/// A river has 0.3 of the slopes of a sea: its glitter is that of 0.09 of the variance.
+bool TestRiverSlopes()
+{
+  Color glitter[3];
+  for (const int k : { 0, 1, 2 })
+  {
+    Picture picture;
+    const Color black{ 100.0, 100.0, 100.0 };
+    picture.Pass->SetWaterAbsorption(black.data());
+    picture.Pass->WaterRipplesOff();
+    picture.Pass->SetWaterSlopeVariance(k == 1 ? 0.0036 : 0.04);
+    picture.Pass->SetWaterLevel(k == 0 ? -100.0 : 0.0);
+    picture.Pass->SetSunElevation(20.0);
+    picture.Pass->SetSunAzimuth(0.0);
+    picture.Pass->SetExposureCompensation(-5.0);
+    vtkLandscapePass::SetMaterial(
+      picture.Add(Level(100.0, 0.0), 0.2), k == 0 ? vtkLandscapePass::River : vtkLandscapePass::Water);
+    picture.Look({ 0.0, -10.0, 3.64 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
+    picture.Draw();
+    glitter[k] = picture.LinearAt(Width / 2, Height / 2);
+  }
+  return Near(glitter[0], glitter[1], 0.0, 0.01, "The glitter of a river") &
+    Check(glitter[1][1] > 1.5 * glitter[2][1], "The glitter of calm water is no brighter than that of a sea.");
+}
+
 /**
  * A grey card in water: its light, that of the sun after refraction and of the sky, weakened downward and along the
  * line of sight, and the light that the water scatters into the line, summed in small steps.
@@ -401,6 +426,7 @@ int TestLandscapeWater(int, char*[])
   good &= TestWindow();
   good &= TestBed();
   good &= TestRiver();
+  good &= TestRiverSlopes();
   good &= TestCard();
   good &= TestFoam(0.01F, 0.0F);
   good &= TestFoam(1.0F, 0.99F);

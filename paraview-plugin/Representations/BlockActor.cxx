@@ -286,8 +286,9 @@ void BlockActor::TakeBlock(const PartOfTree& part, vtkMapper* like)
 {
   auto* mapper = BlockMapper::SafeDownCast(this->Mapper);
   auto* other = CompositeMapper::SafeDownCast(like);
-  // What is in the graphics' memory is not shifted anew.
-  if (!mapper || mapper->GetVBOShiftScaleMethod() != other->GetVBOShiftScaleMethod())
+  // What is in the graphics' memory is not shifted anew; pictures are as the first mapper of a view shifts them.
+  const auto shift = part.IsPictured && mapper ? mapper->GetVBOShiftScaleMethod() : other->GetVBOShiftScaleMethod();
+  if (!mapper || mapper->GetVBOShiftScaleMethod() != shift)
   {
     const auto made = vtkSmartPointer<BlockMapper>::New();
     vtkLandscapePass::MapStretch(made); // composite mappers have no such arrays
@@ -296,7 +297,7 @@ void BlockActor::TakeBlock(const PartOfTree& part, vtkMapper* like)
     this->Actor->SetMapper(mapper);
   }
   mapper->vtkMapper::ShallowCopy(like); // its input is another one
-  mapper->SetVBOShiftScaleMethod(other->GetVBOShiftScaleMethod());
+  mapper->SetVBOShiftScaleMethod(shift);
   mapper->SetSeamlessU(other->GetSeamlessU());
   mapper->SetSeamlessV(other->GetSeamlessV());
   // Each mapper of a view has a selection of its own, and pictures, which have none, would be taken anew for another.
