@@ -59,11 +59,11 @@ vec3 landscapeWooded(vec3 color, vec2 place, vec2 wide, vec3 d, float away, inou
   {
     vec4 crown = landscapeCrowns(place + hit.xy, wide + hit.xy);
     bool isCrown = hit.z > 0.0;
-    vec3 floor_ = color * mix(1.0, 0.4, wood);
+    vec3 between = color * mix(1.0, 0.4, wood);
     vec3 leaves = landscapeLeaves(crown.w, stand) * (0.75 + 0.5 * stand);
     leaves *= mix(0.35, 1.0, smoothstep(-6.0, 0.0, hit.z - crown.x));
     color = mix(color, even, (1.0 - crowns) * wood);
-    color = mix(color, isCrown ? leaves : floor_, crowns);
+    color = mix(color, isCrown ? leaves : between, crowns);
     normal = isCrown ? normalize(normal + crowns * vec3(-crown.yz, 0.0)) : normal;
   }
   return hasCrowns ? color : mix(color, even, wood);

@@ -351,7 +351,7 @@ void main()
   vec4 on = isRiver ? rim : lace;
   vec3 foamed = landscapeFoamLuminance(isRiver ? vec4(0.0, 0.0, 1.0, 0.0) : lace, wetPlace, wetNormal);
   // A rim is foam of its own color.
-  luminance = mix(luminance, isRiver ? foamed * rim.rgb / 0.6 : foamed, on.w);
+  luminance = mix(luminance, isRiver ? foamed * rim.rgb / landscapeFoamAlbedo : foamed, on.w);
   luminance = landscapeBehindAir(luminance, eye, wetPlace);
 #endif
 #endif

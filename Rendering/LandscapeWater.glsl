@@ -252,11 +252,13 @@ vec4 landscapeLace(float part, vec2 place, float footprint)
   return lace;
 }
 
-// Luminance of foam on a surface with a normal: it is white, of the albedo 0.6, and half of its bubbles' walls are of all
+const float landscapeFoamAlbedo = 0.6;
+
+// Luminance of foam on a surface with a normal: it is white, and half of its bubbles' walls are of all
 // directions, so that it is bright against the sun too.
 vec3 landscapeFoamLuminance(vec4 lace, vec3 placeV, vec3 n)
 {
-  return landscapeLuminance(vec3(0.6 * lace.z), placeV, landscapeFacet(n, lace.xy) * landscapeToWorld, 0.0, 0.5);
+  return landscapeLuminance(vec3(landscapeFoamAlbedo * lace.z), placeV, landscapeFacet(n, lace.xy) * landscapeToWorld, 0.0, 0.5);
 }
 
 // Albedo of what grows at the rim of a river, and in w whether it is there, by the place between the banks, -1 and 1.

@@ -5,11 +5,11 @@
     build/bin/littoral-env --display pvpython Testing/Benchmarks/bench_light_frames.py [ENTRY...]
 
 ENTRY: of Sources > Littoral, default Forest, or moves, or foam: a sea surface at other times, with foam that is left
-behind over one without, and its frame in that light. In each of five rounds a view is drawn without its light and with it in each
-quality, after turns of the camera by 1 degree. Printed are medians of processor time [s] and their ratios to those
-without the light. moves: frames of Forest from within, without light and with it in the quality Good, at rest, after turns
-by 1 degree, after ways of the camera of 0.5, 2 and 10 m, while it is dragged (its first picture, and the others), and the
-still picture that follows.
+behind over one without, and its frame in that light. In each of five rounds a view is drawn without its light and
+with it in each quality, after turns of the camera by 1 degree. Printed are medians of processor time [s] and their
+ratios to those without the light. moves: frames of Forest from within, without light and with it in the quality Good,
+at rest, after turns by 1 degree, after ways of the camera of 0.5, 2 and 10 m, while it is dragged (its first picture,
+and the others), and the still picture that follows.
 """
 
 import sys

@@ -12,8 +12,8 @@ from window import picture
 
 
 def check_look(_):
-    """The upper edge of the picture is beyond the rim of the window, at 90 degrees less asin(1 / 1.333), and brighter than the
-    middle of its sides, which is water alone."""
+    """The upper edge of the picture is beyond the rim of the window, at 90 degrees less asin(1 / 1.333), and brighter than
+    rows below it, of water and plants."""
     view = simple.GetActiveView()
     eye, target = view.CameraPosition, view.CameraFocalPoint
     pitch = math.degrees(math.atan2(target[2] - eye[2], math.dist(eye[:2], target[:2])))
@@ -22,8 +22,8 @@ def check_look(_):
     lit = picture(view)
     rows, columns = lit.shape[:2]
     top = lit[-rows // 20:, columns // 3:-columns // 3].mean()
-    side = lit[rows // 2:2 * rows // 3].mean()
-    assert top > 1.3 * side, f"Underwater: Snell's window has {top}, water {side}"
+    water = lit[rows // 2:2 * rows // 3].mean()
+    assert top > 1.3 * water, f"Underwater: Snell's window has {top}, water {water}"
 
 
 check("Underwater", change=False, then=check_look)
