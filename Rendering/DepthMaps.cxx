@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DepthMaps.h"
+#include "CasterState.h"
 #include "OpenGL.h"
 
 #include "vtkActor.h"
@@ -71,22 +72,6 @@ vtkBoundingBox Joint(const vtkBoundingBox& own, vtkMultiProcessController* proce
   vtkBoundingBox joint;
   joint.SetBounds(all[0], -all[3], all[1], -all[4], all[2], -all[5]);
   return joint;
-}
-
-/// A number that changes with what casts shadows: of the props that have a shape and the times of their last changes.
-std::uint64_t StateOf(const std::vector<vtkProp*>& props)
-{
-  std::uint64_t state = 14695981039346656037ULL; // FNV-1a
-  for (vtkProp* prop : props)
-  {
-    const double* bounds = prop->GetBounds();
-    if (bounds && vtkBoundingBox::IsValid(bounds))
-    {
-      state = (state ^ reinterpret_cast<std::uintptr_t>(prop)) * 1099511628211ULL;
-      state = (state ^ prop->GetRedrawMTime()) * 1099511628211ULL;
-    }
-  }
-  return state;
 }
 
 /// The least sphere around a part of the view's cone, from one distance to another, on the line of sight.
@@ -208,10 +193,10 @@ DepthMaps::Place DepthMaps::PlaceOf(int map, vtkRenderer* renderer, const Whole&
 }
 
 //----------------------------------------------------------------------------
-bool DepthMaps::Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& casters, const Wish& wish,
-  const Drawing& drawCasters, vtkMultiProcessController* processes)
+bool DepthMaps::Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& shown, const std::vector<vtkProp*>& casters,
+  const Wish& wish, const Drawing& drawCasters, vtkMultiProcessController* processes)
 {
-  const vtkBoundingBox box = Joint(BoundsOf(casters), processes);
+  const vtkBoundingBox box = Joint(BoundsOf(shown), processes);
   const bool isShown = box.IsValid() && box.GetDiagonalLength() > 0.0;
   Whole whole;
   this->Lowest = isShown ? box.GetMinPoint()[2] : 0.0;

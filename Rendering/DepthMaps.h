@@ -59,10 +59,10 @@ public:
   /// A function that draws all that is seen by a map with the renderer's camera.
   using Drawing = std::function<void(int map)>;
 
-  /// Draws the maps that are out of date, and tells whether there are any. The processes of a controller, if there is
-  /// one, do so together, and have the maps of what casts shadows on all.
-  bool Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& casters, const Wish& wish, const Drawing& drawCasters,
-    vtkMultiProcessController* processes);
+  /// Draws the maps, over all that is shown, that are out of date, and tells whether there are any. The processes of a
+  /// controller, if there is one, do so together, and have the maps of what casts shadows on all.
+  bool Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& shown, const std::vector<vtkProp*>& casters,
+    const Wish& wish, const Drawing& drawCasters, vtkMultiProcessController* processes);
 
   /// A texture of depths, which compares with them or tells them.
   static vtkSmartPointer<vtkTextureObject> NewTexture(vtkOpenGLRenderWindow* window, int size, bool compares = true);

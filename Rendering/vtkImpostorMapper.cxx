@@ -181,6 +181,18 @@ void vtkImpostorMapper::RemoveAllParts()
 }
 
 //----------------------------------------------------------------------------
+int vtkImpostorMapper::GetNumberOfParts()
+{
+  return static_cast<int>(this->Own->Parts.size());
+}
+
+//----------------------------------------------------------------------------
+vtkActor* vtkImpostorMapper::GetPart(int part)
+{
+  return part >= 0 && part < this->GetNumberOfParts() ? this->Own->Parts[part].Get() : nullptr;
+}
+
+//----------------------------------------------------------------------------
 vtkTypeInt64 vtkImpostorMapper::GetAtlasBytes()
 {
   return littoral::ImpostorAtlas::BytesOf(this->Frames, this->FrameSize);

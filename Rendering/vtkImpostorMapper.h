@@ -43,6 +43,8 @@ public:
    */
   void AddPart(vtkActor* part);
   void RemoveAllParts();
+  int GetNumberOfParts();
+  vtkActor* GetPart(int part);
   ///@}
 
   ///@{

@@ -148,6 +148,7 @@ struct vtkLandscapePass::Internals
   vtkNew<vtkTranslucentPass> Translucent;
   littoral::GroundCover Cover;
   std::vector<vtkProp*> Shown;
+  std::vector<vtkProp*> Casters; // of shadows: what is shown but water
   vtkSmartPointer<vtkMultiProcessController> Controller;
   bool HasMaps = false;  ///< of the next picture
   bool HasTold = false;  ///< what the graphics driver lacks
@@ -412,6 +413,9 @@ void vtkLandscapePass::TakeShown(vtkRenderer* renderer, vtkMultiProcessControlle
       own.Shown.push_back(prop);
     }
   }
+  own.Casters.clear();
+  std::copy_if(
+    own.Shown.begin(), own.Shown.end(), std::back_inserter(own.Casters), [](vtkProp* prop) { return !IsWater(prop); });
   renderer->GetActiveCamera()->GetPosition(&own.Light.Eye.x);
   // A process may have no part of what others show.
   std::array<int, 4> are{};
@@ -524,15 +528,15 @@ void vtkLandscapePass::RenderMaps(vtkRenderer* renderer, vtkMultiProcessControll
   own.Surfaces->Begin(&all);
   own.Lights->Render(&all);
   const auto drawCasters = [&](int map) {
-    for (vtkProp* prop : own.Shown)
+    for (vtkProp* prop : own.Casters)
     {
-      if (!IsWater(prop) && (map != littoral::DepthMaps::Ground || IsGround(prop)))
+      if (map != littoral::DepthMaps::Ground || IsGround(prop))
       {
         prop->RenderOpaqueGeometry(renderer);
       }
     }
   };
-  if (own.Light.Maps.Draw(renderer, own.Shown, wish, drawCasters, processes))
+  if (own.Light.Maps.Draw(renderer, own.Shown, own.Casters, wish, drawCasters, processes))
   {
     TouchLights(renderer->GetLights());
   }

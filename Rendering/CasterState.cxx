@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CasterState.h"
+#include "vtkImpostorMapper.h"
+
+#include "vtkActor.h"
+#include "vtkAlgorithm.h"
+#include "vtkBoundingBox.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkDataSet.h"
+#include "vtkMapper.h"
+#include "vtkSmartPointer.h"
+#if __has_include("vtkCompositePolyDataMapperDelegator.h") // VTK 9.3 and later
+#include "vtkCompositePolyDataMapper.h"
+#else
+#include "vtkCompositePolyDataMapper2.h"
+#endif
+
+namespace littoral
+{
+
+namespace
+{
+
+#if __has_include("vtkCompositePolyDataMapperDelegator.h")
+using CompositeMapper = vtkCompositePolyDataMapper;
+#else
+using CompositeMapper = vtkCompositePolyDataMapper2;
+#endif
+
+/// Hash of numbers, FNV-1a.
+struct Hash
+{
+  std::uint64_t Value = 14695981039346656037ULL;
+
+  void Add(std::uint64_t number) { this->Value = (this->Value ^ number) * 1099511628211ULL; }
+};
+
+/// Blocks that are hidden or translucent.
+void AddBlocks(CompositeMapper* mapper, vtkDataObjectTree* tree, Hash& hash)
+{
+  vtkCompositeDataDisplayAttributes* attributes = mapper->GetCompositeDataDisplayAttributes();
+  if (!tree || !attributes || !(attributes->HasBlockVisibilities() || attributes->HasBlockOpacities()))
+  {
+    return;
+  }
+  auto next = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+  next->VisitOnlyLeavesOff();
+  for (next->InitTraversal(); !next->IsDoneWithTraversal(); next->GoToNextItem())
+  {
+    vtkDataObject* block = next->GetCurrentDataObject();
+    hash.Add(!attributes->HasBlockVisibility(block) || attributes->GetBlockVisibility(block));
+    hash.Add(!attributes->HasBlockOpacity(block) || attributes->GetBlockOpacity(block) >= 1.0);
+  }
+}
+
+/// Time of a mapper without that of its lookup table, and of what it draws.
+void AddMapper(vtkMapper* mapper, Hash& hash)
+{
+  if (vtkAlgorithm* source = mapper->GetInputAlgorithm())
+  {
+    source->Update();
+  }
+  vtkDataObject* input = mapper->GetNumberOfInputConnections(0) > 0 ? mapper->GetInputDataObject(0, 0) : nullptr;
+  hash.Add(mapper->vtkAbstractMapper::GetMTime());
+  hash.Add(input ? input->GetMTime() : 0);
+  if (auto* impostors = vtkImpostorMapper::SafeDownCast(mapper))
+  {
+    std::vector<vtkProp*> parts;
+    for (int part = 0; part < impostors->GetNumberOfParts(); ++part)
+    {
+      parts.push_back(impostors->GetPart(part));
+    }
+    hash.Add(StateOf(parts));
+  }
+  if (auto* blocks = CompositeMapper::SafeDownCast(mapper))
+  {
+    AddBlocks(blocks, vtkDataObjectTree::SafeDownCast(input), hash);
+  }
+}
+
+}
+
+//----------------------------------------------------------------------------
+std::uint64_t StateOf(const std::vector<vtkProp*>& casters)
+{
+  Hash hash;
+  for (vtkProp* prop : casters)
+  {
+    const double* bounds = prop->GetBounds();
+    if (!bounds || !vtkBoundingBox::IsValid(bounds))
+    {
+      continue;
+    }
+    hash.Add(reinterpret_cast<std::uintptr_t>(prop));
+    auto* actor = vtkActor::SafeDownCast(prop);
+    hash.Add(actor ? prop->GetMTime() : prop->GetRedrawMTime());
+    if (actor && actor->GetMapper())
+    {
+      AddMapper(actor->GetMapper(), hash);
+    }
+  }
+  return hash.Value;
+}
+
+}
