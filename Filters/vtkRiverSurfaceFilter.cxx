@@ -4,6 +4,7 @@
 
 #include "Data/ArrayReader.h"
 #include "Data/Arrays.h"
+#include "Data/Cells.h"
 #include "Data/Inputs.h"
 #include "Data/Tables.h"
 #include "Data/TerrainGrid.h"
@@ -46,6 +47,7 @@ littoral::RiverNetwork NetworkOf(vtkPolyData* lines)
     return network;
   }
   littoral::Require(lines->GetNumberOfLines() > 0 ? "" : "the input has no lines; rivers are those of Drainage.");
+  littoral::RequireCells(lines, "the input");
   vtkDataArray* areas = littoral::ArrayReader::OfPoints(lines, "The input").Need("DrainageArea", 1);
   std::map<std::array<double, 3>, std::size_t> known;
   const auto nodeOf = [&](vtkIdType point) {

@@ -174,6 +174,10 @@ bool BadInputs()
   points->SetPoints(Brook()->GetPoints());
   rivers->SetInputData(points);
   good &= errors->ExpectOneNaming("no lines");
+  const auto torn = Brook();
+  torn->GetLines()->InsertNextCell({ 0, 1 << 30 });
+  rivers->SetInputData(torn);
+  good &= errors->ExpectOneNaming("a cell with point 1073741824");
   vtkNew<vtkPolyData> none;
   rivers->SetInputData(none);
   rivers->Update();
