@@ -49,7 +49,7 @@ def check_script():
     tree = simple.ReevesTree(Preset="Custom", NumberOfLeaves=50, MainBranches=4, Orders=1)
     simple.RenameSource("Café", tree)
     text = simple.Text(Text="no surface")
-    for source in (land, tree, text):
+    for source in (tree, land, text):  # a terrain alone would bring a Landscape Light
         simple.Show(source, view)
     simple.Render(view)  # the first look places the camera
     view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [10, -30, 12], [10, 5, 2], [0, 0, 1]

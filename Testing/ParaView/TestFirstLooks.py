@@ -5,8 +5,9 @@
 """The first looks of a terrain, a sea, a flow and a wind: what one rank draws of all data, on one rank and on two."""
 
 import quick
-from first_looks import check
+from first_looks import SIZE, check
 from paraview import simple
+from window import small_view
 
 
 def check_legend(shown):
@@ -15,9 +16,30 @@ def check_legend(shown):
     assert (legend.Title, legend.ComponentTitle) == ("Wind speed [m/s]", ""), (legend.Title, legend.ComponentTitle)
 
 
+def lights():
+    """Displays of the Landscape Lights in the active view."""
+    return [one for one in simple.GetActiveView().Representations
+            if one.SMProxy.GetXMLName() == "LandscapeLightRepresentation"]
+
+
+def check_lit(_):
+    """A terrain alone has a low sun before ParaView's background."""
+    assert [(one.ShowSky, one.SunElevation) for one in lights()] == [(0, 25.0)], "no Landscape Light"
+
+
+def check_own_light(terrain):
+    """A view that has a user's background keeps its light."""
+    view = small_view(SIZE)
+    view.BackgroundColorMode, view.UseColorPaletteForBackground = "Single Color", 0
+    simple.Show(terrain, view)
+    assert not lights(), "a Landscape Light in a view of someone's own"
+    simple.Delete(view)
+
+
 def check_four():
     terrain = simple.TurningBandsTerrain(WholeExtent=[0, 128, 0, 128, 0, 0])
-    ground = check("Turning Bands Terrain", terrain, "Relief", "RGB", "land", 0.12)
+    ground = check("Turning Bands Terrain", terrain, "Relief", "RGB", "land", 0.12, display=check_lit)
+    check_own_light(terrain)
     red, green, blue = ground.mean(axis=0)
     assert red > blue + 10 and green > blue + 10, "not the colors of the ground"
     water = check("Sea State", simple.SeaState(), "Surface", "RGB", "sea", 0.4)

@@ -68,7 +68,7 @@ place.UpdatePipeline()
 simple.SetActiveSource(place)
 simple.Show(place)
 run("twin_from_raster.py")
-assert visible(simple.GetActiveView()) == ["Ground", "Valleys"], visible(simple.GetActiveView())
+assert visible(simple.GetActiveView()) == ["Ground", "Light", "Valleys"], visible(simple.GetActiveView())
 valleys, ground = servermanager.Fetch(simple.FindSource("Valleys")), servermanager.Fetch(simple.FindSource("Ground"))
 heights = [np.sort(vtk_to_numpy(one.GetPointData().GetScalars())) for one in (servermanager.Fetch(place), valleys)]
 assert np.abs(heights[0] - heights[1]).max() < 0.1 * heights[0].std(), "heights of the place"

@@ -213,18 +213,25 @@ void NaturalDisplay::SetScene(vtkPVXMLElement* scene)
 }
 
 //----------------------------------------------------------------------------
-const char* NaturalDisplay::Hint(const char* name, int port)
+vtkPVXMLElement* NaturalDisplay::LookOf(int port)
 {
-  vtkPVXMLElement* hint = this->Look;
-  vtkPVXMLElement* hints = hint ? nullptr : this->Owner->GetHints();
+  vtkPVXMLElement* look = this->Look;
+  vtkPVXMLElement* hints = look ? nullptr : this->Owner->GetHints();
   for (unsigned int k = 0; hints && k < hints->GetNumberOfNestedElements(); ++k)
   {
     vtkPVXMLElement* one = hints->GetNestedElement(k);
     const char* of = std::strcmp(one->GetName(), "NaturalDisplay") == 0 ? one->GetAttribute("port") : "";
     const bool isOwn = of && *of && std::strtol(of, nullptr, 10) == port;
-    hint = isOwn || (!of && !hint) ? one : hint;
+    look = isOwn || (!of && !look) ? one : look;
   }
-  return hint ? hint->GetAttribute(name) : nullptr;
+  return look;
+}
+
+//----------------------------------------------------------------------------
+const char* NaturalDisplay::Hint(const char* name, int port)
+{
+  vtkPVXMLElement* look = this->LookOf(port);
+  return look ? look->GetAttribute(name) : nullptr;
 }
 
 //----------------------------------------------------------------------------
@@ -650,6 +657,11 @@ void NaturalDisplay::SetUpView(int port)
   if (const char* mood = this->Hint("light"))
   {
     LightView(view, mood);
+  }
+  vtkPVXMLElement* look = this->LookOf(0);
+  if (look && look != this->Scene && look->GetNumberOfNestedElements() > 0 && TakesLandscapeLight(view))
+  {
+    MakeScene(this->Owner, look, view);
   }
   const char* eye = this->Hint("eye");
   const char* target = this->Hint("target");

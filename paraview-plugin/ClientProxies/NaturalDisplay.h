@@ -50,6 +50,7 @@ namespace littoral
  *    upwards, and `closer` times closer than ParaView would go to show all, or from `eye` to `target` [m], with
  *    `view-angle` [degrees] if it is given; and the view gets the background and the sun of `light`, see LightView, if
  * it has ParaView's.
+ *  - Parts inside of the hint are made in a view that takes a Landscape Light, see MakeScene.
  *  - A drag leaves the eye above `lowest` and below `highest` [m], and `least-elevation` above the horizon [degrees],
  * see SceneDrag.
  *
@@ -86,6 +87,7 @@ public:
   void SetScene(vtkPVXMLElement* scene);
 
 private:
+  vtkPVXMLElement* LookOf(int port);
   const char* Hint(const char* name, int port = 0);
   void OnRegister(vtkObject*, unsigned long, void* information);
   void TakeView();
