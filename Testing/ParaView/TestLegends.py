@@ -10,6 +10,7 @@ TestRecordedWindow plays it without.
 import os
 import sys
 
+import numpy as np
 import quick
 from paraview import servermanager, simple
 from player import WINDOW, Session
@@ -28,6 +29,14 @@ def check(step):
     simple.RenderAllViews()
     found = legends()
     assert not found, f"{step}: {found}"
+
+
+def check_side():
+    """In the client: a terrain, which a light is shown beside, is seen from the side, and all of it."""
+    view, (x0, x1, *_) = simple.GetRenderViews()[0], simple.GetActiveSource().GetDataInformation().GetBounds()
+    away = np.array(view.CameraPosition) - np.array(view.CameraFocalPoint)
+    assert list(view.CameraViewUp) == [0.0, 0.0, 1.0] and away[2] > 0.0, f"an eye at {away}"
+    assert x1 - x0 < np.linalg.norm(away) < 5.0 * (x1 - x0), f"an eye {np.linalg.norm(away)} m away"
 
 
 def other_view():
@@ -61,6 +70,7 @@ def steps(session):
     for end in 1, 3:
         session.field("WholeExtent", 40, f"LineEdit{end}")
     session.apply()
+    session.call(check_side)
     session.filter("Drainage")
     session.apply()
     session.call(check, "valleys")

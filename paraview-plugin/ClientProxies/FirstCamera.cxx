@@ -223,6 +223,10 @@ void FirstCamera::OnResetCamera(vtkObject*, unsigned long, void*)
 //----------------------------------------------------------------------------
 void FirstCamera::OnStart(vtkObject*, unsigned long, void*)
 {
+  if (this->Place.IsBesideLight && !this->WasReset && !IsEmpty(this->View) && HasFirstCamera(this->View))
+  {
+    this->View->ResetCamera();
+  }
   if (this->WasReset)
   {
     this->LiftFlatData();

@@ -32,11 +32,12 @@ bool HasFirstCamera(vtkSMRenderViewProxy* view);
 /// Eye of a view in which a source is the first thing.
 struct CameraPlace
 {
-  double Elevation = 0.0;    ///< over the horizon, of the eye seen from the middle of the data [degrees]
-  double Closer = 1.0;       ///< than a camera that shows a sphere around the data
-  bool IsOfFlatData = false; ///< whether ParaView would look at them from above, in two dimensions
-  bool IsOnMap = false;      ///< whether the source replaces what is seen from above
-  bool IsFixed = false;      ///< whether Eye and Target count instead
+  double Elevation = 0.0;     ///< over the horizon, of the eye seen from the middle of the data [degrees]
+  double Closer = 1.0;        ///< than a camera that shows a sphere around the data
+  bool IsOfFlatData = false;  ///< whether ParaView would look at them from above, in two dimensions
+  bool IsOnMap = false;       ///< whether the source replaces what is seen from above
+  bool IsBesideLight = false; ///< in a view whose camera ParaView does not reset, since it shows a light
+  bool IsFixed = false;       ///< whether Eye and Target count instead
   double Eye[3] = { 0.0, 0.0, 0.0 };
   double Target[3] = { 0.0, 0.0, 0.0 };
   double Angle = 0.0; ///< of view, from the bottom to the top, of a fixed camera [degrees]; 0: the camera's

@@ -659,7 +659,9 @@ void NaturalDisplay::SetUpView(int port)
     LightView(view, mood);
   }
   vtkPVXMLElement* look = this->LookOf(0);
-  if (look && look != this->Scene && look->GetNumberOfNestedElements() > 0 && TakesLandscapeLight(view))
+  const bool bringsLight =
+    look && look != this->Scene && look->GetNumberOfNestedElements() > 0 && TakesLandscapeLight(view);
+  if (bringsLight)
   {
     MakeScene(this->Owner, look, view);
   }
@@ -677,6 +679,7 @@ void NaturalDisplay::SetUpView(int port)
   const bool isFromSide = place.IsFixed || (elevation && std::strtod(elevation, nullptr) < 90.0);
   place.IsOfFlatData = data && isFromSide && (IsLevel(data->GetBounds()) || IsPoint(data->GetBounds()));
   place.IsOnMap = isMap && isFromSide;
+  place.IsBesideLight = bringsLight;
   if (place.IsOnMap)
   {
     HideAll(view);
