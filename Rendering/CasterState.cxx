@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CasterState.h"
 #include "vtkImpostorMapper.h"
+#include "vtkLandscapePass.h"
 
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
@@ -10,6 +11,8 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationIdTypeKey.h"
 #include "vtkMapper.h"
 #include "vtkSmartPointer.h"
 #if __has_include("vtkCompositePolyDataMapperDelegator.h") // VTK 9.3 and later
@@ -37,6 +40,13 @@ struct Hash
 
   void Add(std::uint64_t number) { this->Value = (this->Value ^ number) * 1099511628211ULL; }
 };
+
+/// Whether a prop casts other shadows in coarse maps.
+bool HasCoarseShape(vtkProp* prop)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  return keys && keys->Has(vtkLandscapePass::COARSE_SHAPE());
+}
 
 /// Blocks that are hidden or translucent.
 void AddBlocks(CompositeMapper* mapper, vtkDataObjectTree* tree, Hash& hash)
@@ -84,20 +94,31 @@ void AddMapper(vtkMapper* mapper, Hash& hash)
 }
 
 //----------------------------------------------------------------------------
-std::uint64_t StateOf(const std::vector<vtkProp*>& casters)
+bool CastsNothing(vtkProp* prop)
+{
+  return HasCoarseShape(prop) && prop->GetPropertyKeys()->Get(vtkLandscapePass::COARSE_SHAPE()) == 0;
+}
+
+//----------------------------------------------------------------------------
+std::uint64_t StateOf(const std::vector<vtkProp*>& casters, bool isCoarse)
 {
   Hash hash;
   for (vtkProp* prop : casters)
   {
     const double* bounds = prop->GetBounds();
-    if (!bounds || !vtkBoundingBox::IsValid(bounds))
+    const bool isOther = isCoarse && HasCoarseShape(prop);
+    if (!bounds || !vtkBoundingBox::IsValid(bounds) || (isOther && CastsNothing(prop)))
     {
       continue;
     }
     hash.Add(reinterpret_cast<std::uintptr_t>(prop));
     auto* actor = vtkActor::SafeDownCast(prop);
     hash.Add(actor ? prop->GetMTime() : prop->GetRedrawMTime());
-    if (actor && actor->GetMapper())
+    if (isOther)
+    {
+      hash.Add(prop->GetPropertyKeys()->Get(vtkLandscapePass::COARSE_SHAPE()));
+    }
+    else if (actor && actor->GetMapper())
     {
       AddMapper(actor->GetMapper(), hash);
     }

@@ -1,19 +1,23 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DepthMaps.h"
+#include "BoundFrame.h"
 #include "CasterState.h"
 #include "OpenGL.h"
+#include "vtkLandscapePass.h"
 
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCommunicator.h"
+#include "vtkInformation.h"
+#include "vtkInformationIdTypeKey.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
@@ -32,6 +36,8 @@ namespace
 
 constexpr double MiddleShare = 0.15; // of the distance, to which the near map reaches
 constexpr double Slack = 1.25;       // of a map's radius over what it must cover: turns by some degrees move none
+
+constexpr double LeavesToldApart = 0.2; // the longest texels of maps in which they are [m]
 
 vtkBoundingBox BoundsOf(const std::vector<vtkProp*>& props)
 {
@@ -150,7 +156,6 @@ void DepthMaps::Allocate(vtkOpenGLRenderWindow* window, int size)
 DepthMaps::Place DepthMaps::PlaceOf(int map, vtkRenderer* renderer, const Whole& whole, const Wish& wish) const
 {
   Place place;
-  place.State = whole.State;
   place.Depth = 1.001 * whole.Radius;
   place.Towards = map >= Zenith ? glm::dvec3(0.0, 0.0, 1.0) : wish.Sun;
   const double near = std::min(MiddleShare * wish.Distance, whole.Radius);
@@ -174,12 +179,15 @@ DepthMaps::Place DepthMaps::PlaceOf(int map, vtkRenderer* renderer, const Whole&
     place.Center = whole.Center;
     place.Radius = 1.001 * whole.Radius;
   }
+  // Rays to the zenith are tried at distances from 0.4 of that of what hides the sky: a tenth of it is not told apart.
+  const double texel = 2.0 * place.Radius / wish.Size;
+  place.IsCoarse = map != Ground && (map == Zenith ? std::max(texel, 0.1 * wish.Occlusion) : texel) > LeavesToldApart;
+  place.State = place.IsCoarse ? whole.CoarseState : whole.State;
   // Axes of the map: two across the light
   const glm::dvec3 other = std::abs(place.Towards.z) < 0.99 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0);
   const glm::dvec3 right = glm::normalize(glm::cross(other, place.Towards));
   const glm::dvec3 up = glm::cross(place.Towards, right);
   // The center moves by whole texels, some at once, at the depth of the middle of all; the slack covers the steps.
-  const double texel = 2.0 * place.Radius / wish.Size;
   const double step = std::max(1.0, std::floor((Slack - 1.0) / Slack * place.Radius / texel)) * texel;
   const auto moved = [&](double distance) { return isAll ? distance : step * std::floor(distance / step + 0.5); };
   const glm::dvec3 off = place.Center - whole.Center;
@@ -206,7 +214,8 @@ bool DepthMaps::Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& shown, 
     this->Allocate(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), wish.Size);
     box.GetCenter(&whole.Center.x);
     whole.Radius = 0.5 * box.GetDiagonalLength();
-    whole.State = StateOf(casters);
+    whole.State = StateOf(casters, false);
+    whole.CoarseState = StateOf(casters, true);
   }
   std::array<int, Count> areOld{};
   for (int map = 0; map < Count; ++map)
@@ -243,9 +252,22 @@ bool DepthMaps::Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& shown, 
 }
 
 //----------------------------------------------------------------------------
+/// What the map can do without, for mappers, as keys of its camera.
+void DepthMaps::TellMappers(int map)
+{
+  vtkNew<vtkInformation> about;
+  if (this->IsCoarse(map))
+  {
+    about->Set(vtkLandscapePass::COARSE_MAP(), 1);
+  }
+  this->Camera->SetInformation(about);
+}
+
+//----------------------------------------------------------------------------
 void DepthMaps::DrawOne(
   int map, vtkRenderer* renderer, const Drawing& drawCasters, vtkMultiProcessController* processes)
 {
+  this->TellMappers(map);
   const Place& place = this->Places[map];
   const glm::dmat4 projection =
     glm::ortho(-place.Radius, place.Radius, -place.Radius, place.Radius, 0.0, 2.0 * place.Depth);
@@ -269,28 +291,10 @@ void DepthMaps::DrawOne(
   this->Camera->UseExplicitProjectionTransformMatrixOn();
 
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
-  vtkOpenGLState::ScopedglDepthMask mask(state);
-
-  state->PushFramebufferBindings();
-  this->Frame->SetContext(window);
-  this->Frame->Bind();
-  this->Frame->AddDepthAttachment(this->TextureOf(map));
-  this->Frame->DeactivateDrawBuffers();
+  BoundFrame bound(window, this->Frame, {}, this->TextureOf(map));
   const glm::ivec2 corner = this->CornerOf(map);
-  state->vtkglViewport(corner.x, corner.y, this->Size, this->Size);
-  state->vtkglScissor(corner.x, corner.y, this->Size, this->Size);
-  state->vtkglEnable(GL_SCISSOR_TEST); // another map stays as it is
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglClearDepth(1.0);
-  state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+  bound.SetSquare(corner.x, corner.y, this->Size); // another map stays as it is
+  bound.Clear(0.0);
 
   vtkSmartPointer<vtkCamera> eye = renderer->GetActiveCamera();
   renderer->SetActiveCamera(this->Camera);
@@ -301,8 +305,6 @@ void DepthMaps::DrawOne(
   {
     this->TakeNearest(map, processes);
   }
-  this->Frame->RemoveDepthAttachment();
-  state->PopFramebufferBindings();
 }
 
 //----------------------------------------------------------------------------

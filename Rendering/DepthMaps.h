@@ -50,6 +50,7 @@ public:
     double GroundRadius; ///< around the eye, of that of the ground; 0: it is not wanted
     double Distance;     ///< from the eye, to which the middle map and that of the zenith reach
     int Size;            ///< texels along a side
+    double Occlusion;    ///< distance of what hides the sky [m]
     bool IsInHaste;      ///< whether maps of light that are there do as they are
   };
 
@@ -67,6 +68,7 @@ public:
   /// A texture of depths, which compares with them or tells them.
   static vtkSmartPointer<vtkTextureObject> NewTexture(vtkOpenGLRenderWindow* window, int size, bool compares = true);
 
+  bool IsCoarse(int map) const { return this->Places[map].IsCoarse; }
   bool Has(int map) const { return this->Places[map].Radius > 0.0; }
   /// Texture of the maps of light: four squares, numbered by row and column.
   vtkTextureObject* GetLightTexture() const { return this->Light; }
@@ -90,8 +92,9 @@ private:
   {
     glm::dvec3 Towards = glm::dvec3(0.0); ///< the light
     glm::dvec3 Center = glm::dvec3(0.0);
-    double Radius = -1.0; ///< below 0: there is no map
-    double Depth = 0.0;   ///< from the center to the ends along the light
+    double Radius = -1.0;  ///< below 0: there is no map
+    double Depth = 0.0;    ///< from the center to the ends along the light
+    bool IsCoarse = false; ///< whether leaves are not told apart
     std::uint64_t State = 0;
     glm::dmat4 ToMap = glm::dmat4(1.0);
   };
@@ -100,9 +103,11 @@ private:
   {
     glm::dvec3 Center;
     double Radius;
-    std::uint64_t State; ///< a number that changes with it
+    std::uint64_t State;       ///< a number that changes with it
+    std::uint64_t CoarseState; ///< one that changes with what it casts in coarse maps
   };
 
+  void TellMappers(int map);
   Place PlaceOf(int map, vtkRenderer* renderer, const Whole& whole, const Wish& wish) const;
   void DrawOne(int map, vtkRenderer* renderer, const Drawing& drawCasters, vtkMultiProcessController* processes);
   void TakeNearest(int map, vtkMultiProcessController* processes);

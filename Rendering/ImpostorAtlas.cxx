@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImpostorAtlas.h"
 
+#include "BoundFrame.h"
 #include "Geometry/FrameLevels.h"
 #include "Geometry/OctahedronMap.h"
 #include "Geometry/SrgbCode.h"
@@ -13,7 +14,6 @@
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
@@ -247,29 +247,8 @@ FramePicture ImpostorAtlas::TakeFrame(
   this->Camera->UseExplicitProjectionTransformMatrixOn();
 
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
-  vtkOpenGLState::ScopedglDepthMask mask(state);
-  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-  state->PushFramebufferBindings();
-  this->Frame->SetContext(window);
-  this->Frame->Bind();
-  this->Frame->AddColorAttachment(0, this->Albedo);
-  this->Frame->AddColorAttachment(1, this->Surface);
-  this->Frame->AddDepthAttachment(this->Depth);
-  this->Frame->DeactivateDrawBuffers(); // else VTK takes those of the frame that was bound before for its own
-  this->Frame->ActivateDrawBuffers(2);
-  state->vtkglViewport(0, 0, side, side);
-  state->vtkglScissor(0, 0, side, side);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglClearDepth(1.0);
-  state->vtkglClearColor(0.0F, 0.0F, static_cast<float>(SurfacePass::Nothing), 0.0F);
-  state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  BoundFrame bound(window, this->Frame, { this->Albedo, this->Surface }, this->Depth);
+  bound.Clear(SurfacePass::Nothing);
   vtkSmartPointer<vtkCamera> camera = renderer->GetActiveCamera();
   renderer->SetActiveCamera(this->Camera);
   for (vtkProp* prop : props)
@@ -277,11 +256,7 @@ FramePicture ImpostorAtlas::TakeFrame(
     prop->RenderOpaqueGeometry(renderer);
   }
   renderer->SetActiveCamera(camera);
-  FramePicture picture = this->Read(towards, side);
-  this->Frame->RemoveDepthAttachment();
-  this->Frame->RemoveColorAttachments(2);
-  state->PopFramebufferBindings();
-  return picture;
+  return this->Read(towards, side);
 }
 
 //----------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LightingQuad.h"
 
+#include "BoundFrame.h"
 #include "LandscapeBark.h"
 #include "LandscapeGround.h"
 #include "LandscapeLight.h"
@@ -183,32 +184,9 @@ void LightingQuad::TakeSurfaces(
 //----------------------------------------------------------------------------
 void LightingQuad::Take(vtkOpenGLRenderWindow* window, const Layer& layer, const std::function<void()>& draw)
 {
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
-  vtkOpenGLState::ScopedglDepthMask mask(state);
-  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-  state->PushFramebufferBindings();
-  this->Frame->SetContext(window);
-  this->Frame->Bind();
-  this->Frame->AddColorAttachment(0, layer.Albedo);
-  this->Frame->AddColorAttachment(1, layer.Surface);
-  this->Frame->AddDepthAttachment(layer.Depth);
-  this->Frame->ActivateDrawBuffers(2);
-  state->vtkglViewport(0, 0, this->Width, this->Height);
-  state->vtkglScissor(0, 0, this->Width, this->Height);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglClearDepth(1.0);
-  state->vtkglClearColor(0.0F, 0.0F, static_cast<float>(SurfacePass::Nothing), 0.0F);
-  state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  BoundFrame bound(window, this->Frame, { layer.Albedo, layer.Surface }, layer.Depth);
+  bound.Clear(SurfacePass::Nothing);
   draw();
-  this->Frame->RemoveDepthAttachment();
-  this->Frame->RemoveColorAttachments(2);
-  state->PopFramebufferBindings();
 }
 
 //----------------------------------------------------------------------------
@@ -248,13 +226,6 @@ void LightingQuad::DrawLit(vtkRenderer* renderer, const Lighting& light)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   this->AllocateLit(window, light.HasLens());
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglDepthFunc depth(state);
-  vtkOpenGLState::ScopedglDepthMask mask(state);
-  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_BLEND);
   this->DrawContact(renderer, light, nullptr);
   this->DrawKinds(renderer, light);
 }
@@ -288,21 +259,12 @@ void LightingQuad::DrawContact(vtkRenderer* renderer, const Lighting& light, vtk
 //----------------------------------------------------------------------------
 void LightingQuad::DrawKinds(vtkRenderer* renderer, const Lighting& light)
 {
-  vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglDepthFunc depth(state);
   vtkOpenGLState::ScopedglColorMask colorMask(state);
-  state->PushFramebufferBindings();
-  this->Frame->Bind();
-  this->Frame->AddColorAttachment(0, this->Lit);
-  this->Frame->AddDepthAttachment(this->Kinds);
-  this->Frame->ActivateDrawBuffers(1);
-  state->vtkglViewport(0, 0, this->Width, this->Height);
-  state->vtkglScissor(0, 0, this->Width, this->Height);
-  state->vtkglClearColor(0.0F, 0.0F, 0.0F, 0.0F);
-  state->vtkglClear(GL_COLOR_BUFFER_BIT); // there may be no background
-  state->vtkglDepthMask(GL_TRUE);
+  BoundFrame bound(window, this->Frame, { this->Lit }, this->Kinds);
+  bound.Clear(0.0); // there may be no background
   state->vtkglDepthFunc(GL_ALWAYS);
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   this->DrawPart("LandscapeKinds", 0, renderer, light);
@@ -325,9 +287,6 @@ void LightingQuad::DrawKinds(vtkRenderer* renderer, const Lighting& light)
       }
     }
   }
-  this->Frame->RemoveDepthAttachment();
-  this->Frame->RemoveColorAttachment(0);
-  state->PopFramebufferBindings();
 }
 
 //----------------------------------------------------------------------------

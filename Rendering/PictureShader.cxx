@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PictureShader.h"
 
-#include "OpenGL.h"
+#include "BoundFrame.h"
 #include "Uniforms.h"
 
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
-#include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -78,22 +77,7 @@ void PictureShader::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* target
   {
     return;
   }
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-  state->PushFramebufferBindings();
-  this->Frame->SetContext(window);
-  this->Frame->Bind();
-  this->Frame->AddColorAttachment(0, target);
-  this->Frame->ActivateDrawBuffers(1);
-  const auto width = static_cast<int>(target->GetWidth());
-  const auto height = static_cast<int>(target->GetHeight());
-  state->vtkglViewport(0, 0, width, height);
-  state->vtkglScissor(0, 0, width, height);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_BLEND);
+  const BoundFrame bound(window, this->Frame, { target }, nullptr);
   for (const auto& [name, picture] : inputs)
   {
     picture->Activate();
@@ -105,8 +89,6 @@ void PictureShader::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* target
   {
     input.second->Deactivate();
   }
-  this->Frame->RemoveColorAttachment(0);
-  state->PopFramebufferBindings();
 }
 
 //----------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLandscapePass.h"
 
+#include "CasterState.h"
 #include "Geometry/SrgbCode.h"
 #include "GlassPass.h"
 #include "GroundCover.h"
@@ -20,6 +21,7 @@
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleKey.h"
+#include "vtkInformationIdTypeKey.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -132,6 +134,8 @@ double KeyOf(double luminance)
 
 vtkInformationKeyMacro(vtkLandscapePass, TRANSMITTANCE, Double);
 vtkInformationKeyMacro(vtkLandscapePass, MATERIAL, Integer);
+vtkInformationKeyMacro(vtkLandscapePass, COARSE_MAP, Integer);
+vtkInformationKeyMacro(vtkLandscapePass, COARSE_SHAPE, IdType);
 vtkStandardNewMacro(vtkLandscapePass);
 
 /// Parts that the pass keeps from frame to frame.
@@ -294,13 +298,13 @@ void vtkLandscapePass::SetMaterial(vtkProp* prop, int material)
   // Those of composites have no such arrays, and since VTK 9.3 say so.
   if ((material == Water || material == River) && mapper && !mapper->IsA("vtkCompositePolyDataMapper"))
   {
-    MapStretch(mapper);
+    MapWaterArrays(mapper);
   }
   prop->Modified();
 }
 
 //----------------------------------------------------------------------------
-void vtkLandscapePass::MapStretch(vtkPolyDataMapper* mapper)
+void vtkLandscapePass::MapWaterArrays(vtkPolyDataMapper* mapper)
 {
   mapper->MapDataArrayToVertexAttribute("landscapeStretch", "Jacobian", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
   mapper->MapDataArrayToVertexAttribute("landscapeLeft", "Foam", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
@@ -513,6 +517,7 @@ void vtkLandscapePass::RenderMaps(vtkRenderer* renderer, vtkMultiProcessControll
   wish.Sun = sky.Sun;
   wish.HasSun = this->Shadows && littoral::LuminanceOf(sky.SunLight) > 0.0;
   wish.HasZenith = this->OcclusionRadius > 0.0;
+  wish.Occlusion = this->OcclusionRadius;
   wish.Distance = this->ShadowDistance;
   wish.Size = this->Quality == Fast ? std::max(this->MapSize / 2, 1) : this->MapSize;
   wish.IsInHaste = this->Draft;
@@ -530,7 +535,8 @@ void vtkLandscapePass::RenderMaps(vtkRenderer* renderer, vtkMultiProcessControll
   const auto drawCasters = [&](int map) {
     for (vtkProp* prop : own.Casters)
     {
-      if (map != littoral::DepthMaps::Ground || IsGround(prop))
+      const bool casts = !littoral::CastsNothing(prop) || !own.Light.Maps.IsCoarse(map);
+      if (casts && (map != littoral::DepthMaps::Ground || IsGround(prop)))
       {
         prop->RenderOpaqueGeometry(renderer);
       }

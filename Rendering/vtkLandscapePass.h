@@ -23,6 +23,7 @@
 #include <string> // for what is invalid
 
 class vtkInformationDoubleKey;
+class vtkInformationIdTypeKey;
 class vtkInformationIntegerKey;
 class vtkMultiProcessController;
 class vtkPolyDataMapper;
@@ -376,8 +377,18 @@ public:
   static bool HasColorMap(vtkProp* prop);
   /** Lets a mapper of water tell its shaders of the point arrays "Jacobian", "Foam", "Displacement" and "Bank", as
    * SetMaterial() does. */
-  static void MapStretch(vtkPolyDataMapper* mapper);
+  static void MapWaterArrays(vtkPolyDataMapper* mapper);
   ///@}
+  /**
+   * Key of the camera of a map of depths in which leaves are not told apart (vtkCamera::GetInformation()): a mapper may
+   * draw coarser shapes in it.
+   */
+  static vtkInformationIntegerKey* COARSE_MAP();
+  /**
+   * Key of a prop that casts other shadows in coarse maps: a number that changes with these and not with what else its
+   * mapper shows, 0 for none.
+   */
+  static vtkInformationIdTypeKey* COARSE_SHAPE();
   ///@{
   /** Sky behind the surfaces, off where nothing is drawn there; default on. */
   vtkSetMacro(Background, bool);

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -39,16 +40,16 @@ struct Chance
 littoral::InstanceBatch BatchOf(Chance& chance)
 {
   littoral::InstanceBatch batch;
-  batch.Prototype.SetBounds(Low[0], High[0], Low[1], High[1], Low[2], High[2]);
+  const double bounds[6] = { Low[0], High[0], Low[1], High[1], Low[2], High[2] };
   for (int instance = 0; instance < Instances; ++instance)
   {
     std::array<double, 4> turn{ chance(-1.0, 1.0), chance(-1.0, 1.0), chance(-1.0, 1.0), chance(0.1, 1.0) };
     const double length = std::hypot(std::hypot(turn[0], turn[1]), std::hypot(turn[2], turn[3]));
-    for (const double number : { chance(-200.0, 200.0), chance(-200.0, 200.0), chance(-20.0, 20.0), chance(0.3, 2.0),
-           turn[0] / length, turn[1] / length, turn[2] / length, turn[3] / length, 1.0, 1.0, 1.0, chance(0.5, 2.0) })
-    {
-      batch.Values.push_back(static_cast<float>(number));
-    }
+    std::array<float, littoral::InstanceBatch::Numbers> values{};
+    const double numbers[] = { chance(-200.0, 200.0), chance(-200.0, 200.0), chance(-20.0, 20.0), chance(0.3, 2.0),
+      turn[0] / length, turn[1] / length, turn[2] / length, turn[3] / length, 1.0, 1.0, 1.0, chance(0.5, 2.0) };
+    std::copy(std::begin(numbers), std::end(numbers), values.begin());
+    batch.Add(values, vtkBoundingBox(bounds));
   }
   return batch;
 }

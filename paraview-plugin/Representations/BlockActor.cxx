@@ -15,6 +15,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleKey.h"
+#include "vtkInformationIdTypeKey.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -160,7 +161,7 @@ bool IsVisible(vtkDataObject* node, const vtkCompositeDataDisplayAttributes* att
 BlockActor::Picture::Picture()
 {
   this->Texture->InterpolateOn();
-  this->Texture->MipmapOff(); // with levels, merged plants and instances differ along the outlines of leaves
+  this->Texture->MipmapOff(); // merged plants share one texture, whose levels mix the outlines of leaves of two species
   this->Texture->RepeatOff();
   this->Texture->EdgeClampOn();
 }
@@ -231,6 +232,10 @@ void BlockActor::Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper,
     this->Actor->GetProperty()->DeepCopy(like->GetProperty());
   }
   this->TakeKeys(like->GetPropertyKeys(), part.Plant.empty() ? part.Transmittance : 0.0, part.IsBark);
+  if (part.InCoarseMaps)
+  {
+    this->Keys->Set(vtkLandscapePass::COARSE_SHAPE(), static_cast<vtkIdType>(part.InCoarseMaps->Shape));
+  }
   this->Actor->SetPickable(like->GetPickable() && !part.Prototype);
   this->Actor->SetVisibility(!isAlone || IsVisible(part.Tree, part.Attributes));
   vtkProperty* property = like->GetProperty();
@@ -291,7 +296,7 @@ void BlockActor::TakeBlock(const PartOfTree& part, vtkMapper* like)
   if (!mapper || mapper->GetVBOShiftScaleMethod() != shift)
   {
     const auto made = vtkSmartPointer<BlockMapper>::New();
-    vtkLandscapePass::MapStretch(made); // composite mappers have no such arrays
+    vtkLandscapePass::MapWaterArrays(made); // composite mappers have no such arrays
     this->MapperTime = 0;
     this->Mapper = mapper = made;
     this->Actor->SetMapper(mapper);
@@ -325,7 +330,7 @@ void BlockActor::TakeInstances(const PartOfTree& part, vtkMapper* like)
   }
   mapper->vtkMapper::ShallowCopy(like); // its input is another one
   mapper->SetInputData(part.Prototype);
-  mapper->SetInstances(part.Instances);
+  mapper->SetInstances(part.Instances, part.InCoarseMaps);
   mapper->SetFadeRange(part.FadeRange[0], part.FadeRange[1]);
 }
 

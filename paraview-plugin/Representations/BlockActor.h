@@ -44,6 +44,7 @@ struct PartOfTree
   unsigned int BlockIndex = 0;                                   ///< of the only leaf in the tree
   vtkSmartPointer<vtkPolyData> Prototype;                        ///< drawn in place of the tree where it has instances
   std::shared_ptr<const InstanceBatch> Instances;
+  std::shared_ptr<const InstanceBatch> InCoarseMaps; ///< of depths; null: the same
   std::vector<PlantPart> Plant;                ///< drawn in place of the prototype by pictures of it, if there is one
   vtkSmartPointer<vtkPolyData> Places;         ///< of such plants
   std::array<double, 2> FadeRange{ 0.0, 0.0 }; ///< distances between which such plants appear, and others disappear

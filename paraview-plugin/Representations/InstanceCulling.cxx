@@ -14,16 +14,8 @@ namespace littoral
 namespace
 {
 
-constexpr double Margin = 1.001; // of radii, for numbers in single precision
-
 /// A point with a x + b y + c z + d >= 0 is inside.
 using Plane = std::array<double, 4>;
-
-struct Sphere
-{
-  double Center[3];
-  double Radius;
-};
 
 /// The planes -w <= x, y, z <= w, with normals of length 1  (Gribb and Hartmann 2001)
 std::array<Plane, 6> PlanesOf(const vtkMatrix4x4* toClip)
@@ -42,31 +34,23 @@ std::array<Plane, 6> PlanesOf(const vtkMatrix4x4* toClip)
   return planes;
 }
 
-/// The sphere around a box that is placed as InstanceMapper's shader places points: p -> place + scale R (g x, g y, z)
-Sphere SphereOf(const vtkBoundingBox& box, const float* instance)
+/// How far a box reaches along a plane's normal from its middle: the sum of |n . h| over its half edges h
+double ReachOf(const InstanceBox& box, const Plane& plane)
 {
-  const double girth = instance[11];
-  double own[3];
-  double lengths[3];
-  box.GetCenter(own);
-  box.GetLengths(lengths);
-  const double rotation[4] = { instance[7], instance[4], instance[5], instance[6] };
-  const double wide[3] = { girth * own[0], girth * own[1], own[2] };
-  Sphere sphere;
-  vtkMath::RotateVectorByNormalizedQuaternion(wide, rotation, sphere.Center);
-  for (int axis = 0; axis < 3; ++axis)
+  double reach = 0.0;
+  for (const auto& half : box.Halves)
   {
-    sphere.Center[axis] = instance[axis] + instance[3] * sphere.Center[axis];
+    reach += std::abs(vtkMath::Dot(plane.data(), half.data()));
   }
-  const double diagonal = std::hypot(girth * lengths[0], girth * lengths[1], lengths[2]);
-  sphere.Radius = Margin * 0.5 * std::abs(instance[3]) * diagonal;
-  return sphere;
+  return reach;
 }
 
-bool IsInside(const Sphere& sphere, const std::array<Plane, 6>& planes)
+/// Whether some of a box is on the inner side of each plane.
+bool IsInside(const InstanceBox& box, const std::array<Plane, 6>& planes)
 {
-  return std::all_of(planes.begin(), planes.end(),
-    [&](const Plane& plane) { return vtkMath::Dot(plane.data(), sphere.Center) + plane[3] >= -sphere.Radius; });
+  return std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) {
+    return vtkMath::Dot(plane.data(), box.Center.data()) + plane[3] >= -ReachOf(box, plane);
+  });
 }
 
 }
@@ -76,12 +60,14 @@ std::vector<float> InstancesInSight(const InstanceBatch& batch, const vtkMatrix4
 {
   const std::array<Plane, 6> planes = PlanesOf(toClip);
   std::vector<float> shown;
-  for (auto instance = batch.Values.begin(); instance != batch.Values.end(); instance += InstanceBatch::Numbers)
+  auto instance = batch.Values.begin();
+  for (const InstanceBox& box : batch.Boxes)
   {
-    if (IsInside(SphereOf(batch.Prototype, &*instance), planes))
+    if (IsInside(box, planes))
     {
       shown.insert(shown.end(), instance, instance + InstanceBatch::Numbers);
     }
+    instance += InstanceBatch::Numbers;
   }
   return shown;
 }

@@ -12,8 +12,8 @@ class vtkMatrix4x4;
 namespace littoral
 {
 
-/// Values of the instances of a batch that may show in the clip volume, in their order: those whose sphere is not
-/// beyond one of its planes. The matrix goes from the coordinates of the instances to those of the clip volume.
+/// Values of the instances of a batch that may show in the clip volume, in their order: those whose box is not beyond
+/// one of its planes. The matrix goes from the coordinates of the instances to those of the clip volume.
 std::vector<float> InstancesInSight(const InstanceBatch& batch, const vtkMatrix4x4* toClip);
 
 }

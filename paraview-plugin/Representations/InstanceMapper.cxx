@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InstanceMapper.h"
 #include "InstanceCulling.h"
+#include "vtkLandscapePass.h"
 
 #if __has_include("vtk_glad.h") // VTK 9.4 and later
 #include "vtk_glad.h"
@@ -11,6 +12,8 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
@@ -91,11 +94,13 @@ InstanceMapper::InstanceMapper()
 InstanceMapper::~InstanceMapper() = default;
 
 //----------------------------------------------------------------------------
-void InstanceMapper::SetInstances(const std::shared_ptr<const InstanceBatch>& batch)
+void InstanceMapper::SetInstances(
+  const std::shared_ptr<const InstanceBatch>& batch, const std::shared_ptr<const InstanceBatch>& inCoarseMaps)
 {
-  if (this->Batch != batch)
+  if (this->Batch != batch || this->InCoarseMaps != inCoarseMaps)
   {
     this->Batch = batch;
+    this->InCoarseMaps = inCoarseMaps;
     this->IsUploaded = false;
     this->Modified();
   }
@@ -123,11 +128,14 @@ void InstanceMapper::ComputeBounds()
 /// Takes the instances that the camera may show, and tells whether there are any.
 bool InstanceMapper::TakeShown(vtkRenderer* renderer, vtkActor* actor)
 {
+  vtkCamera* camera = renderer->GetActiveCamera();
+  vtkInformation* map = camera->GetInformation();
   vtkNew<vtkMatrix4x4> toClip;
-  vtkMatrix4x4::Multiply4x4(
-    renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0),
+  vtkMatrix4x4::Multiply4x4(camera->GetCompositeProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0),
     actor->GetMatrix(), toClip);
-  std::vector<float> shown = this->Batch ? InstancesInSight(*this->Batch, toClip) : std::vector<float>();
+  const bool isCoarse = map && map->Has(vtkLandscapePass::COARSE_MAP());
+  const auto& batch = isCoarse && this->InCoarseMaps ? this->InCoarseMaps : this->Batch;
+  std::vector<float> shown = batch ? InstancesInSight(*batch, toClip) : std::vector<float>();
   if (shown != this->Shown)
   {
     this->Shown = std::move(shown);

@@ -26,8 +26,9 @@ public:
   static InstanceMapper* New();
   vtkTypeMacro(InstanceMapper, vtkOpenGLPolyDataMapper);
 
-  /// Instances to draw.
-  void SetInstances(const std::shared_ptr<const InstanceBatch>& batch);
+  /// Instances to draw, and those to draw in coarse maps of depths (vtkLandscapePass::COARSE_MAP()); null: the same.
+  void SetInstances(const std::shared_ptr<const InstanceBatch>& batch,
+    const std::shared_ptr<const InstanceBatch>& inCoarseMaps = nullptr);
 
   /// Distances from the eye between which instances disappear, in the pixels in which impostors of them appear
   /// (vtkImpostorMapper::SetFadeRange) [m]; 0 0, or a parallel projection: none does.
@@ -53,6 +54,7 @@ private:
   void BindAttributes(vtkOpenGLHelper& triangles);
 
   std::shared_ptr<const InstanceBatch> Batch;
+  std::shared_ptr<const InstanceBatch> InCoarseMaps;
   std::vector<float> Shown; ///< instances of the last picture or map of depths
   vtkNew<vtkOpenGLBufferObject> Buffer;
   bool IsUploaded = false;

@@ -11,7 +11,9 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace littoral
 {
@@ -19,6 +21,43 @@ namespace
 {
 
 constexpr const char* PrototypeName = "Prototype";
+constexpr double Margin = 1.001; // of lengths, for numbers in single precision
+
+/// The box of a prototype as InstanceMapper's shader places its points: p -> place + scale R (g x, g y, z)
+InstanceBox BoxOf(const vtkBoundingBox& own, const std::array<float, InstanceBatch::Numbers>& instance)
+{
+  const double rotation[4] = { instance[7], instance[4], instance[5], instance[6] };
+  const double scale = instance[3];
+  const double wide = scale * instance[11];
+  const double scales[3] = { wide, wide, scale };
+  double center[3];
+  own.GetCenter(center);
+  InstanceBox box{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    center[axis] *= scales[axis];
+    double half[3] = { 0.0, 0.0, 0.0 };
+    half[axis] = Margin * 0.5 * scales[axis] * own.GetLength(axis);
+    vtkMath::RotateVectorByNormalizedQuaternion(half, rotation, box.Halves[axis].data());
+  }
+  vtkMath::RotateVectorByNormalizedQuaternion(center, rotation, box.Center.data());
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box.Center[axis] += instance[axis];
+  }
+  return box;
+}
+
+/// A number of bytes and of what was before them (FNV-1a)
+std::uint64_t Hashed(std::uint64_t state, const void* bytes, std::size_t count)
+{
+  const auto* next = static_cast<const unsigned char*>(bytes);
+  for (const unsigned char* end = next + count; next != end; ++next)
+  {
+    state = (state ^ *next) * 1099511628211ULL;
+  }
+  return state;
+}
 
 vtkDataArray* ArrayWith(vtkFieldData* arrays, const char* name, int components)
 {
@@ -52,6 +91,55 @@ bool IsStill(vtkPolyData* block)
 {
   vtkDataArray* seaweed = ArrayWith(block->GetFieldData(), "Seaweed", 1);
   return seaweed && seaweed->GetNumberOfTuples() > 0 && seaweed->GetTuple1(0) == 0.0;
+}
+
+/// Instances of the points of prototypes from one index to another, by the pair's prototype.
+std::shared_ptr<InstanceBatch> BatchFrom(const InstancedBlocks::Pair& pair, int first, int last)
+{
+  const auto& [instances, prototype] = pair;
+  auto batch = std::make_shared<InstanceBatch>();
+  vtkPointData* arrays = instances->GetPointData();
+  vtkDataArray* prototypes = arrays->GetArray(PrototypeName);
+  vtkDataArray* tinted = ArrayWith(prototype->GetFieldData(), "Tinted", 1);
+  const bool isTinted = !tinted || tinted->GetNumberOfTuples() == 0 || tinted->GetTuple1(0) != 0.0;
+  const vtkBoundingBox box(prototype->GetBounds());
+  for (vtkIdType point = 0; point < instances->GetNumberOfPoints(); ++point)
+  {
+    const auto index = static_cast<int>(prototypes->GetTuple1(point));
+    if (index < first || index > last)
+    {
+      continue;
+    }
+    std::array<double, 3> place{};
+    std::array<double, 4> rotation{};
+    std::array<double, 3> tint{ 1.0, 1.0, 1.0 };
+    instances->GetPoint(point, place.data());
+    arrays->GetArray("Rotation")->GetTuple(point, rotation.data());
+    vtkDataArray* scales = ScalesOf(arrays);
+    const double wide = scales->GetComponent(point, 0);
+    const double scale = scales->GetComponent(point, scales->GetNumberOfComponents() - 1);
+    const double girth = scale > 0.0 ? wide / scale : 1.0;
+    if (isTinted)
+    {
+      arrays->GetArray("Tint")->GetTuple(point, tint.data());
+    }
+    const std::array<double, InstanceBatch::Numbers> numbers{ place[0], place[1], place[2], scale, rotation[1],
+      rotation[2], rotation[3], rotation[0], tint[0], tint[1], tint[2], girth };
+    std::array<float, InstanceBatch::Numbers> values{};
+    std::transform(numbers.begin(), numbers.end(), values.begin(), [](double n) { return static_cast<float>(n); });
+    batch->Add(values, box);
+    for (int corner = 0; corner < 8 && box.IsValid(); ++corner)
+    {
+      std::array<double, 3> own{};
+      std::array<double, 3> at{};
+      box.GetCorner(corner, own.data());
+      own[0] *= girth;
+      own[1] *= girth;
+      vtkMath::RotateVectorByNormalizedQuaternion(own.data(), rotation.data(), at.data());
+      batch->Bounds.AddPoint(place[0] + scale * at[0], place[1] + scale * at[1], place[2] + scale * at[2]);
+    }
+  }
+  return batch;
 }
 
 }
@@ -142,51 +230,38 @@ std::array<double, 2> FadeRangeOf(const InstancedBlocks::Pair& pair)
 }
 
 //----------------------------------------------------------------------------
+void InstanceBatch::Add(const std::array<float, Numbers>& values, const vtkBoundingBox& prototype)
+{
+  this->Values.insert(this->Values.end(), values.begin(), values.end());
+  this->Boxes.push_back(BoxOf(prototype, values));
+}
+
+//----------------------------------------------------------------------------
 std::shared_ptr<const InstanceBatch> BatchOf(const InstancedBlocks::Pair& pair)
 {
-  const auto& [instances, prototype] = pair;
-  auto batch = std::make_shared<InstanceBatch>();
-  vtkPointData* arrays = instances->GetPointData();
-  vtkDataArray* prototypes = arrays->GetArray(PrototypeName);
-  vtkDataArray* tinted = ArrayWith(prototype->GetFieldData(), "Tinted", 1);
-  const bool isTinted = !tinted || tinted->GetNumberOfTuples() == 0 || tinted->GetTuple1(0) != 0.0;
-  const int index = PrototypeIndex(prototype);
-  const vtkBoundingBox box(prototype->GetBounds());
-  batch->Prototype = box;
-  for (vtkIdType point = 0; point < instances->GetNumberOfPoints(); ++point)
+  const int index = PrototypeIndex(pair.Prototype);
+  return BatchFrom(pair, index, index);
+}
+
+//----------------------------------------------------------------------------
+std::shared_ptr<const InstanceBatch> CoarseBatchOf(const InstancedBlocks::Pair& pair)
+{
+  const int index = PrototypeIndex(pair.Prototype);
+  if (!IsStill(pair.Prototype))
   {
-    if (static_cast<int>(prototypes->GetTuple1(point)) != index)
-    {
-      continue;
-    }
-    std::array<double, 3> place{};
-    std::array<double, 4> rotation{};
-    std::array<double, 3> tint{ 1.0, 1.0, 1.0 };
-    instances->GetPoint(point, place.data());
-    arrays->GetArray("Rotation")->GetTuple(point, rotation.data());
-    vtkDataArray* scales = ScalesOf(arrays);
-    const double wide = scales->GetComponent(point, 0);
-    const double scale = scales->GetComponent(point, scales->GetNumberOfComponents() - 1);
-    const double girth = scale > 0.0 ? wide / scale : 1.0;
-    if (isTinted)
-    {
-      arrays->GetArray("Tint")->GetTuple(point, tint.data());
-    }
-    for (const double number : { place[0], place[1], place[2], scale, rotation[1], rotation[2], rotation[3],
-           rotation[0], tint[0], tint[1], tint[2], girth })
-    {
-      batch->Values.push_back(static_cast<float>(number));
-    }
-    for (int corner = 0; corner < 8 && box.IsValid(); ++corner)
-    {
-      std::array<double, 3> own{};
-      std::array<double, 3> at{};
-      box.GetCorner(corner, own.data());
-      own[0] *= girth;
-      own[1] *= girth;
-      vtkMath::RotateVectorByNormalizedQuaternion(own.data(), rotation.data(), at.data());
-      batch->Bounds.AddPoint(place[0] + scale * at[0], place[1] + scale * at[1], place[2] + scale * at[2]);
-    }
+    return nullptr;
+  }
+  if ((index - 1) % 3 != 1)
+  {
+    return std::make_shared<InstanceBatch>();
+  }
+  const auto batch = BatchFrom(pair, index - 1, index + 1);
+  const vtkMTimeType time = pair.Prototype->GetPoints()->GetData()->GetMTime();
+  batch->Shape = Hashed(1469598103934665603ULL, &time, sizeof(time));
+  for (std::size_t at = 0; at < batch->Values.size(); at += InstanceBatch::Numbers)
+  {
+    batch->Shape = Hashed(batch->Shape, &batch->Values[at], 8 * sizeof(float)); // place, scale and rotation
+    batch->Shape = Hashed(batch->Shape, &batch->Values[at + 11], sizeof(float));
   }
   return batch;
 }

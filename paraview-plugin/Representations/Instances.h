@@ -7,6 +7,7 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <set>
 #include <vector>
@@ -48,6 +49,13 @@ vtkSmartPointer<vtkPolyData> PlacesOf(const InstancedBlocks::Pair& pair);
 /// the points do not tell the distance of the far one.
 std::array<double, 2> FadeRangeOf(const InstancedBlocks::Pair& pair);
 
+/// A box around an instance: its middle, and the halves of its edges.
+struct InstanceBox
+{
+  std::array<double, 3> Center;
+  std::array<std::array<double, 3>, 3> Halves;
+};
+
 /// The instances of one prototype.
 struct InstanceBatch
 {
@@ -55,12 +63,21 @@ struct InstanceBatch
   static constexpr int Numbers = 12;
 
   std::vector<float> Values;
+  std::vector<InstanceBox> Boxes; ///< around each
   vtkBoundingBox Bounds;
-  vtkBoundingBox Prototype; ///< of the prototype, before it is placed
+  std::uint64_t Shape = 0; ///< a number of where the instances are and of the points of their prototype
+
+  /// Adds an instance by its numbers, of a prototype with a box.
+  void Add(const std::array<float, Numbers>& values, const vtkBoundingBox& prototype);
 };
 
 /// Instances of a prototype as the points give them. Blocks whose field array Tinted is 0 have a tint of 1.
 std::shared_ptr<const InstanceBatch> BatchOf(const InstancedBlocks::Pair& pair);
+
+/// Instances that a prototype casts shadows for where leaves are not told apart: the medium level of a plant that
+/// stands still, as vtkPlantScatterFilter has it, for all levels, so that a change of levels changes nothing; the
+/// others none. Null for other prototypes, which do so as they are shown.
+std::shared_ptr<const InstanceBatch> CoarseBatchOf(const InstancedBlocks::Pair& pair);
 
 }
 

@@ -149,6 +149,7 @@ bool TexturedBlocks::Draw(
     {
       part.Plant.clear(); // without it the far level as it is
       part.FadeRange = { 0.0, 0.0 };
+      part.InCoarseMaps = nullptr;
     }
     if (dataChanged || attributesChanged)
     {
@@ -228,6 +229,7 @@ void TexturedBlocks::Split(vtkDataObject* data)
     part.Textured = BlockActor::IsTextured(block) ? block : nullptr;
     part.Prototype = vtkPolyData::SafeDownCast(block);
     part.Instances = BatchOf(pair);
+    part.InCoarseMaps = CoarseBatchOf(pair);
     part.Transmittance = transmittances[pair.Prototype];
     part.IsBark = barks.count(pair.Prototype) > 0;
     for (vtkPolyData* near : MediumPlantOf(instanced, pair))
