@@ -94,8 +94,9 @@ public:
     }
     GridSamples best = this->Ground();
     double least = this->MisfitOf(best, MeasureLandscape(best, this->Parallel));
-    for (int iteration = 0; iteration < this->Iterations; ++iteration)
+    for (int iteration = 0; iteration < this->Iterations && least > 1.0; ++iteration)
     {
+      ++this->Done;
       this->Evolve(StepsAnIteration, 0.5 * this->Relief);
       GridSamples ground = this->Ground();
       const LandscapeMeasures measures = MeasureLandscape(ground, this->Parallel);
@@ -112,6 +113,7 @@ public:
     return best;
   }
 
+  int IterationsDone() const { return this->Done; }
   const GroundMeasures& TargetMeasures() const { return this->Target.Measures; }
 
 private:
@@ -207,7 +209,7 @@ private:
       const MeshDrainage drainage = DrainMesh(this->Mesh, this->Heights, this->Parallel);
       StepLandscape(this->Mesh, drainage, this->Law, this->Uplift, time, this->Heights);
       SteerUplift(steering, this->Heights, this->Guide, this->Uplift, this->Parallel);
-      this->Progress(static_cast<double>(++this->Done) / this->AllSteps);
+      this->Progress(static_cast<double>(this->Steps++) / this->AllSteps);
     }
   }
 
@@ -231,6 +233,8 @@ private:
       { relative(is.MeanSlope, shall.MeanSlope, 0.1), relative(is.CurvatureDeviation, shall.CurvatureDeviation, 0.2),
         relative(is.BlockVariation, shall.BlockVariation, 0.3),
         std::abs(is.GentleFraction - shall.GentleFraction) / 0.05 });
+    const double concavity = std::abs(is.Concavity - shall.Concavity) / 0.15;
+    most = std::isnan(concavity) ? most : std::max(most, concavity);
     const std::vector<int> lags = SemivarianceLags(ground.Width, ground.Height);
     const std::vector<double> semivariance = SemivarianceAlongAxes(ground, lags, this->Parallel);
     const double spacing = 0.5 * (ground.Spacing[0] + ground.Spacing[1]);
@@ -262,7 +266,7 @@ private:
     const double gentle = (is.GentleFraction + 0.02) / (shall.GentleFraction + 0.02);
     this->Steering.Minimum = std::clamp(
       this->Steering.Minimum * std::clamp(std::sqrt(variation * gentle), 0.7, 1.4), SmallestMinimum, LargestMinimum);
-    this->Waves.Correct(ground, this->Parallel);
+    this->Waves.Correct(ground, this->Target.Measures, this->Parallel);
     this->SetLongWaves();
     this->Guide = this->Wide;
   }
@@ -288,7 +292,8 @@ private:
   PointMesh Mesh;
   std::vector<double> Heights;
   std::vector<double> Uplift;
-  int Done = 0;
+  int Done = 0; ///< iterations
+  int Steps = 0;
   int AllSteps = 1;
 };
 
@@ -331,7 +336,7 @@ CarvingReport GrowLandscape(GridSamples& terrain, const GridSamples& place, cons
   report.Before = MeasureGround(terrain, border, parallel, NoPoll, target.MaximumArea);
   terrain = grower.Grow();
   report.After = MeasureGround(terrain, border, parallel, NoPoll, target.MaximumArea);
-  report.Iterations = parameters.MaximumIterations;
+  report.Iterations = grower.IterationsDone();
   report.UnmetTargets = UnmetTargets(report.After, target);
   report.HasConverged = report.UnmetTargets.empty();
   return report;

@@ -17,8 +17,8 @@ namespace littoral
 struct GrowthParameters
 {
   UpliftSteering Steering;
-  int MaximumIterations = 8; ///< corrections of the law by what is measured, 0 to 100
-  int Seed = 1;              ///< seed of points, of the first roughness, and of waves that the terrain lacks
+  int MaximumIterations = 12; ///< corrections of the law by what is measured, 0 to 100
+  int Seed = 1;               ///< seed of points, of the first roughness, and of waves that the terrain lacks
 };
 
 /// Why a terrain cannot be grown with these parameters; empty when it can.
@@ -37,7 +37,8 @@ double GrowthMemory(int width, int height);
  * 2. Each step routes water, solves rivers and hillslopes (StepLandscape), and steers the uplift to the long waves.
  * 3. Each iteration measures slopes, curvature, concavity and spectrum, corrects diffusivity, exponent, least uplift
  * and waves by what is missing, and goes on from where it is.
- * 4. The best of all is brought to the grid, breached where the grid lost its way, and its heights are matched.
+ * 4. The first that is within its tolerances, or else the best, is brought to the grid, breached where the grid lost
+ * its way, and its heights are matched.
  *
  * The result does not depend on the threads.
  */

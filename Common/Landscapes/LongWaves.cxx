@@ -19,6 +19,8 @@ constexpr double MinimumGain = 0.3;
 constexpr double MaximumGain = 3.0;
 constexpr double MinimumCorrection = 0.5;
 constexpr double MaximumCorrection = 2.0;
+constexpr double MinimumPlaneGain = 0.8;
+constexpr double MaximumPlaneGain = 1.25;
 
 /// Rings from 1/NearRings to NearRings times a wave number have one mean.
 constexpr double NearRings = 1.25;
@@ -73,8 +75,7 @@ double Reflected(int n, int count, const At& at)
 
 LongWaves::LongWaves(
   const GridSamples& terrain, const CarvingTarget& target, double shortest, int seed, const ParallelFor& parallel)
-  : Wanted(target.Spectrum)
-  , Coefficients(terrain)
+  : Coefficients(terrain)
   , Shortest(shortest)
 {
   GridSamples& field = this->Coefficients;
@@ -90,29 +91,50 @@ LongWaves::LongWaves(
   CosineTransform(field, parallel);
   const RingSpectrum spectrum = SpectrumOfCoefficients(field, parallel);
   this->Step = spectrum.Step;
-  this->Gains.assign(spectrum.Power.size(), 1.0);
+  this->Gains.Rings.assign(spectrum.Power.size(), 1.0);
 }
 
 GridSamples LongWaves::Heights(const ParallelFor& parallel) const
 {
   GridSamples heights = this->Coefficients;
-  MultiplyRings(heights, this->Step, this->Gains, parallel);
+  MultiplyRings(heights, this->Step, this->Gains.Rings, parallel);
+  for (int wave = 0; wave < 9; ++wave)
+  {
+    heights.At(wave % 3, wave / 3) *= this->Gains.LongWaves[wave];
+  }
   InverseCosineTransform(heights, parallel);
-  AddPlane(heights, this->Plane, parallel);
+  PlaneTrend plane = this->Plane;
+  plane.Slope = { this->Gains.Plane * plane.Slope[0], this->Gains.Plane * plane.Slope[1] };
+  AddPlane(heights, plane, parallel);
   return heights;
 }
 
-void LongWaves::Correct(const GridSamples& landscape, const ParallelFor& parallel)
+void LongWaves::Correct(const GridSamples& landscape, const GroundMeasures& target, const ParallelFor& parallel)
 {
+  const std::vector<int> lags = SemivarianceLags(landscape.Width, landscape.Height);
+  const double spacing = 0.5 * (landscape.Spacing[0] + landscape.Spacing[1]);
+  std::vector<double> wanted = SemivarianceAlongAxes(landscape, lags, parallel);
+  for (std::size_t n = 0; n < lags.size(); ++n)
+  {
+    wanted[n] = target.SemivarianceAt(spacing * lags[n]) / wanted[n];
+  }
   GridSamples field = landscape;
-  RemovePlane(field);
+  const PlaneTrend plane = RemovePlane(field);
   CosineTransform(field, parallel);
-  const RingSpectrum spectrum = SpectrumOfCoefficients(field, parallel);
-  const double last = std::min(this->Shortest / this->Step, static_cast<double>(this->Gains.size() - 1));
+  const SemivarianceBands bands(field, this->Step, this->Gains.Rings.size(), plane, parallel);
+  const BandGains further = bands.GainsFor(lags, wanted);
+  const auto correct = [](double& gain, double by, double least, double most) {
+    gain = std::clamp(gain * std::sqrt(by), least, most);
+  };
+  correct(this->Gains.Plane, further.Plane, MinimumPlaneGain, MaximumPlaneGain);
+  for (std::size_t wave = 0; wave < further.LongWaves.size(); ++wave)
+  {
+    correct(this->Gains.LongWaves[wave], further.LongWaves[wave], MinimumCorrection, MaximumCorrection);
+  }
+  const double last = std::min(this->Shortest / this->Step, static_cast<double>(this->Gains.Rings.size() - 1));
   for (std::size_t ring = 1; ring <= static_cast<std::size_t>(last); ++ring)
   {
-    const double ratio = std::clamp(PowerRatio(spectrum, this->Wanted, ring), MinimumCorrection, MaximumCorrection);
-    this->Gains[ring] = std::clamp(this->Gains[ring] * std::pow(ratio, 0.25), MinimumCorrection, MaximumCorrection);
+    correct(this->Gains.Rings[ring], further.Rings[ring], MinimumCorrection, MaximumCorrection);
   }
 }
 

@@ -4,6 +4,7 @@
 #define LittoralLongWaves_h
 
 #include "Drainage/DrainageCarving.h"
+#include "Drainage/SemivarianceBands.h"
 #include "Numerics/Parallel.h"
 #include "Terrain/GridSamples.h"
 
@@ -14,12 +15,12 @@ namespace littoral
 
 /**
  * Random heights with the radial spectrum, the plane and the distribution of a place, whose long waves a landscape is
- * to follow. They are corrected ring by ring by what the landscape makes of them.
+ * to follow. They are corrected by the semivariances that the landscape makes of them.
  */
 class LongWaves
 {
 public:
-  /// Waves of a terrain whose spectrum is set to the target's; waves that it lacks are added by the seed. Rings above
+  /// Waves of a terrain whose spectrum is set to the target's; waves that it lacks are added by the seed. Waves above
   /// `shortest` [cycles/m] are never corrected.
   LongWaves(const GridSamples& terrain, const CarvingTarget& target, double shortest, int seed,
     const ParallelFor& parallel = SerialFor);
@@ -27,16 +28,15 @@ public:
   /// Heights with the gains of now.
   GridSamples Heights(const ParallelFor& parallel = SerialFor) const;
 
-  /// Multiplies gains by (wanted power / power of the landscape)^(1/4), a mean of nearby rings.
-  void Correct(const GridSamples& landscape, const ParallelFor& parallel = SerialFor);
+  /// Multiplies gains by the roots of those that would bring a landscape's semivariances to the target's (GainsFor).
+  void Correct(const GridSamples& landscape, const GroundMeasures& target, const ParallelFor& parallel = SerialFor);
 
 private:
-  RingSpectrum Wanted;
   GridSamples Coefficients;
   PlaneTrend Plane;
   double Step = 0.0;
   double Shortest;
-  std::vector<double> Gains;
+  BandGains Gains{ {}, { 1, 1, 1, 1, 1, 1, 1, 1, 1 }, 1.0 };
 };
 
 /// Grid with margins of so many cells, into which it goes on by reflection in the points of its edge, 2 z(edge) -
