@@ -56,19 +56,40 @@ constexpr double LargestMinimum = 0.8;
 constexpr double RimDepth = 0.5;
 constexpr double FirstRoughness = 0.1;
 
+/// Larger terrain takes the law that was fitted on the middle part of it, and has few iterations of its own.
+constexpr std::size_t MaximumCellsToFit = std::size_t{ 1 } << 18;
+constexpr int LargestPart = 384;
+constexpr int LargeIterations = 3;
+constexpr double PartWork = 0.3;
+
+GridSamples MiddleOf(const GridSamples& terrain)
+{
+  const int width = std::min(LargestPart, terrain.Width);
+  const int height = std::min(LargestPart, terrain.Height);
+  return PartOf(terrain, (terrain.Width - width) / 2, (terrain.Height - height) / 2, width, height);
+}
+
+std::string WhyTooSmall(const GridSamples& ground, const char* name)
+{
+  constexpr int leastCells = 16;
+  return std::min(ground.Width, ground.Height) >= leastCells
+    ? ""
+    : std::string(name) + " has fewer than 16 rows or columns; no valleys can grow there.";
+}
+
 /// The steps of GrowLandscape(). Uplift is near 1, in any unit of time.
 class Grower
 {
 public:
   Grower(const GridSamples& terrain, const GridSamples& place, const GrowthParameters& parameters,
-    const ParallelFor& parallel, const CarvingProgress& progress)
+    const ParallelFor& parallel, CarvingProgress progress)
     : Terrain(terrain)
     , Place(place)
     , Steering(parameters.Steering)
     , Iterations(parameters.MaximumIterations)
     , Seed(parameters.Seed)
     , Parallel(parallel)
-    , Progress(progress)
+    , Progress(std::move(progress))
     , Target(TargetOf(place, {}, parallel))
     , Wanted(MeasureLandscape(place, parallel))
     , Waves(terrain, this->Target, this->ShortestWave(), parameters.Seed, parallel)
@@ -111,6 +132,13 @@ public:
     BreachDepressions(best, BorderOutlets(best.Width, best.Height), BreachPath::LeastCost);
     MatchHeights(best.Values, this->Target.Heights);
     return best;
+  }
+
+  /// Takes over what was fitted on another terrain of the same place.
+  void TakeLaw(const Grower& other)
+  {
+    this->Law = other.Law;
+    this->Steering.Minimum = other.Steering.Minimum;
   }
 
   int IterationsDone() const { return this->Done; }
@@ -207,7 +235,7 @@ private:
     for (int step = 0; step < steps; ++step)
     {
       const MeshDrainage drainage = DrainMesh(this->Mesh, this->Heights, this->Parallel);
-      StepLandscape(this->Mesh, drainage, this->Law, this->Uplift, time, this->Heights);
+      StepLandscape(this->Mesh, drainage, this->Law, this->Uplift, time, this->Heights, this->Parallel);
       SteerUplift(steering, this->Heights, this->Guide, this->Uplift, this->Parallel);
       this->Progress(static_cast<double>(this->Steps++) / this->AllSteps);
     }
@@ -277,7 +305,7 @@ private:
   int Iterations;
   int Seed;
   const ParallelFor& Parallel;
-  const CarvingProgress& Progress;
+  CarvingProgress Progress;
   CarvingTarget Target;
   LandscapeMeasures Wanted;
   LongWaves Waves;
@@ -301,22 +329,31 @@ private:
 
 std::string WhyInvalid(const GridSamples& terrain, const GrowthParameters& parameters)
 {
-  constexpr int leastCells = 16;
   ParameterCheck check;
   check.Positive("Smoothing", parameters.Steering.Smoothing, "cells", 100.0);
   check.Positive("Gain", parameters.Steering.Gain, "", 1.0);
   check.Positive("Minimum", parameters.Steering.Minimum, "", 1.0);
   check.Range("Maximum", parameters.Steering.Maximum, 1.0, 1e3);
   check.Count("MaximumIterations", parameters.MaximumIterations, 0, 100);
-  if (check.IsGood() && (terrain.Width < leastCells || terrain.Height < leastCells))
-  {
-    check.Require("The terrain has fewer than 16 rows or columns; no valleys can grow there.");
-  }
+  check.Require(WhyTooSmall(terrain, "The terrain"));
   const auto isMissing = [](double height) { return std::isnan(height); };
   if (check.IsGood() && std::any_of(terrain.Values.begin(), terrain.Values.end(), isMissing))
   {
     check.Require("Heights are missing; only whole grids can be grown.");
   }
+  return check.Reason();
+}
+
+std::string WhyNoPlace(const GridSamples& place)
+{
+  ParameterCheck check;
+  check.Require(WhyTooSmall(place, "The target"));
+  GridSamples field = place;
+  const double range = RangeOf(place.Values)[1] - RangeOf(place.Values)[0];
+  RemovePlane(field);
+  check.Require(Moments(field).Variance > 1e-12 * range * range
+      ? ""
+      : "The target is a plane; there are no valleys to learn from.");
   return check.Reason();
 }
 
@@ -326,12 +363,25 @@ double GrowthMemory(int width, int height)
   return bytesPerPoint * (width + 2.0 * Margin) * (height + 2.0 * Margin);
 }
 
-CarvingReport GrowLandscape(GridSamples& terrain, const GridSamples& place, const GrowthParameters& parameters,
+CarvingReport GrowLandscape(GridSamples& terrain, const GridSamples& measured, const GrowthParameters& parameters,
   const ParallelFor& parallel, const CarvingProgress& progress)
 {
+  GridSamples place = measured;
+  FillHoles(place);
+  GrowthParameters whole = parameters;
+  const bool isLarge = terrain.Values.size() > MaximumCellsToFit;
+  whole.MaximumIterations = isLarge ? std::min(LargeIterations, whole.MaximumIterations) : whole.MaximumIterations;
   const OutletMask border = BorderOutlets(terrain.Width, terrain.Height);
   CarvingReport report;
-  Grower grower(terrain, place, parameters, parallel, progress);
+  Grower grower(terrain, place, whole, parallel,
+    [&](double part) { progress(isLarge ? PartWork + (1.0 - PartWork) * part : part); });
+  if (isLarge)
+  {
+    const GridSamples part = MiddleOf(terrain);
+    Grower fit(part, place, parameters, parallel, [&](double done) { progress(PartWork * done); });
+    fit.Grow();
+    grower.TakeLaw(fit);
+  }
   const GroundMeasures& target = grower.TargetMeasures();
   report.Before = MeasureGround(terrain, border, parallel, NoPoll, target.MaximumArea);
   terrain = grower.Grow();

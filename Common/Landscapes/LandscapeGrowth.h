@@ -24,6 +24,9 @@ struct GrowthParameters
 /// Why a terrain cannot be grown with these parameters; empty when it can.
 std::string WhyInvalid(const GridSamples& terrain, const GrowthParameters& parameters);
 
+/// Why no landscape of the kind of a place can be grown; empty when it can. Missing heights are filled smoothly.
+std::string WhyNoPlace(const GridSamples& place);
+
 /// Memory that growth takes beside the terrain and the place [bytes].
 double GrowthMemory(int width, int height);
 
@@ -40,7 +43,7 @@ double GrowthMemory(int width, int height);
  * 4. The first that is within its tolerances, or else the best, is brought to the grid, breached where the grid lost
  * its way, and its heights are matched.
  *
- * The result does not depend on the threads.
+ * On more than 2^18 cells the law is fitted on the middle 384 x 384 first. The result does not depend on the threads.
  */
 CarvingReport GrowLandscape(GridSamples& terrain, const GridSamples& place, const GrowthParameters& parameters,
   const ParallelFor& parallel = SerialFor, const CarvingProgress& progress = NoProgress);

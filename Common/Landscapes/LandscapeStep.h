@@ -33,7 +33,8 @@ std::string WhyInvalid(const LandscapeLaw& law);
 /// Implicit time step [a], stable for any: two passes of Gauss and Seidel from the outlets upstream, each point after
 /// its receiver. `uplift` is U at each point [m/a]; the rim stays.
 void StepLandscape(const PointMesh& mesh, const MeshDrainage& drainage, const LandscapeLaw& law,
-  const std::vector<double>& uplift, double time, std::vector<double>& heights);
+  const std::vector<double>& uplift, double time, std::vector<double>& heights,
+  const ParallelFor& parallel = SerialFor);
 
 }
 
