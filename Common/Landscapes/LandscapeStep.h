@@ -16,7 +16,8 @@ namespace littoral
  *
  *   dz/dt = U - K A^m S + div(D grad z / (1 - (|grad z| / S_c)^2))
  *
- * with the slope S to the receiver and the drainage area A. A steady state without hillslopes has S = U / K A^-m.
+ * with the slope S to the receiver and the drainage area A. Between two points |grad z| is the slope from one to the
+ * other. A steady state without hillslopes has S = U / K A^-m.
  */
 struct LandscapeLaw
 {

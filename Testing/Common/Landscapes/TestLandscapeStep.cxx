@@ -154,6 +154,31 @@ TEST(LandscapeStep, HillslopesArchAsAParabola)
   }
 }
 
+TEST(LandscapeStep, SteepHillslopesAreStraighterThanParabolas)
+{
+  const PointMesh mesh = JitteredMesh(14, 80, { 10.0, 10.0 }, 4);
+  LandscapeLaw law;
+  law.Erodibility = 0.0;
+  law.Diffusivity = 2.0;
+  law.ThresholdSlope = 0.6;
+  law.MinimumSlope = 0.0;
+  const double uplift = 0.02;
+  const std::vector<double> heights = Evolved(mesh, law, uplift, 1e9, 300);
+  // D S / (1 - (S / S_c)^2) = U x at x from the crest: S = S_c (sqrt(1 + q^2) - 1) / q with q = 2 U x / (D S_c)
+  double crest = 0.0;
+  for (double x = 0.05; x < 65.0; x += 0.1)
+  {
+    const double q = 2.0 * uplift * x / (law.Diffusivity * law.ThresholdSlope);
+    crest += 0.1 * law.ThresholdSlope * (std::sqrt(1.0 + q * q) - 1.0) / q;
+  }
+  double top = 0.0;
+  for (int j = 30; j < 50; ++j)
+  {
+    top += *std::max_element(heights.begin() + j * 14, heights.begin() + (j + 1) * 14) / 20.0;
+  }
+  EXPECT_NEAR(top / crest, 1.0, 0.06);
+}
+
 TEST(LandscapeStep, NoSlopeIsAboveTheThreshold)
 {
   const PointMesh mesh = JitteredMesh(20, 60, { 10.0, 10.0 }, 6);
