@@ -13,6 +13,7 @@
 #include "Drainage/FlowRouting.h"
 #include "Drainage/GroundMeasures.h"
 #include "Drainage/StreamNetwork.h"
+#include "Landscapes/LandscapeGrowth.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Pipeline.h"
 
@@ -42,15 +43,25 @@ namespace
 
 /// Heights, spill elevations, routing, areas, streams and the arrays of the output; carving needs more.
 constexpr double BytesACell = 100.0;
+constexpr int MaximumGrowthIterations = 12;
 constexpr long long MaximumStreamThreshold = 1000000000;
 constexpr double MaximumChannelThreshold = 1e6;
 
-/// Memory of a cell of a grid [bytes].
-littoral::CellMemory MemoryOf(vtkImageData* image, bool carves)
+/// Memory of a cell of a grid [bytes], with that of carving or growth for all cells.
+littoral::CellMemory MemoryOf(vtkImageData* image, double (*work)(int, int))
 {
   const int* size = image->GetDimensions();
   const double cells = std::max(1.0, static_cast<double>(size[0]) * size[1]);
-  return { BytesACell + (carves ? littoral::CarvingMemory(size[0], size[1]) / cells : 0.0), "draining it" };
+  return { BytesACell + (work ? work(size[0], size[1]) / cells : 0.0), "draining it" };
+}
+
+/// Heights of the target: its array of a name, or else its active scalars.
+littoral::GridSamples ReadTarget(vtkImageData* target, vtkInformation* array, double (*work)(int, int))
+{
+  const char* name = array->Get(vtkDataObject::FIELD_NAME());
+  vtkDataArray* heights = name ? littoral::ArrayReader::OfPoints(target, "Target").Seek(name, 1) : nullptr;
+  return littoral::ReadHeights(
+    target, heights ? heights : target->GetPointData()->GetScalars(), array, "Target", MemoryOf(target, work));
 }
 
 /// Cells at which the array Outlets is not 0.
@@ -145,6 +156,7 @@ vtkDrainageFilter::vtkDrainageFilter()
   , SeaLevel(0.0)
   , StreamThreshold(100)
   , Carve(true)
+  , Grow(false)
   , KeepHypsometry(false)
   , HypsometricIntegral(0.4)
   , ElevationSkewness(0.4)
@@ -211,7 +223,8 @@ void vtkDrainageFilter::ReadGround(vtkInformationVector** inputVector, Ground& g
   littoral::Require(check.Reason());
   auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Terrain");
   ground.Heights = littoral::ReadHeights(image, this->GetInputArrayToProcess(0, inputVector),
-    this->GetInputArrayInformation(0), "Terrain", MemoryOf(image, this->Carve));
+    this->GetInputArrayInformation(0), "Terrain",
+    MemoryOf(image, this->Carve ? (this->Grow ? &littoral::GrowthMemory : &littoral::CarvingMemory) : nullptr));
   ground.Outlets = OutletsOf(this->Outlets, this->SeaLevel, image, ground.Heights);
   littoral::Require(littoral::WhyUndrainable(ground.Heights, ground.Outlets.Of(ground.Heights)));
   littoral::RequireRelief(ground.Heights, "Terrain");
@@ -239,10 +252,7 @@ void vtkDrainageFilter::CarveGround(vtkInformationVector** inputVector, Ground& 
   littoral::GridSamples place;
   if (target)
   {
-    const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-    vtkDataArray* heights = name ? littoral::ArrayReader::OfPoints(target, "Target").Seek(name, 1) : nullptr;
-    place = littoral::ReadHeights(target, heights ? heights : target->GetPointData()->GetScalars(),
-      this->GetInputArrayInformation(0), "Target", MemoryOf(target, true));
+    place = ReadTarget(target, this->GetInputArrayInformation(0), &littoral::CarvingMemory);
     littoral::InContext("The target is of no use. ", [&] { littoral::Require(littoral::WhyNoTarget(place)); });
   }
   else
@@ -262,6 +272,30 @@ void vtkDrainageFilter::CarveGround(vtkInformationVector** inputVector, Ground& 
     poll();
   };
   ground.Report = littoral::CarveAround(ground.Heights, goal, parameters, parallel, progress);
+}
+
+//----------------------------------------------------------------------------
+void vtkDrainageFilter::GrowGround(vtkInformationVector** inputVector, Ground& ground)
+{
+  auto* target = littoral::OptionalInputOf<vtkImageData>(inputVector[1], "Target");
+  littoral::Require(target ? "" : "There is no Target; connect a measured terrain whose kind shall grow.");
+  littoral::Require(
+    this->Outlets == Border ? "" : "Outlets is not Border; landscapes grow with water leaving over all of it.");
+  littoral::GrowthParameters parameters;
+  parameters.MaximumIterations = std::min(this->MaximumNumberOfIterations, MaximumGrowthIterations);
+  parameters.Seed = this->Seed;
+  littoral::Require(littoral::WhyInvalid(ground.Heights, parameters));
+  const littoral::GridSamples place = ReadTarget(target, this->GetInputArrayInformation(0), &littoral::GrowthMemory);
+  littoral::InContext("The target is of no use. ", [&] {
+    littoral::Require(littoral::WhyNoTarget(place));
+    littoral::Require(littoral::WhyNoPlace(place));
+  });
+  const littoral::Poll poll = littoral::PollOf(this);
+  const littoral::CarvingProgress progress = [&](double part) {
+    this->UpdateProgress(0.1 + 0.8 * part);
+    poll();
+  };
+  ground.Report = littoral::GrowLandscape(ground.Heights, place, parameters, littoral::AbortableFor(this), progress);
 }
 
 //----------------------------------------------------------------------------
@@ -306,7 +340,11 @@ int vtkDrainageFilter::RequestData(
   Ground ground;
   this->SetProgressText("Draining the terrain");
   littoral::InContext("Cannot drain a terrain: ", [&] { this->ReadGround(inputVector, ground); });
-  if (this->Carve)
+  if (this->Carve && this->Grow)
+  {
+    littoral::InContext("Cannot grow a landscape: ", [&] { this->GrowGround(inputVector, ground); });
+  }
+  else if (this->Carve)
   {
     littoral::InContext("Cannot carve a terrain: ", [&] { this->CarveGround(inputVector, ground); });
   }
@@ -357,6 +395,7 @@ void vtkDrainageFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SeaLevel: " << this->SeaLevel << "\n";
   os << indent << "StreamThreshold: " << this->StreamThreshold << "\n";
   os << indent << "Carve: " << (this->Carve ? "on" : "off") << "\n";
+  os << indent << "Grow: " << (this->Grow ? "on" : "off") << "\n";
   os << indent << "KeepHypsometry: " << (this->KeepHypsometry ? "on" : "off") << "\n";
   os << indent << "HypsometricIntegral: " << this->HypsometricIntegral << "\n";
   os << indent << "ElevationSkewness: " << this->ElevationSkewness << "\n";

@@ -19,6 +19,10 @@
  * own, but for KeepHypsometry, HypsometricIntegral, ElevationSkewness and Concavity. After MaximumNumberOfIterations
  * the result nearest to the target is taken, and the statistics that it does not meet are in the field data.
  *
+ * With Grow the terrain is grown anew instead, by an evolution of rivers and hillslopes over irregular points under an
+ * uplift that follows the terrain's long waves, with the slopes, curvature, concavity, variogram and heights of the
+ * target: ground whose valleys and ridges prefer no direction of the grid.
+ *
  * Output 0: the vtkImageData with the point arrays of the input and `Elevation` double [m], `DrainageArea` double [m^2]
  * (flow accumulation times the area of a cell, the cell included), `FlowDirection` signed char (D8: the receiving
  * neighbour, 0 to 7 counter-clockwise in steps of 45 degrees, 0 along x; -1 at outlets), `StreamOrder` unsigned char
@@ -109,6 +113,16 @@ public:
 
   ///@{
   /**
+   * Growth in place of carving; default off. Used only with Carve; needs a target, Outlets Border and a terrain without
+   * missing values, of 16 rows and columns or more, as the target. ChannelThreshold and ValleyWidth do not count.
+   */
+  vtkSetMacro(Grow, bool);
+  vtkGetMacro(Grow, bool);
+  vtkBooleanMacro(Grow, bool);
+  ///@}
+
+  ///@{
+  /**
    * Distribution of heights kept as the terrain has it; default off: a lognormal distribution of HypsometricIntegral
    * and ElevationSkewness. Used only without a target image and a table of statistics.
    */
@@ -146,7 +160,8 @@ public:
 
   ///@{
   /**
-   * Maximum number of iterations of carving, 1 to 100; default 40. Carving ends before, when the target is met.
+   * Maximum number of iterations of carving, 1 to 100; default 40. Carving ends before, when the target is met. Growth
+   * makes at most 12.
    */
   vtkSetMacro(MaximumNumberOfIterations, int);
   vtkGetMacro(MaximumNumberOfIterations, int);
@@ -172,8 +187,8 @@ public:
 
   ///@{
   /**
-   * Seed of the random waves that are added where the terrain has less than a tenth of the target's power, any integer;
-   * default 1.
+   * Seed of the random waves that are added where the terrain has less than a tenth of the target's power, and of the
+   * points of growth, any integer; default 1.
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
@@ -205,6 +220,7 @@ protected:
   double SeaLevel;
   int StreamThreshold;
   bool Carve;
+  bool Grow;
   bool KeepHypsometry;
   double HypsometricIntegral;
   double ElevationSkewness;
@@ -222,6 +238,7 @@ private:
 
   void ReadGround(vtkInformationVector** inputVector, Ground& ground);
   void CarveGround(vtkInformationVector** inputVector, Ground& ground);
+  void GrowGround(vtkInformationVector** inputVector, Ground& ground);
   void WriteGround(vtkImageData* image, const Ground& ground, vtkImageData* output);
 };
 

@@ -6,11 +6,11 @@
 #include "Drainage/ChannelGrading.h"
 #include "Drainage/CoarseGround.h"
 #include "Drainage/FlowRouting.h"
+#include "Drainage/MissingWaves.h"
 #include "Drainage/SemivarianceBands.h"
 #include "Drainage/StreamPower.h"
 #include "Drainage/ValleySpreading.h"
 #include "Numerics/ParameterCheck.h"
-#include "Numerics/RandomStream.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,9 +44,6 @@ constexpr double ErosionExponent = 0.3;
 
 /// Part of the work at which the iterations begin.
 constexpr double ErosionPart = 0.4;
-
-/// Minimum power of a ring over the target's, below which waves are added.
-constexpr double MinimumPowerFraction = 0.1;
 
 /// Gains of rings in one iteration.
 constexpr double MinimumGain = 0.3;
@@ -134,7 +131,7 @@ public:
     report.Before = this->Measure(this->Terrain);
     if (report.Before.DepressionFraction > CarvingTolerances().DepressionFraction)
     {
-      this->AddMissingWaves();
+      AddMissingWaves(this->Terrain, this->Target.Spectrum, this->Parameters.Seed, this->Parallel);
       const bool isLarge = this->Terrain.Values.size() > MaximumCellsAtOnce;
       if (isLarge)
       {
@@ -173,7 +170,7 @@ public:
       this->Correct(measures);
     }
     this->Terrain.Values = std::move(best);
-    report.UnmetTargets = UnmetTargetsOf(report.After, this->Target.Measures);
+    report.UnmetTargets = ::littoral::UnmetTargets(report.After, this->Target.Measures);
     this->Done = 1.0;
     this->Progress(1.0);
     return report;
@@ -194,16 +191,6 @@ private:
     std::vector<CellIndex> Accumulation;
   };
 
-  static std::string UnmetTargetsOf(const GroundMeasures& measures, const GroundMeasures& target)
-  {
-    std::string missed;
-    for (const Deviation& deviation : DeviationsOf(measures, target, {}))
-    {
-      missed += deviation.Size <= 1.0 ? "" : (missed.empty() ? "" : ", ") + std::string(deviation.Name);
-    }
-    return missed;
-  }
-
   void Poll() const { this->Progress(this->Done); }
 
   /// A step of a series between two parts of the work.
@@ -213,44 +200,6 @@ private:
     this->Poll();
   }
   void AdvanceRound(double step) { this->Advance(ErosionPart, 1.0, step, this->Parameters.MaximumIterations); }
-
-  /// Adds waves of random size and phase to rings that have too little power.
-  void AddMissingWaves()
-  {
-    GridSamples& terrain = this->Terrain;
-    GridSamples field = terrain;
-    RemovePlane(field);
-    CosineTransform(field, this->Parallel);
-    const RingSpectrum spectrum = SpectrumOfCoefficients(field, this->Parallel);
-    std::vector<double> sizes(spectrum.Power.size(), 0.0);
-    bool isMissing = false;
-    for (std::size_t ring = 1; ring < sizes.size(); ++ring)
-    {
-      const double wanted = this->Target.Spectrum.At(static_cast<double>(ring) * spectrum.Step);
-      const double power = spectrum.Power[ring];
-      isMissing = isMissing || power < MinimumPowerFraction * wanted;
-      sizes[ring] = power < MinimumPowerFraction * wanted ? std::sqrt((wanted - power) / this->CellArea()) : 0.0;
-    }
-    if (!isMissing)
-    {
-      return;
-    }
-    const RandomStream random(this->Parameters.Seed, RandomPurpose::DrainageWaves);
-    this->Parallel(field.Values.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n)
-      {
-        field.Values[n] = random.NormalPair(n, 0)[0];
-      }
-    });
-    MultiplyRings(field, spectrum.Step, sizes, this->Parallel);
-    InverseCosineTransform(field, this->Parallel);
-    this->Parallel(field.Values.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n)
-      {
-        terrain.Values[n] += field.Values[n];
-      }
-    });
-  }
 
   /// Carves the terrain on a coarse grid first, and takes over its long waves, gains and law.
   void CarveCoarse()
@@ -510,6 +459,16 @@ double Misfit(const GroundMeasures& measures, const CarvingTarget& target, const
     most = std::max(most, deviation.Size);
   }
   return most;
+}
+
+std::string UnmetTargets(const GroundMeasures& measures, const GroundMeasures& target)
+{
+  std::string missed;
+  for (const Deviation& deviation : DeviationsOf(measures, target, {}))
+  {
+    missed += deviation.Size <= 1.0 ? "" : (missed.empty() ? "" : ", ") + std::string(deviation.Name);
+  }
+  return missed;
 }
 
 std::string WhyNoTarget(const GridSamples& place)

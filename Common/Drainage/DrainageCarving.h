@@ -100,6 +100,9 @@ double CarvingMemory(int width, int height);
 /// Largest deviation of the statistics from the target over its tolerance; at most 1 when all are met.
 double Misfit(const GroundMeasures& measures, const CarvingTarget& target, const CarvingTolerances& tolerances = {});
 
+/// Statistics that are not within their tolerances of the target's, in words; empty when all are.
+std::string UnmetTargets(const GroundMeasures& measures, const GroundMeasures& target);
+
 /**
  * Carves drained valleys into a terrain, with the statistics of the target (Documentation/design/drainage.md).
  *

@@ -51,6 +51,8 @@ enum class RandomPurpose : std::uint32_t
   DatumShortWaves = 76,
   DatumErrors = 77,
   DrainageWaves = 80,
+  LandscapePoints = 81,
+  LandscapeRoughness = 82,
   StandDiameters = 90,
   StandHeights = 91,
   SitePreferences = 92,

@@ -20,18 +20,19 @@ MODULES = ("Sources", "Filters", "Rendering", "IO")
 # Column and floor of each room of Common, and what it holds. Each has a column of its own, so that arrows from above
 # meet no other room.
 ROOMS = {
-    "Drainage": (0, 2, ("flow, rivers,", "carving")),
-    "Terrain": (1, 1, ("covariances, fits,", "turning bands")),
-    "Kriging": (2, 2, ("kriging, fields", "through data")),
-    "Patterns": (3, 2, ("quadrat laws,", "point processes")),
-    "Wind": (4, 1, ("spectra, fields,", "loads")),
-    "Sway": (5, 2, ("beams, trunks,", "leaves")),
-    "Plants": (6, 1, ("skeletons, skins,", "scattering")),
-    "Seaweed": (7, 3, ("growth, motion,", "wakes")),
-    "Currents": (8, 2, ("flow primitives,", "drift")),
-    "Sea": (9, 1, ("dispersion,", "trains, orbits")),
-    "Particles": (10, 2, ("groups, levels,", "fog")),
-    "Light": (11, 1, ("sun, sky,", "light on planes")),
+    "Landscapes": (0, 3, ("evolution,", "growth")),
+    "Drainage": (1, 2, ("flow, rivers,", "carving")),
+    "Terrain": (2, 1, ("covariances, fits,", "turning bands")),
+    "Kriging": (3, 2, ("kriging, fields", "through data")),
+    "Patterns": (4, 2, ("quadrat laws,", "point processes")),
+    "Wind": (5, 1, ("spectra, fields,", "loads")),
+    "Sway": (6, 2, ("beams, trunks,", "leaves")),
+    "Plants": (7, 1, ("skeletons, skins,", "scattering")),
+    "Seaweed": (8, 3, ("growth, motion,", "wakes")),
+    "Currents": (9, 2, ("flow primitives,", "drift")),
+    "Sea": (10, 1, ("dispersion,", "trains, orbits")),
+    "Particles": (11, 2, ("groups, levels,", "fog")),
+    "Light": (12, 1, ("sun, sky,", "light on planes")),
 }
 GROUND = {
     "Geometry": "views, cells, height grids, textures",
@@ -48,7 +49,7 @@ COLORS = {
     "room": "#8a6d1f",
 }
 
-WIDTH, HEIGHT, LEFT, PITCH, BOX = 1334, 812, 28, 107, 100
+WIDTH, HEIGHT, LEFT, PITCH, BOX = 1441, 812, 28, 107, 100
 FLOOR_Y = {3: 390, 2: 476, 1: 562}
 ROOM_HEIGHT = 78
 

@@ -44,6 +44,7 @@ ROOMS = {
     "Geometry": ("geometry", "Views, cells of boxes, height grids, pictures and atlases of pictures."),
     "Terrain": ("terrain", "Covariance models, turning bands, variograms and their fits, levels of terrain."),
     "Drainage": ("drainage", "Flow over terrain, rivers that cut into it, ground that drains and keeps its statistics."),
+    "Landscapes": ("drainage", "Landscapes that grow by rivers and hillslopes over irregular points, in the kind of a place."),
     "Kriging": ("kriging", "Kriging with all data and in neighbourhoods, fields through data, cross-validation, normal scores."),
     "Patterns": ("patterns", "Laws of counts in quadrats, point processes, patterns by them, fits; windows, functions of "
                  "distance, envelopes, verdicts."),

@@ -71,6 +71,7 @@ case "${1:-}" in
         Currents) lower='Numerics|Geometry' ;;
         Particles) lower='Numerics|Geometry|Sea' ;;
         Drainage) lower='Numerics|Geometry|Terrain' ;;
+        Landscapes) lower='Numerics|Geometry|Terrain|Drainage' ;;
         Seaweed) lower='Numerics|Geometry|Plants|Sea|Currents' ;;
         *) echo "Common/$room: no room of this name is known here"; continue ;;
       esac

@@ -1,0 +1,395 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Landscapes/LandscapeGrowth.h"
+
+#include "Drainage/DepressionBreaching.h"
+#include "Drainage/ValleySpreading.h"
+#include "Landscapes/HeightMatching.h"
+#include "Landscapes/LandscapeMeasures.h"
+#include "Landscapes/LandscapeStep.h"
+#include "Landscapes/LongWaves.h"
+#include "Numerics/ParameterCheck.h"
+#include "Numerics/RandomStream.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// Margin about the terrain that is grown along and cut off [cells].
+constexpr int Margin = 24;
+
+/// Levels of resolution: cells of the terrain along a cell of theirs, and steps.
+struct GrowthLevel
+{
+  int Factor;
+  int Steps;
+};
+constexpr std::array<GrowthLevel, 3> Levels{ { { 4, 80 }, { 2, 40 }, { 1, 12 } } };
+constexpr int StepsAnIteration = 8;
+
+/// Area exponents of rivers, and the one where the place tells none.
+constexpr double LeastExponent = 0.35;
+constexpr double GreatestExponent = 0.75;
+constexpr double UsualExponent = 0.45;
+
+/// Diffusivity at the start: that under which ridges have ten times the place's curvature of one cell, some 1.8 times
+/// that of two.
+constexpr double CurvatureFactor = 18.0;
+
+/// Threshold slope over the steepest of the place, and least slope of rivers over its mean.
+constexpr double ThresholdFactor = 1.1;
+constexpr double LeastSlopeFactor = 0.002;
+
+/// Least uplift, over that of the start.
+constexpr double SmallestMinimum = 0.05;
+constexpr double LargestMinimum = 0.8;
+
+/// Height of the rim below the long waves, and the first roughness, over the deviation of short waves.
+constexpr double RimDepth = 0.5;
+constexpr double FirstRoughness = 0.1;
+
+/// Larger terrain takes the law that was fitted on the middle part of it, and has few iterations of its own.
+constexpr std::size_t MaximumCellsToFit = std::size_t{ 1 } << 18;
+constexpr int LargestPart = 384;
+constexpr int LargeIterations = 3;
+constexpr double PartWork = 0.3;
+
+GridSamples MiddleOf(const GridSamples& terrain)
+{
+  const int width = std::min(LargestPart, terrain.Width);
+  const int height = std::min(LargestPart, terrain.Height);
+  return PartOf(terrain, (terrain.Width - width) / 2, (terrain.Height - height) / 2, width, height);
+}
+
+std::string WhyTooSmall(const GridSamples& ground, const char* name)
+{
+  constexpr int leastCells = 16;
+  return std::min(ground.Width, ground.Height) >= leastCells
+    ? ""
+    : std::string(name) + " has fewer than 16 rows or columns; no valleys can grow there.";
+}
+
+/// The steps of GrowLandscape(). Uplift is near 1, in any unit of time.
+class Grower
+{
+public:
+  Grower(const GridSamples& terrain, const GridSamples& place, const GrowthParameters& parameters,
+    const ParallelFor& parallel, CarvingProgress progress)
+    : Terrain(terrain)
+    , Place(place)
+    , Steering(parameters.Steering)
+    , Iterations(parameters.MaximumIterations)
+    , Seed(parameters.Seed)
+    , Parallel(parallel)
+    , Progress(std::move(progress))
+    , Target(TargetOf(place, {}, parallel))
+    , Wanted(MeasureLandscape(place, parallel))
+    , Waves(terrain, this->Target, this->ShortestWave(), parameters.Seed, parallel)
+  {
+    this->Target.Measures.Concavity = this->Wanted.Concavity;
+    this->SetMargins();
+    this->SetLaw();
+    this->SetLongWaves();
+    int steps = 0;
+    for (const GrowthLevel& level : Levels)
+    {
+      steps += level.Steps;
+    }
+    this->AllSteps = steps + StepsAnIteration * this->Iterations;
+  }
+
+  GridSamples Grow()
+  {
+    for (const GrowthLevel& level : Levels)
+    {
+      this->BeginLevel(level.Factor);
+      this->Evolve(level.Steps, this->Relief);
+    }
+    GridSamples best = this->Ground();
+    double least = this->MisfitOf(best, MeasureLandscape(best, this->Parallel));
+    for (int iteration = 0; iteration < this->Iterations && least > 1.0; ++iteration)
+    {
+      ++this->Done;
+      this->Evolve(StepsAnIteration, 0.5 * this->Relief);
+      GridSamples ground = this->Ground();
+      const LandscapeMeasures measures = MeasureLandscape(ground, this->Parallel);
+      const double misfit = this->MisfitOf(ground, measures);
+      this->Correct(ground, measures);
+      if (misfit < least)
+      {
+        least = misfit;
+        best = std::move(ground);
+      }
+    }
+    BreachDepressions(best, BorderOutlets(best.Width, best.Height), BreachPath::LeastCost);
+    MatchHeights(best.Values, this->Target.Heights);
+    return best;
+  }
+
+  /// Takes over what was fitted on another terrain of the same place.
+  void TakeLaw(const Grower& other)
+  {
+    this->Law = other.Law;
+    this->Steering.Minimum = other.Steering.Minimum;
+  }
+
+  int IterationsDone() const { return this->Done; }
+  const GroundMeasures& TargetMeasures() const { return this->Target.Measures; }
+
+private:
+  /// Wave number of the shortest waves that the steering reaches, of twice its filter's wavelength pi s.
+  double ShortestWave() const
+  {
+    return 1.0 / (4.0 * this->Steering.Smoothing * std::max(this->Terrain.Spacing[0], this->Terrain.Spacing[1]));
+  }
+
+  /// Margins with which the grid has whole numbers of the coarsest cells.
+  void SetMargins()
+  {
+    const int coarsest = Levels.front().Factor;
+    this->Before = std::min({ Margin, this->Terrain.Width - 1, this->Terrain.Height - 1 });
+    const auto after = [&](int count) {
+      const int all = count + 2 * this->Before;
+      return this->Before - all % coarsest;
+    };
+    this->After = { after(this->Terrain.Width), after(this->Terrain.Height) };
+  }
+
+  void SetLaw()
+  {
+    const double concavity = std::isnan(this->Wanted.Concavity) ? UsualExponent : this->Wanted.Concavity;
+    this->Law.AreaExponent = std::clamp(concavity, LeastExponent, GreatestExponent);
+    this->Law.Diffusivity = 1.0 / (CurvatureFactor * this->Wanted.CurvatureDeviation);
+    this->Law.ThresholdSlope = ThresholdFactor * this->Wanted.SteepestSlope;
+    this->Law.MinimumSlope = LeastSlopeFactor * this->Wanted.MeanSlope;
+    this->SetErodibility();
+  }
+
+  /// K A_ref^m = U / S_ref at the reference area of the place, U = 1.
+  void SetErodibility()
+  {
+    const double slope = this->Wanted.ChannelSlope > 0.0 ? this->Wanted.ChannelSlope : 0.3 * this->Wanted.MeanSlope;
+    const double area = LandscapeMeasures::ReferenceCells * this->Place.Spacing[0] * this->Place.Spacing[1];
+    this->Law.Erodibility = std::pow(area, -this->Law.AreaExponent) / slope;
+  }
+
+  void SetLongWaves()
+  {
+    GridSamples field = WithMargins(this->Waves.Heights(this->Parallel), this->Before, this->After[0], this->After[1]);
+    this->Wide = field;
+    SmoothGrid(this->Wide.Values, field.Width, field.Height, this->Steering.Smoothing, this->Parallel);
+    this->Relief = std::sqrt(Moments(field).Variance);
+    for (std::size_t n = 0; n < field.Values.size(); ++n)
+    {
+      field.Values[n] -= this->Wide.Values[n];
+    }
+    this->ShortWaves = std::sqrt(Moments(field).Variance);
+  }
+
+  /// Points of a level, with the heights and the uplift of the coarser one, or with some roughness.
+  void BeginLevel(int factor)
+  {
+    const PointMesh coarse = std::move(this->Mesh);
+    this->Factor = factor;
+    this->Guide = BlockMeans(this->Wide, factor);
+    this->Mesh = JitteredMesh(this->Guide.Width, this->Guide.Height, this->Guide.Spacing, this->Seed + factor);
+    if (coarse.Points.empty())
+    {
+      this->Heights = this->RoughGuide();
+      this->Uplift.assign(this->Heights.size(), 1.0);
+    }
+    else
+    {
+      this->Heights = Refined(this->Heights, coarse.Width, coarse.Height);
+      this->Uplift = Refined(this->Uplift, coarse.Width, coarse.Height);
+    }
+    for (CellIndex n = 0; n < this->Mesh.Count(); ++n)
+    {
+      this->Heights[n] = this->Mesh.IsRim(n) ? this->Guide.Values[n] - RimDepth * this->ShortWaves : this->Heights[n];
+    }
+  }
+
+  std::vector<double> RoughGuide() const
+  {
+    const RandomStream random(this->Seed, RandomPurpose::LandscapeRoughness);
+    std::vector<double> heights = this->Guide.Values;
+    for (std::size_t n = 0; n < heights.size(); ++n)
+    {
+      heights[n] += FirstRoughness * this->ShortWaves * random.NormalPair(n, 0)[0];
+    }
+    return heights;
+  }
+
+  void Evolve(int steps, double time)
+  {
+    UpliftSteering steering = this->Steering;
+    steering.Smoothing /= this->Factor;
+    for (int step = 0; step < steps; ++step)
+    {
+      const MeshDrainage drainage = DrainMesh(this->Mesh, this->Heights, this->Parallel);
+      StepLandscape(this->Mesh, drainage, this->Law, this->Uplift, time, this->Heights, this->Parallel);
+      SteerUplift(steering, this->Heights, this->Guide, this->Uplift, this->Parallel);
+      this->Progress(static_cast<double>(this->Steps++) / this->AllSteps);
+    }
+  }
+
+  /// Heights on the terrain's grid, with the distribution of the place.
+  GridSamples Ground() const
+  {
+    GridSamples ground =
+      PartOf(GridOf(this->Mesh, this->Heights), this->Before, this->Before, this->Terrain.Width, this->Terrain.Height);
+    MatchHeights(ground.Values, this->Target.Heights);
+    return ground;
+  }
+
+  /// Largest deviation from the place over its tolerance.
+  double MisfitOf(const GridSamples& ground, const LandscapeMeasures& is) const
+  {
+    const LandscapeMeasures& shall = this->Wanted;
+    const auto relative = [](double value, double wanted, double tolerance) {
+      return wanted > 0.0 ? std::abs(value / wanted - 1.0) / tolerance : 0.0;
+    };
+    double most = std::max(
+      { relative(is.MeanSlope, shall.MeanSlope, 0.1), relative(is.CurvatureDeviation, shall.CurvatureDeviation, 0.2),
+        relative(is.BlockVariation, shall.BlockVariation, 0.3),
+        std::abs(is.GentleFraction - shall.GentleFraction) / 0.05 });
+    const double concavity = std::abs(is.Concavity - shall.Concavity) / 0.15;
+    most = std::isnan(concavity) ? most : std::max(most, concavity);
+    const std::vector<int> lags = SemivarianceLags(ground.Width, ground.Height);
+    const std::vector<double> semivariance = SemivarianceAlongAxes(ground, lags, this->Parallel);
+    const double spacing = 0.5 * (ground.Spacing[0] + ground.Spacing[1]);
+    for (std::size_t n = 0; n < lags.size(); ++n)
+    {
+      const double wanted = this->Target.Measures.SemivarianceAt(lags[n] * spacing);
+      most = std::isnan(wanted) ? most : std::max(most, relative(semivariance[n], wanted, 0.1));
+    }
+    return most;
+  }
+
+  /// Corrects the law, the least uplift and the long waves by what is missing.
+  void Correct(const GridSamples& ground, const LandscapeMeasures& is)
+  {
+    const LandscapeMeasures& shall = this->Wanted;
+    // steeper and sharper ground than the place's needs more creep
+    const double steep = is.MeanSlope / shall.MeanSlope;
+    const double sharp = is.CurvatureDeviation / shall.CurvatureDeviation;
+    this->Law.Diffusivity *= std::clamp(std::pow(steep * sharp, 0.6), 0.7, 1.4);
+    const double missing = shall.Concavity - is.Concavity;
+    if (!std::isnan(missing))
+    {
+      this->Law.AreaExponent =
+        std::clamp(this->Law.AreaExponent + 0.4 * std::clamp(missing, -0.15, 0.15), LeastExponent, GreatestExponent);
+    }
+    this->SetErodibility();
+    // uplift that differs more from place to place makes more gentle ground
+    const double variation = shall.BlockVariation > 0.0 ? is.BlockVariation / shall.BlockVariation : 1.0;
+    const double gentle = (is.GentleFraction + 0.02) / (shall.GentleFraction + 0.02);
+    this->Steering.Minimum = std::clamp(
+      this->Steering.Minimum * std::clamp(std::sqrt(variation * gentle), 0.7, 1.4), SmallestMinimum, LargestMinimum);
+    this->Waves.Correct(ground, this->Target.Measures, this->Parallel);
+    this->SetLongWaves();
+    this->Guide = this->Wide;
+  }
+
+  const GridSamples& Terrain;
+  const GridSamples& Place;
+  UpliftSteering Steering;
+  int Iterations;
+  int Seed;
+  const ParallelFor& Parallel;
+  CarvingProgress Progress;
+  CarvingTarget Target;
+  LandscapeMeasures Wanted;
+  LongWaves Waves;
+  int Before = 0;
+  std::array<int, 2> After{ 0, 0 };
+  LandscapeLaw Law;
+  GridSamples Wide;        ///< long waves with margins
+  double Relief = 0.0;     ///< standard deviation of the field [m]
+  double ShortWaves = 0.0; ///< that of the field without its long waves [m]
+  int Factor = 1;
+  GridSamples Guide; ///< long waves at the resolution of the level
+  PointMesh Mesh;
+  std::vector<double> Heights;
+  std::vector<double> Uplift;
+  int Done = 0; ///< iterations
+  int Steps = 0;
+  int AllSteps = 1;
+};
+
+}
+
+std::string WhyInvalid(const GridSamples& terrain, const GrowthParameters& parameters)
+{
+  ParameterCheck check;
+  check.Positive("Smoothing", parameters.Steering.Smoothing, "cells", 100.0);
+  check.Positive("Gain", parameters.Steering.Gain, "", 1.0);
+  check.Positive("Minimum", parameters.Steering.Minimum, "", 1.0);
+  check.Range("Maximum", parameters.Steering.Maximum, 1.0, 1e3);
+  check.Count("MaximumIterations", parameters.MaximumIterations, 0, 100);
+  check.Require(WhyTooSmall(terrain, "The terrain"));
+  const auto isMissing = [](double height) { return std::isnan(height); };
+  if (check.IsGood() && std::any_of(terrain.Values.begin(), terrain.Values.end(), isMissing))
+  {
+    check.Require("Heights are missing; only whole grids can be grown.");
+  }
+  return check.Reason();
+}
+
+std::string WhyNoPlace(const GridSamples& place)
+{
+  ParameterCheck check;
+  check.Require(WhyTooSmall(place, "The target"));
+  GridSamples field = place;
+  const double range = RangeOf(place.Values)[1] - RangeOf(place.Values)[0];
+  RemovePlane(field);
+  check.Require(Moments(field).Variance > 1e-12 * range * range
+      ? ""
+      : "The target is a plane; there are no valleys to learn from.");
+  return check.Reason();
+}
+
+double GrowthMemory(int width, int height)
+{
+  constexpr double bytesPerPoint = 900.0; // points, links, triangles and Boost's diagram
+  return bytesPerPoint * (width + 2.0 * Margin) * (height + 2.0 * Margin);
+}
+
+CarvingReport GrowLandscape(GridSamples& terrain, const GridSamples& measured, const GrowthParameters& parameters,
+  const ParallelFor& parallel, const CarvingProgress& progress)
+{
+  GridSamples place = measured;
+  FillHoles(place);
+  GrowthParameters whole = parameters;
+  const bool isLarge = terrain.Values.size() > MaximumCellsToFit;
+  whole.MaximumIterations = isLarge ? std::min(LargeIterations, whole.MaximumIterations) : whole.MaximumIterations;
+  const OutletMask border = BorderOutlets(terrain.Width, terrain.Height);
+  CarvingReport report;
+  Grower grower(terrain, place, whole, parallel,
+    [&](double part) { progress(isLarge ? PartWork + (1.0 - PartWork) * part : part); });
+  if (isLarge)
+  {
+    const GridSamples part = MiddleOf(terrain);
+    Grower fit(part, place, parameters, parallel, [&](double done) { progress(PartWork * done); });
+    fit.Grow();
+    grower.TakeLaw(fit);
+  }
+  const GroundMeasures& target = grower.TargetMeasures();
+  report.Before = MeasureGround(terrain, border, parallel, NoPoll, target.MaximumArea);
+  terrain = grower.Grow();
+  report.After = MeasureGround(terrain, border, parallel, NoPoll, target.MaximumArea);
+  report.Iterations = grower.IterationsDone();
+  report.UnmetTargets = UnmetTargets(report.After, target);
+  report.HasConverged = report.UnmetTargets.empty();
+  return report;
+}
+
+}

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralLandscapeGrowth_h
+#define LittoralLandscapeGrowth_h
+
+#include "Drainage/DrainageCarving.h"
+#include "Landscapes/UpliftSteering.h"
+#include "Numerics/Parallel.h"
+#include "Terrain/GridSamples.h"
+
+#include <string>
+
+namespace littoral
+{
+
+/// Parameters of growth.
+struct GrowthParameters
+{
+  UpliftSteering Steering;
+  int MaximumIterations = 12; ///< corrections of the law by what is measured, 0 to 100
+  int Seed = 1;               ///< seed of points, of the first roughness, and of waves that the terrain lacks
+};
+
+/// Why a terrain cannot be grown with these parameters; empty when it can.
+std::string WhyInvalid(const GridSamples& terrain, const GrowthParameters& parameters);
+
+/// Why no landscape of the kind of a place can be grown; empty when it can. Missing heights are filled smoothly.
+std::string WhyNoPlace(const GridSamples& place);
+
+/// Memory that growth takes beside the terrain and the place [bytes].
+double GrowthMemory(int width, int height);
+
+/**
+ * Grows a landscape of the kind of a place by evolution to near a steady state (Documentation/design/drainage.md): its
+ * long waves are those of the terrain, a random field with the spectrum of the place, and its rivers and hillslopes
+ * have the place's laws.
+ *
+ * 1. Points at random, one a cell, at a quarter of the resolution, then at half of it, then at all of it, so that trunk
+ *    valleys come first, with a margin that is cut off at the end.
+ * 2. Each step routes water, solves rivers and hillslopes (StepLandscape), and steers the uplift to the long waves.
+ * 3. Each iteration measures slopes, curvature, concavity and spectrum, corrects diffusivity, exponent, least uplift
+ * and waves by what is missing, and goes on from where it is.
+ * 4. The first that is within its tolerances, or else the best, is brought to the grid, breached where the grid lost
+ * its way, and its heights are matched.
+ *
+ * On more than 2^18 cells the law is fitted on the middle 384 x 384 first. The result does not depend on the threads.
+ */
+CarvingReport GrowLandscape(GridSamples& terrain, const GridSamples& place, const GrowthParameters& parameters,
+  const ParallelFor& parallel = SerialFor, const CarvingProgress& progress = NoProgress);
+
+}
+
+#endif

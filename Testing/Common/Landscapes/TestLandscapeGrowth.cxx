@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../Drainage/RandomGround.h"
+#include "../Drainage/RiverGround.h"
+#include "../OnThreads.h"
+#include "Drainage/DepressionFilling.h"
+#include "Drainage/ValleySpreading.h"
+#include "Landscapes/LandscapeGrowth.h"
+#include "Landscapes/LandscapeMeasures.h"
+#include "Numerics/Constants.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace littoral;
+using namespace littoral::testing;
+
+namespace
+{
+
+/// Rough ground that rises under rivers, smoothed a little as hillslopes are.
+GridSamples PlaceWithRivers(int width, int height)
+{
+  GridSamples place = RandomGround(width, height, { 50.0, 50.0 }, 2);
+  StreamPowerLaw law;
+  law.AreaExponent = 0.5;
+  law.Erodibility = 1e-4;
+  GrowByStreamPower(place, BorderOutlets(width, height), law, 2e6, 200);
+  SmoothGrid(place.Values, width, height, 1.0);
+  return place;
+}
+
+/// Heights along x with so many of the others along y.
+GridSamples Turned(const GridSamples& ground)
+{
+  GridSamples turned = ground;
+  std::swap(turned.Width, turned.Height);
+  for (int j = 0; j < ground.Height; ++j)
+  {
+    for (int i = 0; i < ground.Width; ++i)
+    {
+      turned.At(ground.Height - 1 - j, i) = ground.At(i, j);
+    }
+  }
+  return turned;
+}
+
+}
+
+TEST(LandscapeMeasures, KnowTheAspectsOfWaves)
+{
+  // waves along x alone look to the east and to the west: all folds that are even are whole
+  const GridSamples waves = Ground(40, 30, { 1.0, 1.0 }, [](double x, double) { return std::sin(0.7 * x); });
+  EXPECT_NEAR(AspectShare(waves, 4), 1.0, 1e-12);
+  EXPECT_NEAR(AspectShare(waves, 8), 1.0, 1e-12);
+  // a hill that looks all ways has none
+  const GridSamples hill = Ground(81, 81, { 1.0, 1.0 },
+    [](double x, double y) { return std::exp(-0.01 * ((x - 40.0) * (x - 40.0) + (y - 40.0) * (y - 40.0))); });
+  EXPECT_LT(AspectShare(hill, 4), 0.01);
+  EXPECT_LT(AspectShare(hill, 8), 0.01);
+}
+
+TEST(LandscapeMeasures, FollowClosedForms)
+{
+  // z = a sin kx over whole waves: mean slope 2 a k / pi but for differences, curvature a k^2 e^(-k^2 s^2 / 2) / sqrt 2
+  const double k = 2.0 * Pi / 37.3;
+  const GridSamples waves = Ground(402, 42, { 1.0, 1.0 }, [&](double x, double) { return 3.0 * std::sin(k * x); });
+  const LandscapeMeasures measures = MeasureLandscape(waves);
+  EXPECT_NEAR(measures.MeanSlope, 2.0 * 3.0 * k / Pi * std::sin(k) / k, 0.01 * measures.MeanSlope);
+  EXPECT_NEAR(measures.CurvatureDeviation, 3.0 * k * k * std::exp(-2.0 * k * k) / std::sqrt(2.0),
+    0.02 * measures.CurvatureDeviation);
+  // |cos| under 1/4 of its mean 2/pi
+  EXPECT_NEAR(measures.GentleFraction, 2.0 / Pi * std::asin(0.5 / Pi), 0.02);
+  const LandscapeMeasures turned = MeasureLandscape(Turned(waves));
+  EXPECT_NEAR(turned.MeanSlope, measures.MeanSlope, 1e-12);
+  EXPECT_NEAR(turned.CurvatureDeviation, measures.CurvatureDeviation, 1e-12);
+}
+
+TEST(LandscapeGrowth, HasThePlacesMeasuresAndNoGrain)
+{
+  const GridSamples place = PlaceWithRivers(120, 100);
+  const LandscapeMeasures wanted = MeasureLandscape(place);
+  const GroundMeasures heights = MeasureGround(place, BorderOutlets(120, 100));
+  GridSamples ground = RandomGround(130, 110, { 50.0, 50.0 }, 5);
+  const CarvingReport report = GrowLandscape(ground, place, {});
+  EXPECT_GT(AspectShare(place, 8), 0.2); // ground shaped along a grid
+  const LandscapeMeasures is = MeasureLandscape(ground);
+  EXPECT_EQ(FloodDepressions(ground, BorderOutlets(130, 110)).DepressionCells, 0u);
+  EXPECT_NEAR(is.MeanSlope / wanted.MeanSlope, 1.0, 0.2);
+  EXPECT_NEAR(is.CurvatureDeviation / wanted.CurvatureDeviation, 1.0, 0.25);
+  EXPECT_NEAR(is.GentleFraction, wanted.GentleFraction, 0.07);
+  EXPECT_NEAR(report.After.HypsometricIntegral, heights.HypsometricIntegral, 0.03);
+  EXPECT_NEAR(report.After.ElevationSkewness, heights.ElevationSkewness, 0.15);
+  EXPECT_LT(AspectShare(ground, 8), 0.03);
+  EXPECT_LT(AspectShare(ground, 4), 0.1);
+}
+
+TEST(LandscapeGrowth, SameBytesOnAnyThreads)
+{
+  const GridSamples place = PlaceWithRivers(60, 50);
+  GridSamples one = RandomGround(53, 66, { 50.0, 50.0 }, 5);
+  GridSamples three = one;
+  GridSamples other = one;
+  GrowthParameters parameters;
+  parameters.MaximumIterations = 2;
+  GrowLandscape(one, place, parameters);
+  GrowLandscape(three, place, parameters, OnThreads(3));
+  EXPECT_EQ(one.Values, three.Values);
+  parameters.Seed = 2;
+  GrowLandscape(other, place, parameters);
+  EXPECT_NE(one.Values, other.Values);
+}
+
+TEST(LandscapeGrowth, RefusesWhatCannotGrow)
+{
+  GridSamples ground = RandomGround(40, 30, { 50.0, 50.0 }, 5);
+  EXPECT_EQ(WhyInvalid(ground, GrowthParameters{}), "");
+  ground.Values[3] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(WhyInvalid(ground, GrowthParameters{}), "Heights are missing; only whole grids can be grown.");
+  EXPECT_EQ(WhyInvalid(RandomGround(40, 15, { 50.0, 50.0 }, 5), GrowthParameters{}),
+    "The terrain has fewer than 16 rows or columns; no valleys can grow there.");
+  GrowthParameters parameters;
+  parameters.Steering.Smoothing = 0.0;
+  EXPECT_EQ(WhyInvalid(RandomGround(40, 30, { 50.0, 50.0 }, 5), parameters),
+    "Smoothing is 0 cells; it must be positive and at most 100 cells.");
+}

@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../Drainage/RandomGround.h"
+#include "../OnThreads.h"
+#include "Landscapes/HeightMatching.h"
+#include "Landscapes/LandscapeStep.h"
+#include "Landscapes/LongWaves.h"
+#include "Landscapes/UpliftSteering.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+using namespace littoral;
+using namespace littoral::testing;
+
+namespace
+{
+
+/// Heights of a function of the points' positions [m].
+template <typename Function>
+std::vector<double> HeightsOn(const PointMesh& mesh, const Function& heightAt)
+{
+  std::vector<double> heights;
+  for (const std::array<double, 2>& point : mesh.Points)
+  {
+    heights.push_back(heightAt(point[0], point[1]));
+  }
+  return heights;
+}
+
+/// Slope of each point to its receiver; 0 at the rim.
+std::vector<double> SlopesOf(const PointMesh& mesh, const MeshDrainage& drainage, const std::vector<double>& heights)
+{
+  std::vector<double> slopes;
+  for (CellIndex n = 0; n < mesh.Count(); ++n)
+  {
+    const CellIndex link = drainage.Link[n];
+    slopes.push_back(link < 0 ? 0.0 : (heights[n] - heights[mesh.Neighbour[link]]) / mesh.Distance[link]);
+  }
+  return slopes;
+}
+
+/// Landscape after so many steps from a rough plain.
+std::vector<double> Evolved(const PointMesh& mesh, const LandscapeLaw& law, double uplift, double time, int steps)
+{
+  const RandomStream random(5, RandomPurpose::ElevationLines);
+  int n = 0;
+  std::vector<double> heights =
+    HeightsOn(mesh, [&](double, double) { return mesh.IsRim(n) ? 0.0 * n++ : random.UniformPair(n++, 0)[0]; });
+  const std::vector<double> rate(heights.size(), uplift);
+  for (int step = 0; step < steps; ++step)
+  {
+    StepLandscape(mesh, DrainMesh(mesh, heights), law, rate, time, heights);
+  }
+  return heights;
+}
+
+}
+
+TEST(PointMesh, CellsOfVoronoiPaveTheGroundAndPlanesHaveNoCurvature)
+{
+  const PointMesh mesh = JitteredMesh(40, 30, { 70.0, 90.0 }, 3);
+  const std::vector<double> plane = HeightsOn(mesh, [](double x, double y) { return 0.3 * x - 0.2 * y; });
+  double area = 0.0;
+  for (CellIndex n = 0; n < mesh.Count(); ++n)
+  {
+    const int i = n % mesh.Width;
+    const int j = n / mesh.Width;
+    if (i < 3 || j < 3 || i > mesh.Width - 4 || j > mesh.Height - 4)
+    {
+      continue;
+    }
+    // the flux of a plane through the closed rim of a cell is 0
+    double flux = 0.0;
+    for (CellIndex link = mesh.First[n]; link < mesh.First[n + 1]; ++link)
+    {
+      flux += mesh.EdgeRatio[link] * (plane[mesh.Neighbour[link]] - plane[n]);
+    }
+    EXPECT_NEAR(flux, 0.0, 1e-6);
+    area += mesh.Area[n];
+  }
+  EXPECT_NEAR(area / (34.0 * 24.0 * 70.0 * 90.0), 1.0, 0.02);
+}
+
+TEST(PointMesh, PlanesStayPlanesOnTheGrid)
+{
+  const PointMesh mesh = JitteredMesh(30, 25, { 10.0, 15.0 }, 8);
+  const GridSamples grid = GridOf(mesh, HeightsOn(mesh, [](double x, double y) { return 2.0 * x - 3.0 * y; }));
+  for (int j = 3; j < 22; ++j)
+  {
+    for (int i = 3; i < 27; ++i)
+    {
+      EXPECT_NEAR(grid.At(i, j), 20.0 * i - 45.0 * j, 1e-9);
+    }
+  }
+}
+
+TEST(MeshDrainage, AllWaterReachesTheRimOutOfPits)
+{
+  const PointMesh mesh = JitteredMesh(33, 41, { 20.0, 20.0 }, 1);
+  const GridSamples noise = RandomGround(33, 41, { 20.0, 20.0 }, 7);
+  const MeshDrainage drainage = DrainMesh(mesh, noise.Values, OnThreads(3));
+  double out = 0.0;
+  for (CellIndex n = 0; n < mesh.Count(); ++n)
+  {
+    out += drainage.Link[n] < 0 ? drainage.Area[n] : 0.0;
+    EXPECT_EQ(drainage.Link[n] < 0, mesh.IsRim(n));
+  }
+  const double all = std::accumulate(mesh.Area.begin(), mesh.Area.end(), 0.0);
+  EXPECT_NEAR(out / all, 1.0, 1e-12);
+  EXPECT_EQ(drainage.Order.size(), mesh.Points.size());
+}
+
+TEST(LandscapeStep, RiversReachTheirSteadyState)
+{
+  const PointMesh mesh = JitteredMesh(24, 30, { 50.0, 50.0 }, 2);
+  LandscapeLaw law;
+  law.Erodibility = 2e-4;
+  law.AreaExponent = 0.4;
+  law.Diffusivity = 0.0;
+  law.ThresholdSlope = 1e6;
+  law.MinimumSlope = 0.0;
+  const double uplift = 1e-3;
+  const std::vector<double> heights = Evolved(mesh, law, uplift, 1e9, 60);
+  const MeshDrainage drainage = DrainMesh(mesh, heights);
+  const std::vector<double> slopes = SlopesOf(mesh, drainage, heights);
+  for (CellIndex n = 0; n < mesh.Count(); ++n)
+  {
+    if (!mesh.IsRim(n))
+    {
+      // S = U / K A^-m
+      EXPECT_NEAR(slopes[n] * std::pow(drainage.Area[n], 0.4) * law.Erodibility / uplift, 1.0, 1e-5);
+    }
+  }
+}
+
+TEST(LandscapeStep, HillslopesArchAsAParabola)
+{
+  const PointMesh mesh = JitteredMesh(14, 120, { 10.0, 10.0 }, 4);
+  LandscapeLaw law;
+  law.Erodibility = 0.0;
+  law.Diffusivity = 2.0;
+  law.ThresholdSlope = 1e6;
+  law.MinimumSlope = 0.0;
+  const std::vector<double> heights = Evolved(mesh, law, 0.01, 1e9, 200);
+  for (CellIndex n = 30 * 14; n < 90 * 14; ++n)
+  {
+    // z = U / (2D) x (L - x)
+    const double x = mesh.Points[n][0];
+    EXPECT_NEAR(heights[n], 0.01 / 4.0 * x * (130.0 - x), 0.03 * 0.01 / 4.0 * 65.0 * 65.0);
+  }
+}
+
+TEST(LandscapeStep, SteepHillslopesAreStraighterThanParabolas)
+{
+  const PointMesh mesh = JitteredMesh(14, 80, { 10.0, 10.0 }, 4);
+  LandscapeLaw law;
+  law.Erodibility = 0.0;
+  law.Diffusivity = 2.0;
+  law.ThresholdSlope = 0.6;
+  law.MinimumSlope = 0.0;
+  const double uplift = 0.02;
+  const std::vector<double> heights = Evolved(mesh, law, uplift, 1e9, 300);
+  // D S / (1 - (S / S_c)^2) = U x at x from the crest: S = S_c (sqrt(1 + q^2) - 1) / q with q = 2 U x / (D S_c)
+  double crest = 0.0;
+  for (double x = 0.05; x < 65.0; x += 0.1)
+  {
+    const double q = 2.0 * uplift * x / (law.Diffusivity * law.ThresholdSlope);
+    crest += 0.1 * law.ThresholdSlope * (std::sqrt(1.0 + q * q) - 1.0) / q;
+  }
+  double top = 0.0;
+  for (int j = 30; j < 50; ++j)
+  {
+    top += *std::max_element(heights.begin() + j * 14, heights.begin() + (j + 1) * 14) / 20.0;
+  }
+  EXPECT_NEAR(top / crest, 1.0, 0.06);
+}
+
+TEST(LandscapeStep, NoSlopeIsAboveTheThreshold)
+{
+  const PointMesh mesh = JitteredMesh(20, 60, { 10.0, 10.0 }, 6);
+  LandscapeLaw law;
+  law.Erodibility = 0.0;
+  law.Diffusivity = 0.01;
+  law.ThresholdSlope = 0.7;
+  const std::vector<double> heights = Evolved(mesh, law, 0.1, 1e6, 100);
+  const std::vector<double> slopes = SlopesOf(mesh, DrainMesh(mesh, heights), heights);
+  EXPECT_LE(*std::max_element(slopes.begin(), slopes.end()), 0.7 + 1e-9);
+  EXPECT_NEAR(*std::max_element(heights.begin(), heights.end()), 0.7 * 95.0, 0.1 * 0.7 * 95.0);
+}
+
+TEST(LandscapeStep, RefusesWhatNoLandscapeFollows)
+{
+  LandscapeLaw law;
+  EXPECT_EQ(WhyInvalid(law), "");
+  law.ThresholdSlope = 0.0;
+  EXPECT_EQ(WhyInvalid(law), "ThresholdSlope is 0; it must be positive and finite.");
+}
+
+TEST(UpliftSteering, GrowsByTheErrorOverTheDeviation)
+{
+  const GridSamples wanted = RandomGround(30, 20, { 10.0, 10.0 }, 3);
+  std::vector<double> heights = wanted.Values;
+  std::vector<double> uplift(heights.size(), 2.0);
+  UpliftSteering steering;
+  SteerUplift(steering, heights, wanted, uplift);
+  EXPECT_NEAR(uplift[77], 2.0, 1e-12);
+  const double deviation = std::sqrt(Moments(wanted).Variance);
+  for (double& height : heights)
+  {
+    height -= 0.5 * deviation;
+  }
+  SteerUplift(steering, heights, wanted, uplift);
+  EXPECT_NEAR(uplift[77], 2.0 * std::exp(0.2 * 0.5), 1e-12);
+  steering.Maximum = 1.5;
+  SteerUplift(steering, heights, wanted, uplift);
+  EXPECT_EQ(uplift[77], 1.5);
+}
+
+TEST(HeightMatching, ExponentialHeightsBecomeUniform)
+{
+  std::vector<double> heights;
+  HeightQuantiles uniform;
+  for (int n = 0; n <= 4000; ++n)
+  {
+    const double p = n / 4000.0;
+    heights.push_back(std::expm1(1.5 * p)); // quantiles of ln(1 + z) / 1.5
+    uniform.Probabilities.push_back(p);
+    uniform.Heights.push_back(100.0 + 50.0 * p);
+  }
+  MatchHeights(heights, uniform);
+  for (int n = 0; n <= 4000; ++n)
+  {
+    EXPECT_NEAR(heights[n], 100.0 + 50.0 * n / 4000.0, 0.05);
+    EXPECT_TRUE(n == 0 || heights[n] > heights[n - 1]);
+  }
+}
+
+TEST(LongWaves, PlanesGoOnInMarginsAndBetweenCells)
+{
+  const GridSamples plane = Ground(9, 7, { 2.0, 3.0 }, [](double x, double y) { return x - 4.0 * y; });
+  const GridSamples wide = WithMargins(plane, 3, 4, 2);
+  ASSERT_EQ(wide.Width, 16);
+  ASSERT_EQ(wide.Height, 12);
+  for (int j = 0; j < 12; ++j)
+  {
+    for (int i = 0; i < 16; ++i)
+    {
+      EXPECT_NEAR(wide.At(i, j), 2.0 * (i - 3) - 12.0 * (j - 3), 1e-12);
+    }
+  }
+  EXPECT_EQ(PartOf(wide, 3, 3, 9, 7).Values, plane.Values);
+  const GridSamples coarse = BlockMeans(wide, 2);
+  const std::vector<double> fine = Refined(coarse.Values, coarse.Width, coarse.Height);
+  EXPECT_NEAR(fine[5 * 16 + 6], wide.At(6, 5), 1e-12);
+}

@@ -1,0 +1,111 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+# run-with: python3 args=window
+# run-with: python3 tier=all
+"""Twins that are grown have the slopes, curvature, variogram and heights of their place, and no grain of the grid.
+
+    python3 TestGrownTwins.py [window | SEED...]
+
+Place: the Jacksboro fault, or its middle with `window`. All is measured here by NumPy: shares of four- and eight-fold
+symmetry in the aspects, Kolmogorov's distance of slopes against half that of the Gaussian twin, gentle slopes, means of
+blocks, curvature at two cells, semivariance, heights.
+"""
+
+import sys
+
+import numpy as np
+
+from littoral import vtkCovarianceFitFilter, vtkDrainageFilter, vtkTurningBandsTerrainSource
+from littoral.elevation import array_from_image, image_from_array, read_elevation
+
+WINDOW = sys.argv[1:] == ["window"]
+SEEDS = [1] if WINDOW else [int(seed) for seed in sys.argv[1:]] or [1, 2, 3]
+
+
+def slopes_of(heights, spacing):
+    x = (heights[1:-1, 2:] - heights[1:-1, :-2]) / (2 * spacing[0])
+    y = (heights[2:, 1:-1] - heights[:-2, 1:-1]) / (2 * spacing[1])
+    return x + 1j * y
+
+
+def aspect_share(slopes, folds):
+    """|sum s exp(i n a)| / sum s."""
+    sizes = np.abs(slopes)
+    return abs((sizes * np.exp(1j * folds * np.angle(slopes))).sum()) / sizes.sum()
+
+
+def distance(one, two):
+    """Kolmogorov's, of two samples."""
+    both = np.concatenate([one, two])
+    shares = [np.searchsorted(np.sort(sample), both, "right") / sample.size for sample in (one, two)]
+    return np.abs(shares[0] - shares[1]).max()
+
+
+def block_variation(sizes):
+    side = min(sizes.shape) // 10
+    rows, columns = sizes.shape[0] // side, sizes.shape[1] // side
+    means = sizes[:rows * side, :columns * side].reshape(rows, side, columns, side).mean((1, 3))
+    return means.std() / means.mean()
+
+
+def curvature_deviation(heights, spacing):
+    """Of the Laplacian after a Gauss filter of two cells, by its Fourier transform on the mirrored grid."""
+    whole = np.block([[heights, heights[:, ::-1]], [heights[::-1], heights[::-1, ::-1]]])
+    y, x = np.meshgrid(*(2 * np.pi * np.fft.fftfreq(n) for n in whole.shape), indexing="ij")
+    waves = np.fft.fft2(whole) * np.exp(-2.0 * (x**2 + y**2))
+    waves *= (2 * np.cos(x) - 2) / spacing[0] ** 2 + (2 * np.cos(y) - 2) / spacing[1] ** 2
+    return np.fft.ifft2(waves).real[4:heights.shape[0] - 4, 4:heights.shape[1] - 4].std()
+
+
+def semivariances(heights):
+    lags = np.unique(np.geomspace(1, min(100, min(heights.shape) // 2), 24).astype(int))
+    pairs = [((heights[:, lag:] - heights[:, :-lag]), (heights[lag:] - heights[:-lag])) for lag in lags]
+    return np.array([0.5 * np.mean(np.concatenate([x.ravel() ** 2, y.ravel() ** 2])) for x, y in pairs])
+
+
+def skew(values):
+    rest = values - values.mean()
+    return (rest**3).mean() / (rest**2).mean() ** 1.5
+
+
+place = read_elevation()
+spacing = place.GetSpacing()[:2]
+if WINDOW:
+    place = image_from_array(array_from_image(place)[80:240, 60:260], spacing)
+heights = array_from_image(place).astype(float)
+slopes = slopes_of(heights, spacing)
+sizes = np.abs(slopes)
+fit, twin, drainage = vtkCovarianceFitFilter(), vtkTurningBandsTerrainSource(), vtkDrainageFilter()
+fit.SetInputData(place)
+twin.SetInputConnection(fit.GetOutputPort(0))
+twin.UseMeasuredGridOn()
+drainage.SetInputConnection(twin.GetOutputPort())
+drainage.SetInputData(1, place)
+drainage.GrowOn()
+for seed in SEEDS:
+    twin.SetSeed(seed)
+    drainage.SetSeed(seed)
+    drainage.Update()
+    random = np.abs(slopes_of(array_from_image(twin.GetOutput()).astype(float), spacing))
+    grown = array_from_image(drainage.GetOutput())
+    turned = slopes_of(grown, spacing)
+    got = np.abs(turned)
+    shares = [aspect_share(turned, folds) for folds in (4, 8)]
+    far = distance(got.ravel(), sizes.ravel()), distance(random.ravel(), sizes.ravel())
+    gentle = [(ground < 0.25 * ground.mean()).mean() for ground in (got, sizes)]
+    blocks = block_variation(got) / block_variation(sizes)
+    curved = curvature_deviation(grown, spacing) / curvature_deviation(heights, spacing)
+    ratios = semivariances(grown) / semivariances(heights)
+    integral = [(ground.mean() - ground.min()) / np.ptp(ground) for ground in (grown, heights)]
+    sunk = np.mean(drainage.GetOutput().GetPointData().GetArray("DepressionDepth").GetRange())
+    print(f"seed {seed}: aspects {shares[0]:.3f} {shares[1]:.3f}, slopes {far[0]:.3f} (Gaussian {far[1]:.3f}), gentle "
+          f"{gentle[0]:.3f} ({gentle[1]:.3f}), blocks {blocks:.2f}, curvature {curved:.2f}, semivariance "
+          f"{ratios.min():.2f} to {ratios.max():.2f}, integral {integral[0]:.3f} ({integral[1]:.3f}), skew "
+          f"{skew(grown):.2f} ({skew(heights):.2f})")
+    assert sunk == 0.0
+    assert shares[0] < 1.5 * aspect_share(slopes, 4) + 0.01 and shares[1] < 1.5 * aspect_share(slopes, 8) + 0.01
+    assert far[0] < (1.0 if WINDOW else 0.8) * far[1]
+    assert abs(gentle[0] - gentle[1]) < 0.05
+    assert abs(blocks - 1.0) < 0.3 and abs(curved - 1.0) < 0.2
+    assert 0.85 < ratios.min() and ratios.max() < 1.15
+    assert abs(integral[0] - integral[1]) < 0.03 and abs(skew(grown) - skew(heights)) < 0.15
