@@ -105,7 +105,7 @@ littoral::PlaceList ListOf(vtkDataArray* places)
 }
 
 /// Parts of a selection that are written at once by a thread.
-constexpr std::size_t PartsAtOnce = 16;
+constexpr std::size_t PartsAtOnce = 128;
 
 /// A selection with what tells where its particles are.
 struct Shown
@@ -113,6 +113,8 @@ struct Shown
   const littoral::ParticleSelection& Selection;
   const littoral::ParticleGroups& Groups;
   const littoral::PlaceList& Places;
+  vtkDataArray* Sorted; ///< the places in the order of the groups; null where they are not at hand
+  bool AreScattered;    ///< slaves
 };
 
 std::size_t SizeOf(const littoral::ParticleSelection& selection, LevelKind kind)
@@ -123,85 +125,59 @@ std::size_t SizeOf(const littoral::ParticleSelection& selection, LevelKind kind)
                                                           : middle);
 }
 
-/// Calls `whole(begin, end, place, trains)` for the runs of a part in a level, and `one(particle, place, master)` for
-/// its other particles, with their places in the block; slaves have the index of their master there, and its particle.
-template <typename Whole, typename One>
-void VisitPart(
-  const Shown& shown, const littoral::ParticlePart& part, LevelKind kind, const Whole& whole, const One& one)
+/// Calls a task with each of some runs and the place of its first particle in a block.
+template <typename Task>
+std::size_t ForRuns(const littoral::ShownRuns& runs, std::size_t place, const Task& task)
 {
-  if (kind != LevelKind::Middle)
+  for (const littoral::ShownRun& run : runs)
   {
-    const bool isNear = kind == LevelKind::Near;
-    const auto first = static_cast<std::size_t>(isNear ? part.Before.Near : part.Before.Far);
-    (isNear ? part.Near : part.Far)
-      .ForEach([&](std::size_t begin, std::size_t end, std::size_t place,
-                 int trains) { whole(begin, end, first + place, trains); },
-        [&](const littoral::ShownParticle& particle, std::size_t place) { one(particle, first + place, -1); });
-    return;
+    task(run, place);
+    place += run.Size();
   }
-  auto place = static_cast<std::size_t>(part.Before.Masters);
-  for (const littoral::ShownParticle& master : part.Masters)
-  {
-    one(master, place++, -1);
-  }
-  place = static_cast<std::size_t>(shown.Selection.Masters + part.Before.Slaves);
-  for (littoral::ShownParticle slave : part.Slaves)
-  {
-    const int master = part.Masters[slave.Master].Particle;
-    slave.Master += static_cast<int>(part.Before.Masters);
-    one(slave, place++, master);
-  }
+  return place;
 }
 
-/// The same for all parts, on all threads where they are worth calling.
-template <typename Whole, typename One>
-void Visit(const Shown& shown, LevelKind kind, const Whole& whole, const One& one)
+/// Calls a task with the runs of a part in a level, in their places in the block.
+template <typename Task>
+void VisitPart(
+  const littoral::ParticleSelection& selection, const littoral::ParticlePart& part, LevelKind kind, const Task& task)
 {
-  const std::vector<littoral::ParticlePart>& parts = shown.Selection.Parts;
-  littoral::ForRanges(littoral::SmpFor, parts.size(), PartsAtOnce, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t part = begin; part < end; ++part)
-    {
-      VisitPart(shown, parts[part], kind, whole, one);
-    }
+  const littoral::ParticleCounts& before = part.Before;
+  if (kind == LevelKind::Middle)
+  {
+    ForRuns(part.Orbits, static_cast<std::size_t>(before.Masters), task);
+    ForRuns(part.Slaves, static_cast<std::size_t>(selection.Masters + before.Slaves), task);
+    return;
+  }
+  const bool isNear = kind == LevelKind::Near;
+  ForRuns(isNear ? part.Near : part.Far, static_cast<std::size_t>(isNear ? before.Near : before.Far), task);
+}
+
+/// Calls a task with all parts, on all threads where they are worth calling.
+template <typename Task>
+void ForParts(const littoral::ParticleSelection& selection, const Task& task)
+{
+  littoral::ForRanges(littoral::SmpFor, selection.Parts.size(), PartsAtOnce, [&](std::size_t begin, std::size_t end) {
+    std::for_each(selection.Parts.data() + begin, selection.Parts.data() + end, task);
   });
 }
 
-/// Copies a tuple of a number of bytes, of the usual ones without a call.
-inline void CopyTuple(const unsigned char* from, unsigned char* to, std::size_t bytes)
+/// Calls a task with the runs of a level.
+template <typename Task>
+void Visit(const Shown& shown, LevelKind kind, const Task& task)
 {
-  switch (bytes)
-  {
-    case 1:
-      *to = *from;
-      return;
-    case 3:
-      std::memcpy(to, from, 3);
-      return;
-    case 4:
-      std::memcpy(to, from, 4);
-      return;
-    case 8:
-      std::memcpy(to, from, 8);
-      return;
-    default:
-      std::memcpy(to, from, bytes);
-  }
+  ForParts(shown.Selection, [&](const littoral::ParticlePart& part) { VisitPart(shown.Selection, part, kind, task); });
 }
 
-/// Copies numbers that lie in the order of the groups to a level.
-void CopyNumbers(const Shown& shown, LevelKind kind, vtkAbstractArray* ordered, vtkAbstractArray* level)
+/// Copies tuples that lie in the order of the groups to a level.
+void CopyTuples(const Shown& shown, LevelKind kind, vtkAbstractArray* ordered, vtkAbstractArray* level)
 {
   const auto* from = static_cast<const unsigned char*>(ordered->GetVoidPointer(0));
   auto* to = static_cast<unsigned char*>(level->GetVoidPointer(0));
   const std::size_t bytes = static_cast<std::size_t>(ordered->GetNumberOfComponents()) * ordered->GetDataTypeSize();
-  Visit(
-    shown, kind,
-    [=](std::size_t begin, std::size_t end, std::size_t place, int) {
-      std::memcpy(to + place * bytes, from + begin * bytes, (end - begin) * bytes);
-    },
-    [=](const littoral::ShownParticle& particle, std::size_t place, int) {
-      CopyTuple(from + particle.Place * bytes, to + place * bytes, bytes);
-    });
+  Visit(shown, kind, [=](const littoral::ShownRun& run, std::size_t place) {
+    std::memcpy(to + place * bytes, from + run.Begin * bytes, run.Size() * bytes);
+  });
 }
 
 /// Copies what are no numbers, or lie otherwise in memory, one after the other.
@@ -209,17 +185,12 @@ void CopyOthers(const Shown& shown, LevelKind kind, vtkAbstractArray* ordered, v
 {
   for (const littoral::ParticlePart& part : shown.Selection.Parts)
   {
-    VisitPart(
-      shown, part, kind,
-      [=](std::size_t begin, std::size_t end, std::size_t place, int) {
-        for (std::size_t n = begin; n < end; ++n)
-        {
-          level->SetTuple(static_cast<vtkIdType>(place + n - begin), static_cast<vtkIdType>(n), ordered);
-        }
-      },
-      [=](const littoral::ShownParticle& particle, std::size_t place, int) {
-        level->SetTuple(static_cast<vtkIdType>(place), particle.Place, ordered);
-      });
+    VisitPart(shown.Selection, part, kind, [=](const littoral::ShownRun& run, std::size_t place) {
+      for (std::size_t n = 0; n < run.Size(); ++n)
+      {
+        level->SetTuple(static_cast<vtkIdType>(place + n), static_cast<vtkIdType>(run.Begin + n), ordered);
+      }
+    });
   }
 }
 
@@ -237,7 +208,7 @@ void CarryArrays(
     if (isPlain)
     {
       array = memory.Like(numbers, count);
-      CopyNumbers(shown, kind, whole, array);
+      CopyTuples(shown, kind, whole, array);
     }
     else
     {
@@ -257,95 +228,151 @@ void CarryArrays(
   }
 }
 
+/// Copies places by their numbers.
+template <typename Real>
+void PickPlaces(const Real* from, const int* numbers, std::size_t count, Real* to)
+{
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    std::copy_n(from + 3 * static_cast<std::size_t>(numbers[n]), 3, to + 3 * n);
+  }
+}
+
+template <typename Real>
+const Real* NumbersOf(const littoral::PlaceList& places)
+{
+  if constexpr (std::is_same_v<Real, float>)
+  {
+    return places.GetSingles();
+  }
+  else
+  {
+    return places.GetDoubles();
+  }
+}
+
+/// All places in the order of the groups.
+template <typename Array>
+vtkSmartPointer<vtkDataArray> SortedPlaces(const littoral::PlaceList& places, const littoral::ParticleGroups& groups)
+{
+  const auto sorted = littoral::NewArray<Array>("", 3, static_cast<vtkIdType>(places.Size()));
+  PickPlaces(
+    NumbersOf<typename Array::ValueType>(places), groups.GetOrder().data(), places.Size(), sorted->GetPointer(0));
+  return sorted;
+}
+
+/// Puts scattered slaves about their masters.
+template <typename Real>
+void ScatterSlaves(const Shown& shown, Real* values)
+{
+  const std::vector<int>& order = shown.Groups.GetOrder();
+  for (const littoral::ParticlePart& part : shown.Selection.Parts)
+  {
+    const auto first = static_cast<std::size_t>(shown.Selection.Masters + part.Before.Slaves);
+    ForRuns(part.Slaves, first, [&](const littoral::ShownRun& run, std::size_t place) {
+      for (std::size_t n = run.Begin; n < run.End; ++n, ++place)
+      {
+        const littoral::Vector3 at = shown.Places[order[shown.Groups.MasterAt(n)]] + shown.Groups.OffsetOf(order[n]);
+        std::transform(&at.x, &at.x + 3, values + 3 * place, [](double x) { return static_cast<Real>(x); });
+      }
+    });
+  }
+}
+
 /// The points of a level; those of scattered slaves about their masters.
 template <typename Array>
-vtkSmartPointer<vtkPoints> PointsOf(const Shown& shown, LevelKind kind, bool scattered, littoral::FrameArrays& memory)
+vtkSmartPointer<vtkPoints> PointsOf(const Shown& shown, LevelKind kind, littoral::FrameArrays& memory)
 {
   using Real = typename Array::ValueType;
   const auto points = memory.New<Array>("Points", 3, static_cast<vtkIdType>(SizeOf(shown.Selection, kind)));
   Real* values = points->GetPointer(0);
-  const std::vector<int>& order = shown.Groups.GetOrder();
-  const auto put = [values](std::size_t place, const littoral::Vector3& center) {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      values[3 * place + axis] = static_cast<Real>(center[axis]);
-    }
-  };
-  Visit(
-    shown, kind,
-    [&](std::size_t begin, std::size_t end, std::size_t place, int) {
-      for (std::size_t n = begin; n < end; ++n)
-      {
-        put(place + n - begin, shown.Places[order[n]]);
-      }
-    },
-    [&](const littoral::ShownParticle& particle, std::size_t place, int master) {
-      put(place,
-        scattered && master >= 0 ? shown.Places[master] + shown.Groups.OffsetOf(particle.Particle)
-                                 : shown.Places[particle.Particle]);
+  if (shown.Sorted)
+  {
+    CopyTuples(shown, kind, shown.Sorted, points);
+  }
+  else
+  {
+    const int* order = shown.Groups.GetOrder().data();
+    const auto* from = NumbersOf<Real>(shown.Places);
+    Visit(shown, kind, [=](const littoral::ShownRun& run, std::size_t place) {
+      PickPlaces(from, order + run.Begin, run.Size(), values + 3 * place);
     });
+  }
+  if (shown.AreScattered && kind == LevelKind::Middle)
+  {
+    ScatterSlaves(shown, values);
+  }
   auto all = vtkSmartPointer<vtkPoints>::New();
   all->SetData(points);
   return all;
 }
 
-/// The offset that a slave keeps from its master; zero without one.
-littoral::Vector3 OffsetOf(const Shown& shown, int particle, int master)
+/// Places of the masters of all in the level Middle in its block; -1 for those with orbits.
+void FindMasters(const Shown& shown, vtkIdType* masters)
 {
-  littoral::Vector3 offset(0.0);
-  if (master >= 0)
-  {
-    shown.Groups.Follows(particle, shown.Places[particle], shown.Places[master], offset);
-  }
-  return offset;
+  std::fill_n(masters, shown.Selection.Masters, -1);
+  ForParts(shown.Selection, [&](const littoral::ParticlePart& part) {
+    const littoral::ParticleRegion& cluster = shown.Groups.GetClusters()[part.Cluster];
+    std::vector<vtkIdType> places(cluster.Orbits.Size());
+    ForRuns(
+      part.Orbits, static_cast<std::size_t>(part.Before.Masters), [&](const littoral::ShownRun& run, std::size_t at) {
+        std::iota(&places[run.Begin - cluster.Orbits.Begin], &places[run.Begin - cluster.Orbits.Begin] + run.Size(),
+          static_cast<vtkIdType>(at));
+      });
+    vtkIdType* next = masters + shown.Selection.Masters + part.Before.Slaves;
+    for (const littoral::ShownRun& run : part.Slaves)
+    {
+      for (std::size_t n = run.Begin; n < run.End; ++n)
+      {
+        *next++ = places[shown.Groups.MasterAt(n) - cluster.Orbits.Begin];
+      }
+    }
+  });
 }
 
 /// The arrays that tell how a level is drawn and moved.
-void AddLevelArrays(
-  const Shown& shown, LevelKind kind, bool needsIds, littoral::FrameArrays& memory, vtkPointData* arrays)
+void AddLevelArrays(const Shown& shown, LevelKind kind, littoral::FrameArrays& memory, vtkPointData* arrays)
 {
   const auto count = static_cast<vtkIdType>(SizeOf(shown.Selection, kind));
-  const auto add = [&](auto* type, const char* name, int components) {
-    const auto array = memory.New<std::decay_t<decltype(*type)>>(name, components, count);
+  const auto add = [&](auto* type, const char* name) {
+    const auto array = memory.New<std::decay_t<decltype(*type)>>(name, 1, count);
     arrays->AddArray(array);
     return array->GetPointer(0);
   };
-  auto* ids = needsIds ? add(static_cast<vtkIdTypeArray*>(nullptr), littoral::sea::ParticleId, 1) : nullptr;
-  auto* alpha = add(static_cast<vtkFloatArray*>(nullptr), littoral::sea::Alpha, 1);
-  auto* trains = add(static_cast<vtkIntArray*>(nullptr), littoral::sea::TrainCount, 1);
-  const bool isFar = kind == LevelKind::Far;
-  auto* error = isFar ? nullptr : add(static_cast<vtkFloatArray*>(nullptr), littoral::sea::ErrorBound, 1);
-  const bool isMiddle = kind == LevelKind::Middle;
-  auto* masters = isMiddle ? add(static_cast<vtkIdTypeArray*>(nullptr), littoral::sea::MasterId, 1) : nullptr;
-  auto* offsets = isMiddle ? add(static_cast<vtkDoubleArray*>(nullptr), littoral::sea::Offset, 3) : nullptr;
-  const std::vector<int>& order = shown.Groups.GetOrder();
-  Visit(
-    shown, kind,
-    [=, &order](std::size_t begin, std::size_t end, std::size_t place, int all) {
-      const std::size_t size = end - begin;
-      std::fill_n(alpha + place, size, 1.0f);
-      std::fill_n(trains + place, size, all);
-      std::fill_n(error ? error + place : nullptr, error ? size : 0, 0.0f);
-      std::copy_n(order.begin() + static_cast<std::ptrdiff_t>(begin), ids ? size : 0, ids ? ids + place : nullptr);
-    },
-    [=, &shown](const littoral::ShownParticle& particle, std::size_t place, int master) {
-      alpha[place] = particle.Weight;
-      trains[place] = particle.Trains;
-      if (ids)
-      {
-        ids[place] = particle.Particle;
-      }
-      if (error)
-      {
-        error[place] = particle.Error;
-      }
-      if (masters)
-      {
-        masters[place] = particle.Master;
-        const littoral::Vector3 offset = OffsetOf(shown, particle.Particle, master);
-        std::copy_n(&offset.x, 3, offsets + 3 * place);
-      }
-    });
+  auto* alpha = add(static_cast<vtkFloatArray*>(nullptr), littoral::sea::Alpha);
+  auto* trains = add(static_cast<vtkIntArray*>(nullptr), littoral::sea::TrainCount);
+  auto* error = kind == LevelKind::Far ? nullptr : add(static_cast<vtkFloatArray*>(nullptr), littoral::sea::ErrorBound);
+  Visit(shown, kind, [=](const littoral::ShownRun& run, std::size_t place) {
+    std::fill_n(alpha + place, run.Size(), run.Weight);
+    std::fill_n(trains + place, run.Size(), run.Trains);
+    std::fill_n(error ? error + place : nullptr, error ? run.Size() : 0, run.Error);
+  });
+  if (kind == LevelKind::Middle)
+  {
+    FindMasters(shown, add(static_cast<vtkIdTypeArray*>(nullptr), littoral::sea::MasterId));
+  }
+}
+
+/// The offsets of slaves from their masters, in the type of the points.
+template <typename Array>
+void AddOffsets(const Shown& shown, littoral::FrameArrays& memory, vtkPolyData* block)
+{
+  using Real = typename Array::ValueType;
+  const Real* points = Array::SafeDownCast(block->GetPoints()->GetData())->GetPointer(0);
+  const auto array = memory.New<Array>(littoral::sea::Offset, 3, block->GetNumberOfPoints());
+  Real* offsets = array->GetPointer(0);
+  const vtkIdType* masters =
+    vtkIdTypeArray::SafeDownCast(block->GetPointData()->GetArray(littoral::sea::MasterId))->GetPointer(0);
+  const auto first = static_cast<std::size_t>(shown.Selection.Masters);
+  std::fill_n(offsets, 3 * first, Real(0.0));
+  for (std::size_t slave = first; slave < SizeOf(shown.Selection, LevelKind::Middle); ++slave)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      offsets[3 * slave + axis] = points[3 * slave + axis] - points[3 * masters[slave] + axis];
+    }
+  }
+  block->GetPointData()->AddArray(array);
 }
 
 /// Numbers from 0 on, of which all blocks show the first ones.
@@ -418,7 +445,7 @@ double ParticlesIn(const littoral::ParticleGroups& groups, const littoral::Piece
   long long particles = 0;
   for (long long cell = cells.Begin; cell < cells.End; ++cell)
   {
-    particles += static_cast<long long>(groups.GetCells()[cell].End - groups.GetCells()[cell].Begin);
+    particles += static_cast<long long>(groups.GetCells()[cell].Size());
   }
   return static_cast<double>(particles);
 }
@@ -436,7 +463,9 @@ public:
 
   Stamp Moved; ///< the places of now
   vtkSmartPointer<vtkDataArray> Places;
-  littoral::ParticleMotion Motion; ///< since the grouping
+  bool AreNew = false;                  ///< the places, since the last frame
+  vtkSmartPointer<vtkDataArray> Sorted; ///< the places in the order of the groups; null until they stay for a frame
+  littoral::ParticleMotion Motion;      ///< since the grouping
 
   std::vector<double> TableKey;
   std::vector<int> Order; ///< of the trains
@@ -459,9 +488,11 @@ public:
   void Group(const Stamp& source, vtkDataArray* places, const std::vector<double>& numbers,
     const littoral::GroupOptions& options, vtkAlgorithm* owner);
   void Carry(vtkPointSet* input);
+  void Sort();
   void MakeTable(const littoral::SeaState& sea, const littoral::View& view, littoral::TrainRule rule, double error);
   bool IsSame(const littoral::ParticleSelection& selection, LevelKind kind) const;
-  vtkSmartPointer<vtkPolyData> Block(const Shown& shown, LevelKind kind, bool scattered);
+  template <typename Array>
+  vtkSmartPointer<vtkPolyData> Block(const Shown& shown, LevelKind kind);
 };
 
 /// Groups particles anew by where they are.
@@ -473,14 +504,15 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::Group(const Stamp& source, vt
   this->Groups = nullptr;
   this->ForgetFrames();
   this->CarriedKey.clear();
+  this->Sorted = nullptr;
   this->Groups =
     std::make_unique<littoral::ParticleGroups>(ListOf(places), options, static_cast<std::size_t>(numbers.back()),
       littoral::AbortableFor(owner), littoral::PollOf(owner), std::move(former));
-  this->Bounds = this->Groups->GetCells().front().Bounds;
-  for (const littoral::ParticleGroups::Cell& cell : this->Groups->GetCells())
+  this->Bounds = this->Groups->GetClusters().front().Bounds;
+  for (const littoral::ParticleRegion& cluster : this->Groups->GetClusters())
   {
-    this->Bounds.Low = glm::min(this->Bounds.Low, cell.Bounds.Low);
-    this->Bounds.High = glm::max(this->Bounds.High, cell.Bounds.High);
+    this->Bounds.Low = glm::min(this->Bounds.Low, cluster.Bounds.Low);
+    this->Bounds.High = glm::max(this->Bounds.High, cluster.Bounds.High);
   }
   this->Grouped = source;
   this->Numbers = numbers;
@@ -509,7 +541,31 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::Carry(vtkPointSet* input)
   const std::vector<int>& order = this->Groups->GetOrder();
   this->Carried = vtkSmartPointer<vtkPointData>::New();
   littoral::PickTuples(carried, { order.begin(), order.end() }, this->Carried);
+  if (!this->Carried->HasArray(littoral::sea::ParticleId))
+  {
+    const auto ids =
+      littoral::NewArray<vtkIdTypeArray>(littoral::sea::ParticleId, 1, static_cast<vtkIdType>(order.size()));
+    std::copy(order.begin(), order.end(), ids->GetPointer(0));
+    this->Carried->AddArray(ids);
+  }
   this->CarriedKey = key;
+}
+
+/// Puts places that stay in the order of the groups; of places that change from frame to frame only those that are
+/// shown are looked at.
+void vtkParticleLevelOfDetailFilter::vtkInternals::Sort()
+{
+  if (this->AreNew)
+  {
+    this->Sorted = nullptr;
+  }
+  else if (!this->Sorted)
+  {
+    const littoral::PlaceList places = ListOf(this->Places);
+    this->Sorted = places.GetSingles() ? SortedPlaces<vtkFloatArray>(places, *this->Groups)
+                                       : SortedPlaces<vtkDoubleArray>(places, *this->Groups);
+  }
+  this->AreNew = false;
 }
 
 /// The trains in their order, and how many of them matter where, as long as neither sea nor lens nor heights change.
@@ -540,21 +596,21 @@ bool vtkParticleLevelOfDetailFilter::vtkInternals::IsSame(
   const littoral::ParticleSelection& selection, LevelKind kind) const
 {
   const auto areSame = [kind](const littoral::ParticlePart& a, const littoral::ParticlePart& b) {
-    return kind == LevelKind::Near ? a.Near == b.Near : a.Far == b.Far;
+    return kind == LevelKind::Near ? a.Near == b.Near
+      : kind == LevelKind::Far     ? a.Far == b.Far
+                                   : a.Orbits == b.Orbits && a.Slaves == b.Slaves;
   };
-  return kind != LevelKind::Middle && this->Selection && this->Blocks[static_cast<int>(kind)] &&
+  return this->Selection && this->Blocks[static_cast<int>(kind)] &&
     std::equal(selection.Parts.begin(), selection.Parts.end(), this->Selection->Parts.begin(),
       this->Selection->Parts.end(), areSame);
 }
 
 /// The particles of a level, with all that tells how they are drawn and moved.
-vtkSmartPointer<vtkPolyData> vtkParticleLevelOfDetailFilter::vtkInternals::Block(
-  const Shown& shown, LevelKind kind, bool scattered)
+template <typename Array>
+vtkSmartPointer<vtkPolyData> vtkParticleLevelOfDetailFilter::vtkInternals::Block(const Shown& shown, LevelKind kind)
 {
   auto block = vtkSmartPointer<vtkPolyData>::New();
-  const bool isDouble = this->Places->GetDataType() == VTK_DOUBLE;
-  block->SetPoints(isDouble ? PointsOf<vtkDoubleArray>(shown, kind, scattered, this->Memory)
-                            : PointsOf<vtkFloatArray>(shown, kind, scattered, this->Memory));
+  block->SetPoints(PointsOf<Array>(shown, kind, this->Memory));
   vtkSmartPointer<vtkPolyData>& former = this->Blocks[static_cast<int>(kind)];
   if (this->IsSame(shown.Selection, kind))
   {
@@ -566,8 +622,11 @@ vtkSmartPointer<vtkPolyData> vtkParticleLevelOfDetailFilter::vtkInternals::Block
     former = nullptr;
     block->SetVerts(this->Counting.Vertices(static_cast<vtkIdType>(SizeOf(shown.Selection, kind))));
     CarryArrays(shown, kind, this->Carried, this->Memory, block->GetPointData());
-    AddLevelArrays(
-      shown, kind, !this->Carried->HasArray(littoral::sea::ParticleId), this->Memory, block->GetPointData());
+    AddLevelArrays(shown, kind, this->Memory, block->GetPointData());
+  }
+  if (kind == LevelKind::Middle)
+  {
+    AddOffsets<Array>(shown, this->Memory, block);
   }
   return block;
 }
@@ -693,6 +752,7 @@ void vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
   }
   internals.Motion.Shift = areTogether ? internals.Motion.Shift : littoral::Box{};
   internals.Moved = moved;
+  internals.AreNew = true;
 }
 
 //----------------------------------------------------------------------------
@@ -745,12 +805,14 @@ int vtkParticleLevelOfDetailFilter::RequestData(
   this->UpdateProgress(0.5);
 
   internals.Carry(input);
+  internals.Sort();
   internals.Memory.BeginFrame();
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
   const auto trainOrder = OrderArray(internals.Order);
-  const Shown shown{ *selection, *internals.Groups, places };
+  const Shown shown{ *selection, *internals.Groups, places, internals.Sorted, this->SlavePlacement == Scattered };
   const auto addLevel = [&](const char* name, LevelKind kind) {
-    const auto block = internals.Block(shown, kind, this->SlavePlacement == Scattered);
+    const auto block =
+      places.GetSingles() ? internals.Block<vtkFloatArray>(shown, kind) : internals.Block<vtkDoubleArray>(shown, kind);
     block->GetFieldData()->AddArray(trainOrder);
     littoral::AddBlock(output, name, block);
     internals.Blocks[static_cast<int>(kind)] = vtkSmartPointer<vtkPolyData>::New();

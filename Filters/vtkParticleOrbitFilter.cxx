@@ -133,6 +133,17 @@ void ReadFollowers(vtkPointSet* input, TrainCounts& counts, littoral::Slaves& sl
   counts.Values = counts.Copy.data();
 }
 
+/// Number of the first points behind which no train acts on any.
+std::size_t CountMoving(const TrainCounts& counts, std::size_t points)
+{
+  std::size_t moving = points;
+  while (counts.Values && moving > 0 && counts.Values[moving - 1] == 0)
+  {
+    --moving;
+  }
+  return moving;
+}
+
 /// The points at rest, with their ranges, in the type of the moved ones.
 template <typename Array>
 vtkSmartPointer<Array> CentersOf(vtkPointSet* input)
@@ -140,6 +151,7 @@ vtkSmartPointer<Array> CentersOf(vtkPointSet* input)
   auto centers = vtkSmartPointer<littoral::SharedArray<Array>>::New();
   centers->Share(littoral::WithType<Array>(input->GetPoints()->GetData()));
   centers->SetName("Center");
+  littoral::ShareRanges(input->GetPoints()->GetData(), centers);
   const bool areFinite = littoral::KeepFiniteRanges(centers);
   bool areSmall = areFinite;
   for (int axis = 0; axis < 3 && areSmall; ++axis)
@@ -245,21 +257,47 @@ struct MovedArrays
     }
   }
 
+  /// Leaves points where they are on which no train acts.
+  void Rest(std::size_t begin, std::size_t end)
+  {
+    for (Real* values : this->Vectors)
+    {
+      std::fill(values + 3 * begin, values + 3 * end, Real(0.0));
+    }
+    std::copy(
+      this->Request.Centers + 3 * begin, this->Request.Centers + 3 * end, this->Request.Displacement + 3 * begin);
+  }
+
   /// Takes slaves along. Masters are no slaves: what is read here is not written here.
   void Follow(const littoral::Slaves& slaves, std::size_t begin, std::size_t end)
   {
-    for (std::size_t id = begin; id < end; ++id)
+    if (slaves.SingleOffsets)
     {
-      const vtkIdType master = slaves.Master[id];
-      for (int axis = 0; master >= 0 && axis < 3; ++axis)
+      this->FollowBy(
+        slaves.Master.data(), [&](std::size_t n) { return slaves.SingleOffsets[n]; }, begin, end);
+      return;
+    }
+    this->FollowBy(
+      slaves.Master.data(),
+      [&](std::size_t n) { return slaves.OffsetAt(static_cast<vtkIdType>(n / 3), static_cast<int>(n % 3)); }, begin,
+      end);
+  }
+
+private:
+  /// The same with an offset for each coordinate.
+  template <typename OffsetAt>
+  void FollowBy(const vtkIdType* masters, const OffsetAt& offsetAt, std::size_t begin, std::size_t end)
+  {
+    for (Real* values : this->Vectors)
+    {
+      const bool isPlace = values == this->Request.Displacement;
+      for (std::size_t id = begin; id < end; ++id)
       {
-        for (Real* values : this->Vectors)
+        for (std::size_t axis = 0; masters[id] >= 0 && axis < 3; ++axis)
         {
-          values[3 * id + axis] = values[3 * master + axis];
+          const double own = static_cast<double>(values[3 * masters[id] + axis]);
+          values[3 * id + axis] = static_cast<Real>(isPlace ? own + static_cast<double>(offsetAt(3 * id + axis)) : own);
         }
-        const double offset = slaves.OffsetAt(static_cast<vtkIdType>(id), axis);
-        Real& value = this->Request.Displacement[3 * id + axis];
-        value = static_cast<Real>(static_cast<double>(value) + offset);
       }
     }
   }
@@ -310,6 +348,17 @@ public:
 class vtkParticleOrbitFilter::vtkInternals : public littoral::LeafFrames<RestingPoints>
 {
 public:
+  /// Refuses more points than there is memory for. As many as before have theirs.
+  void RequireRoom(double bytesOfPoint, vtkIdType count)
+  {
+    if (count > this->Granted)
+    {
+      littoral::RequireMemory(
+        bytesOfPoint * static_cast<double>(count), "the motion of " + std::to_string(count) + " points", "take fewer");
+      this->Granted = count;
+    }
+  }
+
   /// The points at rest of the next leaf.
   template <typename Array>
   Array* CentersOf(vtkPointSet* leaf)
@@ -321,6 +370,9 @@ public:
     }
     return Array::SafeDownCast(rest.Centers);
   }
+
+private:
+  vtkIdType Granted = 0; ///< most points that had memory
 };
 
 //----------------------------------------------------------------------------
@@ -460,32 +512,45 @@ template <typename Array>
 void vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPointSet* output)
 {
   const vtkIdType count = input->GetNumberOfPoints();
-  littoral::RequireMemory(17.0 * sizeof(typename Array::ValueType) * static_cast<double>(count),
-    "the motion of " + std::to_string(count) + " points", "take fewer");
+  this->Internals->RequireRoom(17.0 * sizeof(typename Array::ValueType), count);
   Array* centers = this->Internals->CentersOf<Array>(input);
   TrainCounts counts;
   littoral::Slaves slaves;
   ReadFollowers(input, counts, slaves);
+  const std::size_t moving = CountMoving(counts, static_cast<std::size_t>(count));
   const bool surface = this->GenerateSurface && IsAtSeaLevel(centers, sea.State.SeaLevel);
+  if (moving == 0 && slaves.Master.empty() && !this->GenerateVelocity && !this->GenerateAcceleration && !surface)
+  {
+    output->GetPointData()->AddArray(centers);
+    auto* places = Array::SafeDownCast(input->GetPoints()->GetData());
+    output->SetPoints(littoral::PointsWithRanges(places ? places : centers));
+    return;
+  }
   MovedArrays<Array> moved(this->Internals->Arrays, centers, this->GenerateVelocity, this->GenerateAcceleration,
     surface, output->GetPointData());
   moved.Request.TrainCounts = counts.Values;
-  const auto forAll = [&](double first, double last, const auto& task) {
-    const std::size_t batches = (static_cast<std::size_t>(count) + PointsAtOnce - 1) / PointsAtOnce;
+  const auto forAll = [&](double first, double last, std::size_t points, const auto& task) {
+    const std::size_t batches = (points + PointsAtOnce - 1) / PointsAtOnce;
     return littoral::RunWithProgress(this, batches, first, last, [&](std::size_t batch) {
       const std::size_t begin = batch * PointsAtOnce;
-      task(begin, std::min(begin + PointsAtOnce, static_cast<std::size_t>(count)));
+      task(begin, std::min(begin + PointsAtOnce, points));
     });
   };
-  bool done = forAll(0.0, 0.8, [&](std::size_t begin, std::size_t end) {
+  // Slaves come last, as written by vtkParticleLevelOfDetailFilter: their orbits are not evaluated.
+  const std::size_t evaluated = surface ? static_cast<std::size_t>(count) : moving;
+  bool done = forAll(0.0, 0.8, evaluated, [&](std::size_t begin, std::size_t end) {
     sea.Orbits.Evaluate(moved.Request, begin, end);
     moved.FinishSurface(begin, end);
-    moved.AddRanges(slaves.Master.empty(), begin, end);
+    moved.AddRanges(slaves.Master.empty() && evaluated == static_cast<std::size_t>(count), begin, end);
   });
-  if (done && !slaves.Master.empty())
+  moved.Rest(evaluated, static_cast<std::size_t>(count));
+  if (done && !(slaves.Master.empty() && evaluated == static_cast<std::size_t>(count)))
   {
-    done = forAll(0.8, 1.0, [&](std::size_t begin, std::size_t end) {
-      moved.Follow(slaves, begin, end);
+    done = forAll(0.8, 1.0, static_cast<std::size_t>(count), [&](std::size_t begin, std::size_t end) {
+      if (!slaves.Master.empty())
+      {
+        moved.Follow(slaves, begin, end);
+      }
       moved.AddRanges(true, begin, end);
     });
   }

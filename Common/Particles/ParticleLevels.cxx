@@ -3,11 +3,12 @@
 #include "Particles/ParticleLevels.h"
 
 #include "Numerics/ParameterCheck.h"
+#include "Numerics/RoundedUp.h"
 #include "Numerics/SmoothStep.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 
 namespace littoral
@@ -16,18 +17,23 @@ namespace littoral
 namespace
 {
 
-/// Cells that one thread tests at a time, and that are not worth a thread.
-constexpr std::size_t CellsAtOnce = 16;
-constexpr std::size_t CellsOfOneThread = 128;
+/// Clusters that are not worth a thread.
+constexpr std::size_t ClustersOfOneThread = 1024;
 
-/// Distance from a boundary within which particles are tested one by one, for sums are rounded [m].
+/// Distance from a boundary within which groups are tested one by one, for sums are rounded [m].
 constexpr double Slack = 1e-6;
 
-/// The least single precision number that is not below: bounds stay bounds.
-float RoundedUp(double value)
+/// Appends a run, to the last one where that is shown alike and ends where it begins.
+void AddRun(ShownRuns& runs, const PlaceRange& range, int trains, double weight, float error)
 {
-  const float near = static_cast<float>(value);
-  return near < value ? std::nextafter(near, std::numeric_limits<float>::infinity()) : near;
+  if (range.Size() == 0)
+  {
+    return;
+  }
+  const ShownRun run{ range.Begin, range.End, trains, static_cast<float>(weight), error };
+  const bool goesOn = !runs.empty() && runs.back().End == run.Begin && runs.back().Trains == trains &&
+    runs.back().Weight == run.Weight && runs.back().Error == error;
+  goesOn ? static_cast<void>(runs.back().End = run.End) : runs.push_back(run);
 }
 
 class Selector
@@ -41,43 +47,60 @@ public:
     , Frustum(frustum)
     , Options(options)
     , Shift(shift)
+    , Spread(glm::length(shift.High - shift.Low))
     , Limit(options.VisibleDistance > 0.0 ? options.VisibleDistance + frustum.GetView().Margin
                                           : std::numeric_limits<double>::infinity())
   {
   }
 
-  /// Adds what the view needs of a cell.
-  void Take(const ParticleGroups::Cell& cell, ParticlePart& part, ParticleCounts& counts) const
+  /// Adds what the view needs of the cells from begin up to end, which are in the cluster of the part.
+  void Take(std::size_t begin, std::size_t end, ParticlePart& part, ParticleCounts& counts)
   {
-    const Box box{ cell.Bounds.Low + this->Shift.Low, cell.Bounds.High + this->Shift.High };
-    if (!this->MayShow(box))
+    const std::vector<ParticleRegion>& cells = this->Groups.GetCells();
+    const ParticleRegion& cluster = this->Groups.GetClusters()[part.Cluster];
+    const bool isWhole =
+      cells[begin].Orbits.Begin == cluster.Orbits.Begin && cells[end - 1].Slaves.End == cluster.Slaves.End;
+    const Verdict verdict = isWhole ? this->TakeWhole(cluster, 1, part) : Verdict::Mixed;
+    counts.CellsShown += verdict == Verdict::Taken ? static_cast<long long>(end - begin) : 0;
+    for (std::size_t cell = begin; verdict == Verdict::Mixed && cell < end; ++cell)
     {
-      return;
-    }
-    ++counts.CellsShown;
-    switch (this->LevelOf(box))
-    {
-      case CellLevel::Far:
-        part.Far.AddRun(cell.Begin, cell.End, 0);
-        return;
-      case CellLevel::InAllTrains:
-        part.Near.AddRun(cell.Begin, cell.End, this->Table.NumberOfTrains());
-        return;
-      case CellLevel::Middle:
-        return this->TakeGroups(cell, [&](auto begin, auto end) { this->TakeMiddle(begin, end, part); });
-      case CellLevel::Mixed:
-        return this->TakeGroups(cell, [&](auto begin, auto end) { this->TakeGroup(begin, end, part); });
+      const Verdict own = this->TakeWhole(cells[cell], this->Table.NumberOfTrains(), part);
+      counts.CellsShown += own == Verdict::Hidden ? 0 : 1;
+      if (own == Verdict::Mixed)
+      {
+        this->TakeGroups(cells[cell], part);
+      }
     }
   }
 
 private:
-  /// Level of the particles of a cell.
-  enum class CellLevel
+  /// What a test of a region has found.
+  enum class Verdict
   {
-    Mixed,       ///< each in its own way
-    InAllTrains, ///< all in Near, by all trains
-    Middle,      ///< all in Middle alone
-    Far          ///< all in Far alone
+    Hidden, ///< the view needs nothing of it
+    Taken,  ///< it is in one level
+    Mixed   ///< its parts are to be tested
+  };
+
+  enum class Level
+  {
+    Near,
+    Middle,
+    Far,
+    Mixed
+  };
+
+  /// How a group is shown: weights in its levels, 0 where it is not seen.
+  struct GroupShow
+  {
+    double Orbit = 0.0; ///< of the master, which is in Near or in Middle
+    bool IsNear = false;
+    double Near = 0.0; ///< of slaves
+    double Middle = 0.0;
+    double Far = 0.0; ///< of all
+    int Trains = 0;
+    float Tail = 0.0f;
+    float SlaveError = 0.0f;
   };
 
   bool MayShow(const Box& box) const
@@ -91,209 +114,147 @@ private:
     return !this->Options.UseCulling || this->Frustum.MayShow({ box.Low - reach, box.High + reach });
   }
 
-  /// The level that all places in a box have, if the view shows all of them.
-  CellLevel LevelOf(const Box& box) const
+  /// The level that all places in a box have; Mixed where it is not one, or the view does not need all of it.
+  Level LevelOf(const Box& box, const Distances& distances) const
   {
     const View& view = this->Frustum.GetView();
-    const bool isWhole =
-      (!this->Options.UseCulling || this->Frustum.Holds(box, Slack)) && FarthestSight(view, box) <= this->Limit - Slack;
-    if (!isWhole)
+    if (FarthestSight(view, box) > this->Limit - Slack)
     {
-      return CellLevel::Mixed;
+      return Level::Mixed;
     }
-    const bool byAll = this->Table.IsComplete();
-    if (!this->Options.UseLevels)
-    {
-      return byAll ? CellLevel::InAllTrains : CellLevel::Mixed;
-    }
-    const Distances distances = LevelDistances(view, box);
     const auto isBeyond = [&](double distance) {
       return distances.Least >= distance + this->Options.BlendDistance + Slack;
     };
     const auto isBefore = [&](double distance) {
       return distances.Most <= distance - this->Options.BlendDistance - Slack;
     };
+    if (this->Options.UseLevels && isBeyond(this->Options.FarDistance))
+    {
+      return Level::Far;
+    }
+    if (this->Options.UseCulling && !this->Frustum.Holds(box, Slack))
+    {
+      return Level::Mixed;
+    }
     const bool isMiddle = isBeyond(this->Options.MiddleDistance) && isBefore(this->Options.FarDistance);
-    return isBeyond(this->Options.FarDistance)          ? CellLevel::Far
-      : isMiddle                                        ? CellLevel::Middle
-      : byAll && isBefore(this->Options.MiddleDistance) ? CellLevel::InAllTrains
-                                                        : CellLevel::Mixed;
+    return !this->Options.UseLevels || isBefore(this->Options.MiddleDistance) ? Level::Near
+      : isMiddle                                                              ? Level::Middle
+                                                                              : Level::Mixed;
   }
 
-  template <typename Take>
-  void TakeGroups(const ParticleGroups::Cell& cell, const Take& take) const
+  /// Takes a region that is in one level, if the numbers of trains that its parts need differ by no more than so many.
+  Verdict TakeWhole(const ParticleRegion& region, int difference, ParticlePart& part) const
   {
-    const std::size_t group = this->Groups.GetGroupSize();
-    for (std::size_t begin = cell.Begin; begin < cell.End; begin += group)
+    const Box box{ region.Bounds.Low + this->Shift.Low, region.Bounds.High + this->Shift.High };
+    if (!this->MayShow(box))
     {
-      take(begin, std::min(begin + group, cell.End));
+      return Verdict::Hidden;
     }
-  }
-
-  int ParticleAt(std::size_t place) const { return this->Groups.GetOrder()[place]; }
-
-  bool IsSeen(const Vector3& center, double height) const
-  {
-    return !this->Options.UseCulling ||
-      this->Frustum.MayShow(center, this->Table.AmplitudeAt(height) + this->Options.Margin);
-  }
-
-  double DistanceOf(const Vector3& place) const { return LevelDistance(this->Frustum.GetView(), place); }
-
-  bool IsInSight(const Vector3& place) const { return SightDistance(this->Frustum.GetView(), place) <= this->Limit; }
-
-  /// A particle that so many trains of its height move.
-  ShownParticle ByTrains(std::size_t place, int trains, double height, double weight) const
-  {
-    return { this->ParticleAt(place), static_cast<int>(place), -1, trains, static_cast<float>(weight),
-      RoundedUp(this->Table.TailAt(trains, height)) };
-  }
-
-  ShownParticle OnOrbit(std::size_t place, double height, double distance, double weight) const
-  {
-    return this->ByTrains(place, this->Table.CountAt(distance, height), height, weight);
-  }
-
-  void TakeFog(std::size_t place, const Vector3& center, double weight, ParticlePart& part) const
-  {
-    if (weight > 0.0 && (!this->Options.UseCulling || this->Frustum.MayShow(center, this->Options.FogMargin)))
+    const Distances distances = LevelDistances(this->Frustum.GetView(), box);
+    const Level level = this->LevelOf(box, distances);
+    if (level == Level::Far)
     {
-      part.Far.Add({ this->ParticleAt(place), static_cast<int>(place), -1, 0, static_cast<float>(weight), 0.0f });
+      AddRun(part.Far, region.Orbits, 0, 1.0, 0.0f);
+      AddRun(part.Far, region.Slaves, 0, 1.0, 0.0f);
+      return Verdict::Taken;
     }
+    const int trains = this->Table.CountAt(distances.Least, box.High.z);
+    if (level == Level::Mixed || trains - this->Table.CountAt(distances.Most, box.Low.z) > difference)
+    {
+      return Verdict::Mixed;
+    }
+    const double tail = this->Table.TailAt(trains, box.High.z);
+    const bool isNear = level == Level::Near;
+    AddRun(isNear ? part.Near : part.Orbits, region.Orbits, trains, 1.0, RoundedUp(tail));
+    isNear ? AddRun(part.Near, region.Slaves, trains, 1.0, RoundedUp(tail))
+           : AddRun(part.Slaves, region.Slaves, 0, 1.0, this->SlaveError(region.Reach, box.High.z, tail));
+    return Verdict::Taken;
   }
 
-  /// A particle with an orbit of its own: masters, and those that follow none. The place of a master in Middle, or -1.
-  int TakeMaster(std::size_t place, const Vector3& center, ParticlePart& part) const
+  /// Bound of the error of slaves up to a reach from their masters, none of them above a height.
+  float SlaveError(double reach, double height, double tail) const
   {
-    if (!this->IsInSight(center))
-    {
-      return -1;
-    }
-    const double distance = this->DistanceOf(center);
-    LevelWeights weights = WeightsAt(distance, this->Options);
-    this->TakeFog(place, center, weights.Far, part);
-    const double weight = 1.0 - weights.Far;
-    if (weight <= 0.0 || !this->IsSeen(center, center.z))
-    {
-      return -1;
-    }
-    const bool isNear = distance < this->Options.MiddleDistance || !this->Options.UseLevels;
-    const ShownParticle shown = this->OnOrbit(place, center.z, distance, weight);
-    if (isNear)
-    {
-      part.Near.Add(shown);
-      return -1;
-    }
-    part.Masters.push_back(shown);
-    return static_cast<int>(part.Masters.size()) - 1;
+    return RoundedUp(this->Table.SlaveError(reach + this->Spread, height) + tail);
   }
 
-  /// A slave with its master, by places in the order of the groups and where they are.
-  struct Following
+  /// How the group of the master at a place is shown. All of it is within a reach of the master.
+  GroupShow ShowOf(std::size_t place) const
   {
-    std::size_t Place;
-    Vector3 Center;
-    std::size_t Master;
-    Vector3 MasterCenter;
-    Vector3 Offset;
-  };
-
-  void TakeSlave(const Following& slave, int& place, ParticlePart& part) const
-  {
-    if (!this->IsInSight(slave.Center))
+    GroupShow show;
+    const View& view = this->Frustum.GetView();
+    const Vector3 center = this->Places[this->Groups.GetOrder()[place]];
+    if (SightDistance(view, center) > this->Limit)
     {
-      return;
+      return show;
     }
-    const double distance = this->DistanceOf(slave.Center);
+    const double reach = this->Groups.ReachAt(place) + this->Spread;
+    const double highest = center.z + reach;
+    const double distance = LevelDistance(view, center);
     const LevelWeights weights = WeightsAt(distance, this->Options);
-    this->TakeFog(slave.Place, slave.Center, weights.Far, part);
-    if (weights.Near > 0.0 && this->IsSeen(slave.Center, slave.Center.z))
+    const auto isSeen = [&](double margin) {
+      return !this->Options.UseCulling || this->Frustum.MayShow(center, reach + margin);
+    };
+    show.Far = weights.Far > 0.0 && isSeen(this->Options.FogMargin) ? weights.Far : 0.0;
+    if (weights.Far >= 1.0 || !isSeen(this->Table.AmplitudeAt(highest) + this->Options.Margin))
     {
-      part.Near.Add(this->OnOrbit(slave.Place, slave.Center.z, distance, weights.Near));
+      return show;
     }
-    const double masterHeight = slave.MasterCenter.z;
-    if (weights.Middle <= 0.0 || !this->IsSeen(slave.MasterCenter + slave.Offset, masterHeight))
-    {
-      return;
-    }
-    if (place < 0)
-    {
-      place = static_cast<int>(part.Masters.size());
-      part.Masters.push_back(this->OnOrbit(slave.Master, masterHeight, distance, 0.0));
-    }
-    // The slave may be nearer to the eye than its master, which then needs more trains.
-    ShownParticle& shown = part.Masters[place];
-    shown.Trains = std::max(shown.Trains, this->Table.CountAt(distance, masterHeight));
-    shown.Error = RoundedUp(this->Table.TailAt(shown.Trains, masterHeight));
-    this->AddSlave(slave, place, weights.Middle, part);
+    show.IsNear = distance < this->Options.MiddleDistance || !this->Options.UseLevels;
+    show.Orbit = 1.0 - weights.Far;
+    show.Near = weights.Near;
+    show.Middle = weights.Middle;
+    show.Trains = this->Table.CountAt(std::max(0.0, distance - reach / view.DetailFactor), highest);
+    const double tail = this->Table.TailAt(show.Trains, highest);
+    show.Tail = RoundedUp(tail);
+    show.SlaveError = this->SlaveError(this->Groups.ReachAt(place), highest, tail);
+    return show;
   }
 
-  /// Adds a slave to the level Middle; its error is that of its offset, as yet.
-  void AddSlave(const Following& slave, int place, double weight, ParticlePart& part) const
+  void TakeGroups(const ParticleRegion& cell, ParticlePart& part)
   {
-    const double highest = slave.MasterCenter.z + std::max(0.0, slave.Offset.z);
-    const double error = this->Table.SlaveError(glm::length(slave.Offset), highest);
-    part.Slaves.push_back(
-      { this->ParticleAt(slave.Place), static_cast<int>(slave.Place), place, 0, static_cast<float>(weight), 0.0f });
-    part.OffsetErrors.push_back(error);
-  }
-
-  /// Adds the errors of their master to those of the slaves from the first one on.
-  void EndGroup(std::size_t firstSlave, ParticlePart& part) const
-  {
-    for (std::size_t n = firstSlave; n < part.Slaves.size(); ++n)
+    this->Shows.clear();
+    for (std::size_t place = cell.Orbits.Begin; place < cell.Orbits.End; ++place)
     {
-      ShownParticle& slave = part.Slaves[n];
-      slave.Error = RoundedUp(part.Masters[slave.Master].Error + part.OffsetErrors[n]);
+      this->Shows.push_back(this->ShowOf(place));
+      this->TakeOrbit({ place, place + 1 }, this->Groups.SlavesAt(cell, place), this->Shows.back(), part);
+    }
+    auto show = this->Shows.begin();
+    for (std::size_t place = cell.Orbits.Begin; place < cell.Orbits.End; ++place)
+    {
+      TakeSlaves(this->Groups.SlavesAt(cell, place), *show++, part);
     }
   }
 
-  void TakeGroup(std::size_t begin, std::size_t end, ParticlePart& part) const
+  static void TakeOrbit(const PlaceRange& orbit, const PlaceRange& slaves, const GroupShow& show, ParticlePart& part)
   {
-    const Vector3 center = this->Places[this->ParticleAt(begin)];
-    int place = this->TakeMaster(begin, center, part);
-    const std::size_t firstSlave = part.Slaves.size();
-    for (std::size_t n = begin + 1; n < end; ++n)
+    if (show.Orbit > 0.0)
     {
-      const int particle = this->ParticleAt(n);
-      Following slave{ n, this->Places[particle], begin, center, Vector3(0.0) };
-      if (this->Options.UseLevels && this->Groups.Follows(particle, slave.Center, center, slave.Offset))
-      {
-        this->TakeSlave(slave, place, part);
-      }
-      else
-      {
-        this->TakeMaster(n, slave.Center, part);
-      }
+      AddRun(show.IsNear ? part.Near : part.Orbits, orbit, show.Trains, show.Orbit, show.Tail);
     }
-    this->EndGroup(firstSlave, part);
+    if (show.IsNear && show.Middle > 0.0 && slaves.Size() > 0)
+    {
+      AddRun(part.Orbits, orbit, show.Trains, 0.0, show.Tail);
+    }
+    if (show.Far > 0.0)
+    {
+      AddRun(part.Far, orbit, 0, show.Far, 0.0f);
+    }
   }
 
-  /// A group in the level Middle alone, all of it in the view: its number of trains is that of its nearest place.
-  void TakeMiddle(std::size_t begin, std::size_t end, ParticlePart& part) const
+  static void TakeSlaves(const PlaceRange& slaves, const GroupShow& show, ParticlePart& part)
   {
-    const Vector3 center = this->Places[this->ParticleAt(begin)];
-    const std::size_t place = part.Masters.size();
-    const std::size_t firstSlave = part.Slaves.size();
-    double nearest = this->DistanceOf(center);
-    part.Masters.emplace_back();
-    for (std::size_t n = begin + 1; n < end; ++n)
+    if (show.Near > 0.0)
     {
-      const int particle = this->ParticleAt(n);
-      Following slave{ n, this->Places[particle], begin, center, Vector3(0.0) };
-      const double distance = this->DistanceOf(slave.Center);
-      if (this->Groups.Follows(particle, slave.Center, center, slave.Offset))
-      {
-        nearest = std::min(nearest, distance);
-        this->AddSlave(slave, static_cast<int>(place), 1.0, part);
-      }
-      else
-      {
-        part.Masters.push_back(this->OnOrbit(n, slave.Center.z, distance, 1.0));
-      }
+      AddRun(part.Near, slaves, show.Trains, show.Near, show.Tail);
     }
-    part.Masters[place] = this->OnOrbit(begin, center.z, nearest, 1.0);
-    this->EndGroup(firstSlave, part);
+    if (show.Middle > 0.0)
+    {
+      AddRun(part.Slaves, slaves, 0, show.Middle, show.SlaveError);
+    }
+    if (show.Far > 0.0)
+    {
+      AddRun(part.Far, slaves, 0, show.Far, 0.0f);
+    }
   }
 
   const PlaceList& Places;
@@ -302,36 +263,37 @@ private:
   const ViewFrustum& Frustum;
   const ParticleLevelOptions& Options;
   const Box& Shift;
+  double Spread; ///< of the ways of all [m]
   double Limit;
+  std::vector<GroupShow> Shows; ///< of a cell
 };
 
-void Count(const ShownParticle& particle, ParticleCounts& counts)
+/// Number of particles of some runs.
+long long SizeOf(const ShownRuns& runs)
 {
-  counts.TrainSum += particle.Trains;
-  counts.Shown += particle.Weight > 0.0f;
+  return std::accumulate(runs.begin(), runs.end(), 0ll,
+    [](long long sum, const ShownRun& run) { return sum + static_cast<long long>(run.Size()); });
 }
 
 /// Adds the numbers of a part.
 void Count(const ParticlePart& part, ParticleCounts& counts)
 {
-  counts.Near += static_cast<long long>(part.Near.Size());
-  counts.Masters += static_cast<long long>(part.Masters.size());
-  counts.Slaves += static_cast<long long>(part.Slaves.size());
-  counts.Far += static_cast<long long>(part.Far.Size());
-  part.Near.ForEach(
-    [&](std::size_t begin, std::size_t end, std::size_t, int trains) {
-      counts.TrainSum += static_cast<long long>(end - begin) * trains;
-      counts.Shown += static_cast<long long>(end - begin);
-    },
-    [&](const ShownParticle& particle, std::size_t) { Count(particle, counts); });
-  for (const ShownParticle& particle : part.Masters)
+  counts.Near += SizeOf(part.Near);
+  counts.Masters += SizeOf(part.Orbits);
+  counts.Slaves += SizeOf(part.Slaves);
+  counts.Far += SizeOf(part.Far);
+  for (const ShownRuns* runs : { &part.Near, &part.Orbits, &part.Slaves })
   {
-    Count(particle, counts);
+    for (const ShownRun& run : *runs)
+    {
+      const auto size = static_cast<long long>(run.Size());
+      counts.TrainSum += size * run.Trains;
+      counts.Shown += run.Weight > 0.0f ? size : 0;
+    }
   }
-  for (const ShownParticle& particle : part.Slaves)
+  for (const ShownRun& run : part.Slaves)
   {
-    Count(particle, counts);
-    counts.MaximumSlaveError = std::max(counts.MaximumSlaveError, static_cast<double>(particle.Error));
+    counts.MaximumSlaveError = std::max(counts.MaximumSlaveError, static_cast<double>(run.Error));
   }
 }
 
@@ -349,31 +311,9 @@ void Add(const ParticleCounts& some, ParticleCounts& to)
 
 }
 
-bool operator==(const ShownParticle& a, const ShownParticle& b)
+bool operator==(const ShownRun& a, const ShownRun& b)
 {
-  return a.Particle == b.Particle && a.Place == b.Place && a.Master == b.Master && a.Trains == b.Trains &&
-    a.Weight == b.Weight && a.Error == b.Error;
-}
-
-void ShownLevel::AddRun(std::size_t begin, std::size_t end, int trains)
-{
-  this->TrainsOfRuns = trains;
-  this->InRuns += end - begin;
-  if (!this->Runs.empty() && this->Runs.back().End == begin && this->Runs.back().Before == this->Listed.size())
-  {
-    this->Runs.back().End = end;
-    return;
-  }
-  this->Runs.push_back({ begin, end, this->Listed.size() });
-}
-
-bool ShownLevel::operator==(const ShownLevel& other) const
-{
-  const auto areSame = [](const Run& a, const Run& b) {
-    return a.Begin == b.Begin && a.End == b.End && a.Before == b.Before;
-  };
-  return this->TrainsOfRuns == other.TrainsOfRuns && this->Listed == other.Listed &&
-    std::equal(this->Runs.begin(), this->Runs.end(), other.Runs.begin(), other.Runs.end(), areSame);
+  return a.Begin == b.Begin && a.End == b.End && a.Trains == b.Trains && a.Weight == b.Weight && a.Error == b.Error;
 }
 
 std::string WhyInvalid(const ParticleLevelOptions& options)
@@ -415,28 +355,27 @@ ParticleSelection SelectParticles(const PlaceList& places, const ParticleGroups&
   const ViewFrustum& frustum, const ParticleLevelOptions& options, std::size_t firstCell, std::size_t endCell,
   const ParallelFor& parallelFor, const Box& shift)
 {
-  const Selector selector(places, groups, table, frustum, options, shift);
-  const std::size_t cells = endCell - firstCell;
+  constexpr std::size_t size = ParticleGroups::CellsOfCluster;
   ParticleSelection selection;
-  selection.CellsInAll = static_cast<long long>(cells);
-  selection.Parts.resize((cells + CellsAtOnce - 1) / CellsAtOnce);
+  selection.CellsInAll = static_cast<long long>(endCell - firstCell);
+  const std::size_t firstCluster = firstCell / size;
+  selection.Parts.resize(firstCell < endCell ? (endCell - 1) / size + 1 - firstCluster : 0);
   std::vector<ParticleCounts> counts(selection.Parts.size());
-  const ParallelFor& onThreads = cells > CellsOfOneThread ? parallelFor : SerialFor;
-  onThreads(counts.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t part = first; part < last; ++part)
+  ForRanges(parallelFor, counts.size(), ClustersOfOneThread, [&](std::size_t first, std::size_t last) {
+    Selector selector(places, groups, table, frustum, options, shift);
+    for (std::size_t n = first; n < last; ++n)
     {
-      const std::size_t begin = firstCell + part * CellsAtOnce;
-      for (std::size_t cell = begin; cell < std::min(begin + CellsAtOnce, endCell); ++cell)
-      {
-        selector.Take(groups.GetCells()[cell], selection.Parts[part], counts[part]);
-      }
-      Count(selection.Parts[part], counts[part]);
+      ParticlePart& part = selection.Parts[n];
+      part.Cluster = firstCluster + n;
+      selector.Take(
+        std::max(firstCell, part.Cluster * size), std::min(endCell, (part.Cluster + 1) * size), part, counts[n]);
+      Count(part, counts[n]);
     }
   });
-  for (std::size_t part = 0; part < counts.size(); ++part)
+  for (std::size_t n = 0; n < counts.size(); ++n)
   {
-    selection.Parts[part].Before = selection;
-    Add(counts[part], selection);
+    selection.Parts[n].Before = selection;
+    Add(counts[n], selection);
   }
   return selection;
 }

@@ -18,7 +18,7 @@ namespace
 {
 
 /// Particles that a thread compares at a time.
-constexpr std::size_t ParticlesAtOnce = 1 << 14;
+constexpr std::size_t ParticlesAtOnce = 1 << 18;
 /// Numbers that are compared side by side: eight particles.
 constexpr std::size_t Lanes = 24;
 

@@ -186,7 +186,7 @@ TEST(Threads, ParticlesThatAViewNeeds)
   for (std::size_t part = 0; part < one.Parts.size(); ++part)
   {
     ASSERT_TRUE(one.Parts[part].Near == three.Parts[part].Near && one.Parts[part].Far == three.Parts[part].Far);
-    ASSERT_TRUE(one.Parts[part].Masters == three.Parts[part].Masters);
+    ASSERT_TRUE(one.Parts[part].Orbits == three.Parts[part].Orbits);
     ASSERT_TRUE(one.Parts[part].Slaves == three.Parts[part].Slaves);
   }
   EXPECT_EQ(one.TrainSum, three.TrainSum);

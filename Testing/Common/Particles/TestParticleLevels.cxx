@@ -30,13 +30,23 @@ TrainTable Table(
 {
   double low = groups.GetCells().front().Bounds.Low.z;
   double high = groups.GetCells().front().Bounds.High.z;
-  for (const ParticleGroups::Cell& cell : groups.GetCells())
+  for (const ParticleRegion& cell : groups.GetCells())
   {
     low = std::min(low, cell.Bounds.Low.z);
     high = std::max(high, cell.Bounds.High.z);
   }
   return TrainTable(sea, low, high, view, rule, error);
 }
+
+/// A particle that a level shows.
+struct ShownParticle
+{
+  int Particle;
+  int Master; ///< its index in the level; -1 for a particle with an orbit of its own
+  int Trains;
+  float Weight;
+  float Error; ///< [m]
+};
 
 /// A selection particle by particle.
 struct Listed : ParticleCounts
@@ -46,45 +56,41 @@ struct Listed : ParticleCounts
   std::vector<ShownParticle> Far;
 };
 
-std::vector<ShownParticle> ListOf(const ShownLevel& level, const ParticleGroups& groups)
+void Append(const ShownRuns& runs, const ParticleGroups& groups, std::vector<ShownParticle>& list)
 {
-  std::vector<ShownParticle> list;
-  level.ForEach(
-    [&](std::size_t begin, std::size_t end, std::size_t place, int trains) {
-      EXPECT_EQ(place, list.size());
-      for (std::size_t n = begin; n < end; ++n)
-      {
-        list.push_back({ groups.GetOrder()[n], static_cast<int>(n), -1, trains, 1.0f, 0.0f });
-      }
-    },
-    [&](const ShownParticle& particle, std::size_t place) {
-      EXPECT_EQ(place, list.size());
-      EXPECT_EQ(groups.GetOrder()[particle.Place], particle.Particle);
-      list.push_back(particle);
-    });
-  return list;
+  for (const ShownRun& run : runs)
+  {
+    for (std::size_t n = run.Begin; n < run.End; ++n)
+    {
+      list.push_back({ groups.GetOrder()[n], -1, run.Trains, run.Weight, run.Error });
+    }
+  }
 }
 
 Listed ListOf(const ParticleSelection& selection, const ParticleGroups& groups)
 {
   Listed all;
   static_cast<ParticleCounts&>(all) = selection;
-  const auto append = [](std::vector<ShownParticle>& to, const std::vector<ShownParticle>& from) {
-    to.insert(to.end(), from.begin(), from.end());
-  };
   for (const ParticlePart& part : selection.Parts)
   {
-    append(all.Near, ListOf(part.Near, groups));
-    append(all.Far, ListOf(part.Far, groups));
-    append(all.Middle, part.Masters);
+    Append(part.Near, groups, all.Near);
+    Append(part.Far, groups, all.Far);
+    Append(part.Orbits, groups, all.Middle);
+  }
+  const std::size_t orbits = all.Middle.size();
+  std::vector<int> places(groups.GetOrder().size(), -1);
+  for (std::size_t n = 0; n < orbits; ++n)
+  {
+    places[all.Middle[n].Particle] = static_cast<int>(n);
   }
   for (const ParticlePart& part : selection.Parts)
   {
-    for (ShownParticle slave : part.Slaves)
-    {
-      slave.Master += static_cast<int>(part.Before.Masters);
-      all.Middle.push_back(slave);
-    }
+    Append(part.Slaves, groups, all.Middle);
+  }
+  for (std::size_t n = orbits; n < all.Middle.size(); ++n)
+  {
+    all.Middle[n].Master = places[groups.MasterOf(all.Middle[n].Particle)];
+    EXPECT_GE(all.Middle[n].Master, 0);
   }
   return all;
 }
@@ -291,12 +297,14 @@ TEST(ParticleLevels, WeightsOfLevelsSumToOne)
   }
 }
 
-/// Cells of one particle are hardly ever in a level as a whole with what is about them: they are looked at one by one.
-TEST(ParticleLevels, WholeCellsAreAsTheirParticles)
+/// Clusters, cells and groups that are taken at once: each particle in the levels that the distance of its master
+/// tells, with as many trains as its own place needs.
+TEST(ParticleLevels, LevelsAreThoseOfTheMaster)
 {
   const SeaState sea = Sea(30.0);
-  const std::vector<Vector3> places = Places(20000, { { -15.0, -15.0, -9.0 }, { 15.0, 15.0, -1.0 } });
+  const std::vector<Vector3> places = Places(60000, { { -15.0, -15.0, -9.0 }, { 15.0, 15.0, -1.0 } });
   const ParticleGroups groups(places, {}, 64);
+  long long shown = 0;
   for (int frame = 0; frame < 12; ++frame)
   {
     View view = FrameView(11 * frame);
@@ -304,22 +312,46 @@ TEST(ParticleLevels, WholeCellsAreAsTheirParticles)
     view.ParallelScale = 3.0;
     ParticleLevelOptions options;
     options.UseCulling = frame % 3 > 0;
+    options.UseLevels = frame != 7;
     options.VisibleDistance = 20.0;
     const TrainRule rule = frame % 2 == 0 ? TrainRule::All : TrainRule::TailSum;
-    const Listed whole = Select(sea, places, groups, view, options, rule);
-    // A shift that says nothing of where particles are makes no cell a whole one.
-    const Box anywhere{ Vector3(-100.0), Vector3(100.0) };
     const TrainTable table = Table(sea, groups, view, rule);
-    const Listed each = ListOf(SelectParticles(places, groups, table, ViewFrustum(view), options, 0,
-                                 groups.GetCells().size(), SerialFor, anywhere),
-      groups);
-    EXPECT_EQ(whole.Near, each.Near);
-    EXPECT_EQ(whole.Middle, each.Middle);
-    EXPECT_EQ(whole.Far, each.Far);
-    EXPECT_EQ(whole.TrainSum, each.TrainSum);
-    EXPECT_EQ(whole.Shown, each.Shown);
-    EXPECT_EQ(whole.MaximumSlaveError, each.MaximumSlaveError);
+    const Listed selection = Select(sea, places, groups, view, options, rule);
+    std::vector<std::array<double, 3>> weights(places.size(), { 0.0, 0.0, 0.0 });
+    const auto add = [&](const std::vector<ShownParticle>& level, int index) {
+      for (const ShownParticle& particle : level)
+      {
+        const Vector3& place = places[particle.Particle];
+        weights[particle.Particle][index] += particle.Weight;
+        EXPECT_TRUE(
+          index == 2 || particle.Master >= 0 || particle.Trains >= table.CountAt(LevelDistance(view, place), place.z));
+      }
+    };
+    add(selection.Near, 0);
+    add(selection.Middle, 1);
+    add(selection.Far, 2);
+    for (std::size_t n = 0; n < places.size(); ++n)
+    {
+      const int master = groups.MasterOf(static_cast<int>(n));
+      const double distance = LevelDistance(view, places[master]);
+      const LevelWeights wanted = WeightsAt(distance, options);
+      const std::array<double, 3>& own = weights[n];
+      const bool isOrbit = master == static_cast<int>(n);
+      const bool isNear = distance < options.MiddleDistance || !options.UseLevels;
+      const double near = !isOrbit ? wanted.Near : isNear ? 1.0 - wanted.Far : 0.0;
+      const bool isHidden = SightDistance(view, places[master]) > options.VisibleDistance;
+      EXPECT_FALSE(isHidden && own[0] + own[1] + own[2] > 0.0);
+      const bool isSeen = !isHidden && (!options.UseCulling || own[0] + own[1] > 0.0);
+      if (isSeen)
+      {
+        ++shown;
+        EXPECT_NEAR(own[0], near, 1e-6);
+        EXPECT_NEAR(own[1], 1.0 - wanted.Far - near, 1e-6);
+      }
+      EXPECT_TRUE(own[2] == 0.0 || std::abs(own[2] - wanted.Far) < 1e-6);
+    }
   }
+  EXPECT_GT(shown, 100000);
 }
 
 TEST(ParticleMotion, WaysOfAll)
