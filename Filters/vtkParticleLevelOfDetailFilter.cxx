@@ -55,14 +55,6 @@ namespace
 /// Memory of a particle here and in the output at most, without its own arrays [bytes].
 constexpr double BytesAParticle = 400.0;
 
-/// The levels of the output.
-enum class LevelKind
-{
-  Near,
-  Middle,
-  Far
-};
-
 /// Groups by where particles began hold as long as their ways differ by no more than this part of the largest offset.
 constexpr double LargestSpread = 0.25;
 
@@ -74,6 +66,16 @@ constexpr double LargestSpread = 0.25;
     ++n;
   }
   littoral::Refuse("point ", n, " has a coordinate that is no finite number.");
+}
+
+/// Levels are chosen for all ways of particles between multiples of this length, so that they stay for some frames of a
+/// current [m].
+constexpr double WayStep = 0.05;
+
+/// The ways between multiples of WayStep about some ways.
+littoral::Box RoundedWays(const littoral::Box& ways)
+{
+  return { WayStep * glm::floor(ways.Low / WayStep), WayStep * glm::ceil(ways.High / WayStep) };
 }
 
 /// An array as it was.
@@ -104,6 +106,9 @@ littoral::PlaceList ListOf(vtkDataArray* places)
   return { vtkDoubleArray::SafeDownCast(places)->GetPointer(0), count };
 }
 
+constexpr littoral::ParticleLevel Levels[] = { littoral::ParticleLevel::Near, littoral::ParticleLevel::Middle,
+  littoral::ParticleLevel::Far };
+
 /// Parts of a selection that are written at once by a thread.
 constexpr std::size_t PartsAtOnce = 128;
 
@@ -115,14 +120,16 @@ struct Shown
   const littoral::PlaceList& Places;
   vtkDataArray* Sorted; ///< the places in the order of the groups; null where they are not at hand
   bool AreScattered;    ///< slaves
+  const littoral::View& View;
+  const littoral::ParticleLevelOptions& Options;
 };
 
-std::size_t SizeOf(const littoral::ParticleSelection& selection, LevelKind kind)
+std::size_t SizeOf(const littoral::ParticleSelection& selection, littoral::ParticleLevel kind)
 {
   const long long middle = selection.Masters + selection.Slaves;
-  return static_cast<std::size_t>(kind == LevelKind::Near ? selection.Near
-      : kind == LevelKind::Far                            ? selection.Far
-                                                          : middle);
+  return static_cast<std::size_t>(kind == littoral::ParticleLevel::Near ? selection.Near
+      : kind == littoral::ParticleLevel::Far                            ? selection.Far
+                                                                        : middle);
 }
 
 /// Calls a task with each of some runs and the place of its first particle in a block.
@@ -139,17 +146,17 @@ std::size_t ForRuns(const littoral::ShownRuns& runs, std::size_t place, const Ta
 
 /// Calls a task with the runs of a part in a level, in their places in the block.
 template <typename Task>
-void VisitPart(
-  const littoral::ParticleSelection& selection, const littoral::ParticlePart& part, LevelKind kind, const Task& task)
+void VisitPart(const littoral::ParticleSelection& selection, const littoral::ParticlePart& part,
+  littoral::ParticleLevel kind, const Task& task)
 {
   const littoral::ParticleCounts& before = part.Before;
-  if (kind == LevelKind::Middle)
+  if (kind == littoral::ParticleLevel::Middle)
   {
     ForRuns(part.Orbits, static_cast<std::size_t>(before.Masters), task);
     ForRuns(part.Slaves, static_cast<std::size_t>(selection.Masters + before.Slaves), task);
     return;
   }
-  const bool isNear = kind == LevelKind::Near;
+  const bool isNear = kind == littoral::ParticleLevel::Near;
   ForRuns(isNear ? part.Near : part.Far, static_cast<std::size_t>(isNear ? before.Near : before.Far), task);
 }
 
@@ -164,13 +171,13 @@ void ForParts(const littoral::ParticleSelection& selection, const Task& task)
 
 /// Calls a task with the runs of a level.
 template <typename Task>
-void Visit(const Shown& shown, LevelKind kind, const Task& task)
+void Visit(const Shown& shown, littoral::ParticleLevel kind, const Task& task)
 {
   ForParts(shown.Selection, [&](const littoral::ParticlePart& part) { VisitPart(shown.Selection, part, kind, task); });
 }
 
 /// Copies tuples that lie in the order of the groups to a level.
-void CopyTuples(const Shown& shown, LevelKind kind, vtkAbstractArray* ordered, vtkAbstractArray* level)
+void CopyTuples(const Shown& shown, littoral::ParticleLevel kind, vtkAbstractArray* ordered, vtkAbstractArray* level)
 {
   const auto* from = static_cast<const unsigned char*>(ordered->GetVoidPointer(0));
   auto* to = static_cast<unsigned char*>(level->GetVoidPointer(0));
@@ -181,7 +188,7 @@ void CopyTuples(const Shown& shown, LevelKind kind, vtkAbstractArray* ordered, v
 }
 
 /// Copies what are no numbers, or lie otherwise in memory, one after the other.
-void CopyOthers(const Shown& shown, LevelKind kind, vtkAbstractArray* ordered, vtkAbstractArray* level)
+void CopyOthers(const Shown& shown, littoral::ParticleLevel kind, vtkAbstractArray* ordered, vtkAbstractArray* level)
 {
   for (const littoral::ParticlePart& part : shown.Selection.Parts)
   {
@@ -195,8 +202,8 @@ void CopyOthers(const Shown& shown, LevelKind kind, vtkAbstractArray* ordered, v
 }
 
 /// The arrays of the input, in the order of the groups, at the particles of a level.
-void CarryArrays(
-  const Shown& shown, LevelKind kind, vtkPointData* ordered, littoral::FrameArrays& memory, vtkPointData* to)
+void CarryArrays(const Shown& shown, littoral::ParticleLevel kind, vtkPointData* ordered, littoral::FrameArrays& memory,
+  vtkPointData* to)
 {
   const auto count = static_cast<vtkIdType>(SizeOf(shown.Selection, kind));
   for (int index = 0; index < ordered->GetNumberOfArrays(); ++index)
@@ -281,7 +288,7 @@ void ScatterSlaves(const Shown& shown, Real* values)
 
 /// The points of a level; those of scattered slaves about their masters.
 template <typename Array>
-vtkSmartPointer<vtkPoints> PointsOf(const Shown& shown, LevelKind kind, littoral::FrameArrays& memory)
+vtkSmartPointer<vtkPoints> PointsOf(const Shown& shown, littoral::ParticleLevel kind, littoral::FrameArrays& memory)
 {
   using Real = typename Array::ValueType;
   const auto points = memory.New<Array>("Points", 3, static_cast<vtkIdType>(SizeOf(shown.Selection, kind)));
@@ -298,7 +305,7 @@ vtkSmartPointer<vtkPoints> PointsOf(const Shown& shown, LevelKind kind, littoral
       PickPlaces(from, order + run.Begin, run.Size(), values + 3 * place);
     });
   }
-  if (shown.AreScattered && kind == LevelKind::Middle)
+  if (shown.AreScattered && kind == littoral::ParticleLevel::Middle)
   {
     ScatterSlaves(shown, values);
   }
@@ -330,8 +337,62 @@ void FindMasters(const Shown& shown, vtkIdType* masters)
   });
 }
 
-/// The arrays that tell how a level is drawn and moved.
-void AddLevelArrays(const Shown& shown, LevelKind kind, littoral::FrameArrays& memory, vtkPointData* arrays)
+/// Calls a task with the runs of a level whose weights go by distance; whether there are any.
+template <typename Task>
+bool VisitBlended(const Shown& shown, littoral::ParticleLevel kind, const Task& task)
+{
+  bool areAny = false;
+  for (const littoral::ParticlePart& part : shown.Selection.Parts)
+  {
+    VisitPart(shown.Selection, part, kind, [&](const littoral::ShownRun& run, std::size_t place) {
+      if (run.Weight == littoral::RunWeight::ByDistance)
+      {
+        areAny = true;
+        task(run, place, shown.Groups.GetClusters()[part.Cluster]);
+      }
+    });
+  }
+  return areAny;
+}
+
+/// Weights of some particles of a cluster, by the distances of their masters.
+void Blend(const Shown& shown, littoral::ParticleLevel kind, const littoral::ShownRun& run,
+  const littoral::ParticleRegion& cluster, float* alpha)
+{
+  std::size_t former = shown.Groups.GetOrder().size();
+  float weight = 0.0f;
+  for (std::size_t n = run.Begin; n < run.End; ++n)
+  {
+    const bool isSlave = n >= cluster.Slaves.Begin;
+    const std::size_t master = isSlave ? shown.Groups.MasterAt(n) : n;
+    if (master != former)
+    {
+      const double distance = LevelDistance(shown.View, shown.Places[shown.Groups.GetOrder()[master]]);
+      weight = static_cast<float>(littoral::WeightIn(kind, isSlave, distance, shown.Options));
+      former = master;
+    }
+    *alpha++ = weight;
+  }
+}
+
+/// The opacities of a level.
+void AddAlpha(const Shown& shown, littoral::ParticleLevel kind, littoral::FrameArrays& memory, vtkPointData* arrays)
+{
+  const auto array =
+    memory.New<vtkFloatArray>(littoral::sea::Alpha, 1, static_cast<vtkIdType>(SizeOf(shown.Selection, kind)));
+  float* alpha = array->GetPointer(0);
+  Visit(shown, kind, [=](const littoral::ShownRun& run, std::size_t place) {
+    std::fill_n(alpha + place, run.Size(), run.Weight == littoral::RunWeight::None ? 0.0f : 1.0f);
+  });
+  VisitBlended(shown, kind, [&](const littoral::ShownRun& run, std::size_t place, const auto& cluster) {
+    Blend(shown, kind, run, cluster, alpha + place);
+  });
+  arrays->AddArray(array);
+}
+
+/// The arrays that tell how a level is moved.
+void AddLevelArrays(
+  const Shown& shown, littoral::ParticleLevel kind, littoral::FrameArrays& memory, vtkPointData* arrays)
 {
   const auto count = static_cast<vtkIdType>(SizeOf(shown.Selection, kind));
   const auto add = [&](auto* type, const char* name) {
@@ -339,15 +400,15 @@ void AddLevelArrays(const Shown& shown, LevelKind kind, littoral::FrameArrays& m
     arrays->AddArray(array);
     return array->GetPointer(0);
   };
-  auto* alpha = add(static_cast<vtkFloatArray*>(nullptr), littoral::sea::Alpha);
   auto* trains = add(static_cast<vtkIntArray*>(nullptr), littoral::sea::TrainCount);
-  auto* error = kind == LevelKind::Far ? nullptr : add(static_cast<vtkFloatArray*>(nullptr), littoral::sea::ErrorBound);
+  auto* error = kind == littoral::ParticleLevel::Far
+    ? nullptr
+    : add(static_cast<vtkFloatArray*>(nullptr), littoral::sea::ErrorBound);
   Visit(shown, kind, [=](const littoral::ShownRun& run, std::size_t place) {
-    std::fill_n(alpha + place, run.Size(), run.Weight);
     std::fill_n(trains + place, run.Size(), run.Trains);
     std::fill_n(error ? error + place : nullptr, error ? run.Size() : 0, run.Error);
   });
-  if (kind == LevelKind::Middle)
+  if (kind == littoral::ParticleLevel::Middle)
   {
     FindMasters(shown, add(static_cast<vtkIdTypeArray*>(nullptr), littoral::sea::MasterId));
   }
@@ -365,7 +426,7 @@ void AddOffsets(const Shown& shown, littoral::FrameArrays& memory, vtkPolyData* 
     vtkIdTypeArray::SafeDownCast(block->GetPointData()->GetArray(littoral::sea::MasterId))->GetPointer(0);
   const auto first = static_cast<std::size_t>(shown.Selection.Masters);
   std::fill_n(offsets, 3 * first, Real(0.0));
-  for (std::size_t slave = first; slave < SizeOf(shown.Selection, LevelKind::Middle); ++slave)
+  for (std::size_t slave = first; slave < SizeOf(shown.Selection, littoral::ParticleLevel::Middle); ++slave)
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
@@ -456,7 +517,8 @@ double ParticlesIn(const littoral::ParticleGroups& groups, const littoral::Piece
 class vtkParticleLevelOfDetailFilter::vtkInternals
 {
 public:
-  Stamp Grouped;               ///< the places of the grouping
+  Stamp Grouped; ///< the places of the grouping
+  vtkSmartPointer<vtkDataArray> GroupedPlaces;
   std::vector<double> Numbers; ///< properties of the grouping
   std::unique_ptr<littoral::ParticleGroups> Groups;
   littoral::Box Bounds; ///< of all cells
@@ -466,6 +528,7 @@ public:
   bool AreNew = false;                  ///< the places, since the last frame
   vtkSmartPointer<vtkDataArray> Sorted; ///< the places in the order of the groups; null until they stay for a frame
   littoral::ParticleMotion Motion;      ///< since the grouping
+  littoral::Box Ways;                   ///< for which levels are chosen: between multiples of WayStep
 
   std::vector<double> TableKey;
   std::vector<int> Order; ///< of the trains
@@ -476,12 +539,14 @@ public:
 
   littoral::FrameArrays Memory;
   CountingArray Counting;
+  std::vector<double> SelectionKey;
   std::unique_ptr<littoral::ParticleSelection> Selection; ///< of the last frame
   vtkSmartPointer<vtkPolyData> Blocks[3];                 ///< that show it
 
   void ForgetFrames()
   {
     this->Selection = nullptr;
+    this->SelectionKey.clear();
     std::fill(std::begin(this->Blocks), std::end(this->Blocks), nullptr);
   }
 
@@ -490,9 +555,10 @@ public:
   void Carry(vtkPointSet* input);
   void Sort();
   void MakeTable(const littoral::SeaState& sea, const littoral::View& view, littoral::TrainRule rule, double error);
-  bool IsSame(const littoral::ParticleSelection& selection, LevelKind kind) const;
+  void Select(const littoral::View& view, const littoral::ParticleLevelOptions& options,
+    const littoral::PieceRange& cells, vtkAlgorithm* owner);
   template <typename Array>
-  vtkSmartPointer<vtkPolyData> Block(const Shown& shown, LevelKind kind);
+  vtkSmartPointer<vtkPolyData> Block(const Shown& shown, littoral::ParticleLevel kind);
 };
 
 /// Groups particles anew by where they are.
@@ -500,7 +566,7 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::Group(const Stamp& source, vt
   const std::vector<double>& numbers, const littoral::GroupOptions& options, vtkAlgorithm* owner)
 {
   // Particles that drift keep most of their order, and the groups are found faster from it.
-  std::vector<int> former = this->Groups ? this->Groups->GetOrder() : std::vector<int>();
+  std::vector<int> former = this->Groups ? this->Groups->GetTree() : std::vector<int>();
   this->Groups = nullptr;
   this->ForgetFrames();
   this->CarriedKey.clear();
@@ -515,6 +581,7 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::Group(const Stamp& source, vt
     this->Bounds.High = glm::max(this->Bounds.High, cluster.Bounds.High);
   }
   this->Grouped = source;
+  this->GroupedPlaces = places;
   this->Numbers = numbers;
 }
 
@@ -572,8 +639,8 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::Sort()
 void vtkParticleLevelOfDetailFilter::vtkInternals::MakeTable(
   const littoral::SeaState& sea, const littoral::View& view, littoral::TrainRule rule, double error)
 {
-  const double lowest = this->Bounds.Low.z + this->Motion.Shift.Low.z;
-  const double highest = this->Bounds.High.z + this->Motion.Shift.High.z;
+  const double lowest = this->Bounds.Low.z + this->Ways.Low.z;
+  const double highest = this->Bounds.High.z + this->Ways.High.z;
   std::vector<int> order = littoral::OrderAt(sea, this->Motion.MeanHeight);
   std::vector<double> key{ lowest, highest, view.Angle, view.AspectRatio, view.Height, view.Margin,
     static_cast<double>(rule), error, sea.Depth, sea.SeaLevel };
@@ -588,43 +655,79 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::MakeTable(
       std::make_unique<littoral::TrainTable>(littoral::Ordered(sea, order), lowest, highest, view, rule, error);
     this->TableKey = std::move(key);
     this->Order = std::move(order);
+    this->SelectionKey.clear();
   }
 }
 
-/// Whether a level has the same particles as in the last frame, shown alike.
-bool vtkParticleLevelOfDetailFilter::vtkInternals::IsSame(
-  const littoral::ParticleSelection& selection, LevelKind kind) const
+/// Whether a level has other particles than in the block that is there.
+bool IsOther(
+  const littoral::ParticleSelection& selection, const littoral::ParticleSelection& former, littoral::ParticleLevel kind)
 {
   const auto areSame = [kind](const littoral::ParticlePart& a, const littoral::ParticlePart& b) {
-    return kind == LevelKind::Near ? a.Near == b.Near
-      : kind == LevelKind::Far     ? a.Far == b.Far
-                                   : a.Orbits == b.Orbits && a.Slaves == b.Slaves;
+    return a.Cluster == b.Cluster &&
+      (kind == littoral::ParticleLevel::Near     ? a.Near == b.Near
+          : kind == littoral::ParticleLevel::Far ? a.Far == b.Far
+                                                 : a.Orbits == b.Orbits && a.Slaves == b.Slaves);
   };
-  return this->Selection && this->Blocks[static_cast<int>(kind)] &&
-    std::equal(selection.Parts.begin(), selection.Parts.end(), this->Selection->Parts.begin(),
-      this->Selection->Parts.end(), areSame);
+  return !std::equal(selection.Parts.begin(), selection.Parts.end(), former.Parts.begin(), former.Parts.end(), areSame);
+}
+
+/// Chooses the particles that a view needs, unless that has been done; levels in which they are others lose their
+/// blocks.
+void vtkParticleLevelOfDetailFilter::vtkInternals::Select(const littoral::View& view,
+  const littoral::ParticleLevelOptions& options, const littoral::PieceRange& cells, vtkAlgorithm* owner)
+{
+  std::vector<double> key{ view.Angle, static_cast<double>(view.IsParallel), view.ParallelScale, view.AspectRatio,
+    view.Height, view.DetailFactor, view.Near, view.Far, view.Margin, view.AngleMargin,
+    static_cast<double>(options.UseLevels), static_cast<double>(options.UseCulling), options.MiddleDistance,
+    options.FarDistance, options.BlendDistance, options.VisibleDistance, options.Margin, options.FogMargin,
+    static_cast<double>(cells.Begin), static_cast<double>(cells.End) };
+  for (const littoral::Vector3& each : { view.Point, view.Direction, view.Up, this->Ways.Low, this->Ways.High })
+  {
+    key.insert(key.end(), &each.x, &each.x + 3);
+  }
+  if (this->Selection && key == this->SelectionKey)
+  {
+    return;
+  }
+  auto selection = std::make_unique<littoral::ParticleSelection>(littoral::SelectParticles(ListOf(this->GroupedPlaces),
+    *this->Groups, *this->Table, littoral::ViewFrustum(view), options, static_cast<std::size_t>(cells.Begin),
+    static_cast<std::size_t>(cells.End), littoral::AbortableFor(owner), this->Ways));
+  for (const littoral::ParticleLevel kind : Levels)
+  {
+    if (!this->Selection || IsOther(*selection, *this->Selection, kind))
+    {
+      this->Blocks[static_cast<int>(kind)] = nullptr;
+    }
+  }
+  this->Selection = std::move(selection);
+  this->SelectionKey = std::move(key);
 }
 
 /// The particles of a level, with all that tells how they are drawn and moved.
 template <typename Array>
-vtkSmartPointer<vtkPolyData> vtkParticleLevelOfDetailFilter::vtkInternals::Block(const Shown& shown, LevelKind kind)
+vtkSmartPointer<vtkPolyData> vtkParticleLevelOfDetailFilter::vtkInternals::Block(
+  const Shown& shown, littoral::ParticleLevel kind)
 {
   auto block = vtkSmartPointer<vtkPolyData>::New();
   block->SetPoints(PointsOf<Array>(shown, kind, this->Memory));
   vtkSmartPointer<vtkPolyData>& former = this->Blocks[static_cast<int>(kind)];
-  if (this->IsSame(shown.Selection, kind))
+  const bool isNew = !former;
+  if (isNew)
   {
-    block->SetVerts(former->GetVerts());
-    block->GetPointData()->ShallowCopy(former->GetPointData());
+    former = vtkSmartPointer<vtkPolyData>::New();
+    former->SetVerts(this->Counting.Vertices(static_cast<vtkIdType>(SizeOf(shown.Selection, kind))));
+    CarryArrays(shown, kind, this->Carried, this->Memory, former->GetPointData());
+    AddLevelArrays(shown, kind, this->Memory, former->GetPointData());
   }
-  else
+  const auto isBlended = [&] { return VisitBlended(shown, kind, [](const auto&, std::size_t, const auto&) {}); };
+  if (isNew || isBlended())
   {
-    former = nullptr;
-    block->SetVerts(this->Counting.Vertices(static_cast<vtkIdType>(SizeOf(shown.Selection, kind))));
-    CarryArrays(shown, kind, this->Carried, this->Memory, block->GetPointData());
-    AddLevelArrays(shown, kind, this->Memory, block->GetPointData());
+    AddAlpha(shown, kind, this->Memory, former->GetPointData());
   }
-  if (kind == LevelKind::Middle)
+  block->SetVerts(former->GetVerts());
+  block->GetPointData()->ShallowCopy(former->GetPointData());
+  if (kind == littoral::ParticleLevel::Middle)
   {
     AddOffsets<Array>(shown, this->Memory, block);
   }
@@ -750,7 +853,7 @@ void vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
   {
     internals.Group(wanted, from, numbers, options, this);
   }
-  internals.Motion.Shift = areTogether ? internals.Motion.Shift : littoral::Box{};
+  internals.Ways = areTogether ? RoundedWays(internals.Motion.Shift) : littoral::Box{};
   internals.Moved = moved;
   internals.AreNew = true;
 }
@@ -798,33 +901,27 @@ int vtkParticleLevelOfDetailFilter::RequestData(
     state, view, static_cast<littoral::TrainRule>(this->TrainSelection), this->PixelError / this->DetailFactor);
   const littoral::PieceRange cells = littoral::RequestedPart(
     outputVector->GetInformationObject(0), static_cast<long long>(internals.Groups->GetCells().size()));
-  const littoral::PlaceList places = ListOf(internals.Places);
-  auto selection = std::make_unique<littoral::ParticleSelection>(littoral::SelectParticles(places, *internals.Groups,
-    *internals.Table, littoral::ViewFrustum(view), options, static_cast<std::size_t>(cells.Begin),
-    static_cast<std::size_t>(cells.End), littoral::AbortableFor(this), internals.Motion.Shift));
+  internals.Carry(input);
+  internals.Select(view, options, cells, this);
   this->UpdateProgress(0.5);
 
-  internals.Carry(input);
   internals.Sort();
   internals.Memory.BeginFrame();
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
   const auto trainOrder = OrderArray(internals.Order);
-  const Shown shown{ *selection, *internals.Groups, places, internals.Sorted, this->SlavePlacement == Scattered };
-  const auto addLevel = [&](const char* name, LevelKind kind) {
+  const littoral::PlaceList places = ListOf(internals.Places);
+  const Shown shown{ *internals.Selection, *internals.Groups, places, internals.Sorted,
+    this->SlavePlacement == Scattered, view, options };
+  const char* const names[] = { littoral::sea::Near, littoral::sea::MasterSlave, littoral::sea::Far };
+  for (const littoral::ParticleLevel kind : Levels)
+  {
     const auto block =
       places.GetSingles() ? internals.Block<vtkFloatArray>(shown, kind) : internals.Block<vtkDoubleArray>(shown, kind);
     block->GetFieldData()->AddArray(trainOrder);
-    littoral::AddBlock(output, name, block);
-    internals.Blocks[static_cast<int>(kind)] = vtkSmartPointer<vtkPolyData>::New();
-    internals.Blocks[static_cast<int>(kind)]->SetVerts(block->GetVerts());
-    internals.Blocks[static_cast<int>(kind)]->GetPointData()->ShallowCopy(block->GetPointData());
-  };
-  addLevel(littoral::sea::Near, LevelKind::Near);
-  addLevel(littoral::sea::MasterSlave, LevelKind::Middle);
-  addLevel(littoral::sea::Far, LevelKind::Far);
+    littoral::AddBlock(output, names[static_cast<int>(kind)], block);
+  }
   internals.Memory.EndFrame();
-  AddCounters(output, *selection, ParticlesIn(*internals.Groups, cells), state.Trains.size());
-  internals.Selection = std::move(selection);
+  AddCounters(output, *internals.Selection, ParticlesIn(*internals.Groups, cells), state.Trains.size());
   littoral::KeepRanges(output, littoral::PollOf(this));
   this->UpdateProgress(1.0);
   return 1;

@@ -74,16 +74,17 @@ struct ParticleGroups::Item
 ParticleGroups::ParticleGroups(const PlaceList& places, const GroupOptions& options, std::size_t particlesPerCell,
   const ParallelFor& parallelFor, const Poll& poll, std::vector<int> former)
   : Options(options)
-  , Order(std::move(former))
+  , Tree(std::move(former))
+  , Order(places.Size())
   , Kin(places.Size())
   , Reaches(places.Size(), 0.0f)
   , Masters(places.Size())
   , Offsets(places.Size(), Vector3(0.0))
 {
-  if (this->Order.size() != places.Size())
+  if (this->Tree.size() != places.Size())
   {
-    this->Order.resize(places.Size());
-    std::iota(this->Order.begin(), this->Order.end(), 0);
+    this->Tree.resize(places.Size());
+    std::iota(this->Tree.begin(), this->Tree.end(), 0);
   }
   if (places.Size() == 0)
   {
@@ -92,7 +93,7 @@ ParticleGroups::ParticleGroups(const PlaceList& places, const GroupOptions& opti
   std::vector<Item> items(places.Size());
   for (std::size_t n = 0; n < places.Size(); ++n)
   {
-    items[n] = { places[this->Order[n]], this->Order[n] };
+    items[n] = { places[this->Tree[n]], this->Tree[n] };
   }
   const ParallelFor& onThreads = items.size() > ParticlesOfOneThread ? parallelFor : SerialFor;
   const std::vector<Part> cells = this->FindCells(items, particlesPerCell, onThreads, poll);
@@ -220,7 +221,7 @@ void ParticleGroups::Arrange(std::vector<Item>& items, const Part& group)
   }
   std::stable_partition(
     first + 1, last, [&](const Item& item) { return this->Masters[item.Particle] != item.Particle; });
-  std::transform(first, last, this->Order.begin() + static_cast<std::ptrdiff_t>(group.Begin),
+  std::transform(first, last, this->Tree.begin() + static_cast<std::ptrdiff_t>(group.Begin),
     [](const Item& item) { return item.Particle; });
 }
 
@@ -230,11 +231,11 @@ void ParticleGroups::PutMastersFirst(const Part* cells, std::size_t cluster)
   const std::size_t firstCell = cluster * CellsOfCluster;
   const std::size_t endCell = std::min(firstCell + CellsOfCluster, this->Cells.size());
   const std::size_t begin = cells[firstCell].Begin;
-  const auto at = [this](std::size_t place) { return this->Order.begin() + static_cast<std::ptrdiff_t>(place); };
-  const std::vector<int> tree(at(begin), at(cells[endCell - 1].End));
   const auto hasOrbit = [this](int particle) { return this->Masters[particle] == particle; };
   std::size_t orbit = begin;
-  std::size_t slave = begin + static_cast<std::size_t>(std::count_if(tree.begin(), tree.end(), hasOrbit));
+  std::size_t slave = begin +
+    static_cast<std::size_t>(
+      std::count_if(this->Tree.data() + begin, this->Tree.data() + cells[endCell - 1].End, hasOrbit));
   const double scatter = this->Options.Scatter && this->Options.Slaves > 0 ? this->Options.MaximumOffset : 0.0;
   ParticleRegion& all = this->Clusters[cluster];
   all.Bounds = cells[firstCell].Bounds;
@@ -245,7 +246,7 @@ void ParticleGroups::PutMastersFirst(const Part* cells, std::size_t cluster)
     region.Bounds = { region.Bounds.Low - scatter, region.Bounds.High + scatter };
     for (std::size_t n = cells[cell].Begin; n < cells[cell].End; ++n)
     {
-      this->Put(tree[n - begin], hasOrbit(tree[n - begin]), region);
+      this->Put(this->Tree[n], hasOrbit(this->Tree[n]), region);
     }
     orbit = region.Orbits.End;
     slave = region.Slaves.End;

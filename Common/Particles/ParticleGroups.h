@@ -75,6 +75,9 @@ public:
   /// Particles, cluster after cluster: those of all cells with orbits of their own, then the slaves of all cells.
   const std::vector<int>& GetOrder() const { return this->Order; }
 
+  /// Particles as the medians have cut them, group after group: the former order of groups to come.
+  const std::vector<int>& GetTree() const { return this->Tree; }
+
   /// Slaves of the master at a place in the order of a cell; none where it has none.
   PlaceRange SlavesAt(const ParticleRegion& cell, std::size_t place) const
   {
@@ -117,6 +120,7 @@ private:
   bool IsOffset(const Vector3& offset) const;
 
   GroupOptions Options;
+  std::vector<int> Tree;
   std::vector<int> Order;
   std::vector<int> Kin; ///< by place: the first slave of a master, the master of a slave
   std::vector<float> Reaches;

@@ -24,16 +24,16 @@ constexpr std::size_t ClustersOfOneThread = 1024;
 constexpr double Slack = 1e-6;
 
 /// Appends a run, to the last one where that is shown alike and ends where it begins.
-void AddRun(ShownRuns& runs, const PlaceRange& range, int trains, double weight, float error)
+void AddRun(ShownRuns& runs, const PlaceRange& range, int trains, RunWeight weight, float error)
 {
   if (range.Size() == 0)
   {
     return;
   }
-  const ShownRun run{ range.Begin, range.End, trains, static_cast<float>(weight), error };
-  const bool goesOn = !runs.empty() && runs.back().End == run.Begin && runs.back().Trains == trains &&
-    runs.back().Weight == run.Weight && runs.back().Error == error;
-  goesOn ? static_cast<void>(runs.back().End = run.End) : runs.push_back(run);
+  const bool goesOn = !runs.empty() && runs.back().End == range.Begin && runs.back().Trains == trains &&
+    runs.back().Weight == weight && runs.back().Error == error;
+  goesOn ? static_cast<void>(runs.back().End = range.End)
+         : runs.push_back({ range.Begin, range.End, trains, weight, error });
 }
 
 class Selector
@@ -47,7 +47,8 @@ public:
     , Frustum(frustum)
     , Options(options)
     , Shift(shift)
-    , Spread(glm::length(shift.High - shift.Low))
+    , Way(0.5 * (shift.Low + shift.High))
+    , Spread(0.5 * glm::length(shift.High - shift.Low))
     , Limit(options.VisibleDistance > 0.0 ? options.VisibleDistance + frustum.GetView().Margin
                                           : std::numeric_limits<double>::infinity())
   {
@@ -90,14 +91,21 @@ private:
     Mixed
   };
 
-  /// How a group is shown: weights in its levels, 0 where it is not seen.
+  /// A level of a group: whether it is in it, and with which weight.
+  struct InLevel
+  {
+    bool Is = false;
+    RunWeight Weight = RunWeight::One;
+  };
+
+  /// How a group is shown.
   struct GroupShow
   {
-    double Orbit = 0.0; ///< of the master, which is in Near or in Middle
+    InLevel Orbit; ///< of the master, in Near or in Middle
     bool IsNear = false;
-    double Near = 0.0; ///< of slaves
-    double Middle = 0.0;
-    double Far = 0.0; ///< of all
+    InLevel Near; ///< of slaves
+    InLevel Middle;
+    InLevel Far; ///< of all
     int Trains = 0;
     float Tail = 0.0f;
     float SlaveError = 0.0f;
@@ -154,8 +162,8 @@ private:
     const Level level = this->LevelOf(box, distances);
     if (level == Level::Far)
     {
-      AddRun(part.Far, region.Orbits, 0, 1.0, 0.0f);
-      AddRun(part.Far, region.Slaves, 0, 1.0, 0.0f);
+      AddRun(part.Far, region.Orbits, 0, RunWeight::One, 0.0f);
+      AddRun(part.Far, region.Slaves, 0, RunWeight::One, 0.0f);
       return Verdict::Taken;
     }
     const int trains = this->Table.CountAt(distances.Least, box.High.z);
@@ -165,16 +173,22 @@ private:
     }
     const double tail = this->Table.TailAt(trains, box.High.z);
     const bool isNear = level == Level::Near;
-    AddRun(isNear ? part.Near : part.Orbits, region.Orbits, trains, 1.0, RoundedUp(tail));
-    isNear ? AddRun(part.Near, region.Slaves, trains, 1.0, RoundedUp(tail))
-           : AddRun(part.Slaves, region.Slaves, 0, 1.0, this->SlaveError(region.Reach, box.High.z, tail));
+    AddRun(isNear ? part.Near : part.Orbits, region.Orbits, trains, RunWeight::One, RoundedUp(tail));
+    isNear ? AddRun(part.Near, region.Slaves, trains, RunWeight::One, RoundedUp(tail))
+           : AddRun(part.Slaves, region.Slaves, 0, RunWeight::One, this->SlaveError(region.Reach, box.High.z, tail));
     return Verdict::Taken;
   }
 
   /// Bound of the error of slaves up to a reach from their masters, none of them above a height.
   float SlaveError(double reach, double height, double tail) const
   {
-    return RoundedUp(this->Table.SlaveError(reach + this->Spread, height) + tail);
+    return RoundedUp(this->Table.SlaveError(reach + 2.0 * this->Spread, height) + tail);
+  }
+
+  /// A level whose weight is between two bounds.
+  static InLevel LevelWith(double least, double most)
+  {
+    return { most > 0.0, least >= 1.0 ? RunWeight::One : RunWeight::ByDistance };
   }
 
   /// How the group of the master at a place is shown. All of it is within a reach of the master.
@@ -182,27 +196,30 @@ private:
   {
     GroupShow show;
     const View& view = this->Frustum.GetView();
-    const Vector3 center = this->Places[this->Groups.GetOrder()[place]];
+    const Vector3 center = this->Places[this->Groups.GetOrder()[place]] + this->Way;
     if (SightDistance(view, center) > this->Limit)
     {
       return show;
     }
-    const double reach = this->Groups.ReachAt(place) + this->Spread;
+    const double reach = this->Groups.ReachAt(place) + 2.0 * this->Spread;
     const double highest = center.z + reach;
     const double distance = LevelDistance(view, center);
-    const LevelWeights weights = WeightsAt(distance, this->Options);
     const auto isSeen = [&](double margin) {
       return !this->Options.UseCulling || this->Frustum.MayShow(center, reach + margin);
     };
-    show.Far = weights.Far > 0.0 && isSeen(this->Options.FogMargin) ? weights.Far : 0.0;
-    if (weights.Far >= 1.0 || !isSeen(this->Table.AmplitudeAt(highest) + this->Options.Margin))
+    // Weights are monotonous in the distance.
+    const double spread = this->Spread / view.DetailFactor;
+    const LevelWeights nearest = WeightsAt(distance - spread, this->Options);
+    const LevelWeights farthest = WeightsAt(distance + spread, this->Options);
+    show.Far = LevelWith(nearest.Far, isSeen(this->Options.FogMargin) ? farthest.Far : 0.0);
+    if (nearest.Far >= 1.0 || !isSeen(this->Table.AmplitudeAt(highest) + this->Options.Margin))
     {
       return show;
     }
     show.IsNear = distance < this->Options.MiddleDistance || !this->Options.UseLevels;
-    show.Orbit = 1.0 - weights.Far;
-    show.Near = weights.Near;
-    show.Middle = weights.Middle;
+    show.Orbit = LevelWith(1.0 - farthest.Far, 1.0 - nearest.Far);
+    show.Near = LevelWith(farthest.Near, nearest.Near);
+    show.Middle = LevelWith(1.0 - nearest.Near - farthest.Far, 1.0 - farthest.Near - nearest.Far);
     show.Trains = this->Table.CountAt(std::max(0.0, distance - reach / view.DetailFactor), highest);
     const double tail = this->Table.TailAt(show.Trains, highest);
     show.Tail = RoundedUp(tail);
@@ -227,33 +244,33 @@ private:
 
   static void TakeOrbit(const PlaceRange& orbit, const PlaceRange& slaves, const GroupShow& show, ParticlePart& part)
   {
-    if (show.Orbit > 0.0)
+    if (show.Orbit.Is)
     {
-      AddRun(show.IsNear ? part.Near : part.Orbits, orbit, show.Trains, show.Orbit, show.Tail);
+      AddRun(show.IsNear ? part.Near : part.Orbits, orbit, show.Trains, show.Orbit.Weight, show.Tail);
     }
-    if (show.IsNear && show.Middle > 0.0 && slaves.Size() > 0)
+    if (show.IsNear && show.Middle.Is && slaves.Size() > 0)
     {
-      AddRun(part.Orbits, orbit, show.Trains, 0.0, show.Tail);
+      AddRun(part.Orbits, orbit, show.Trains, RunWeight::None, show.Tail);
     }
-    if (show.Far > 0.0)
+    if (show.Far.Is)
     {
-      AddRun(part.Far, orbit, 0, show.Far, 0.0f);
+      AddRun(part.Far, orbit, 0, show.Far.Weight, 0.0f);
     }
   }
 
   static void TakeSlaves(const PlaceRange& slaves, const GroupShow& show, ParticlePart& part)
   {
-    if (show.Near > 0.0)
+    if (show.Near.Is)
     {
-      AddRun(part.Near, slaves, show.Trains, show.Near, show.Tail);
+      AddRun(part.Near, slaves, show.Trains, show.Near.Weight, show.Tail);
     }
-    if (show.Middle > 0.0)
+    if (show.Middle.Is)
     {
-      AddRun(part.Slaves, slaves, 0, show.Middle, show.SlaveError);
+      AddRun(part.Slaves, slaves, 0, show.Middle.Weight, show.SlaveError);
     }
-    if (show.Far > 0.0)
+    if (show.Far.Is)
     {
-      AddRun(part.Far, slaves, 0, show.Far, 0.0f);
+      AddRun(part.Far, slaves, 0, show.Far.Weight, 0.0f);
     }
   }
 
@@ -263,7 +280,8 @@ private:
   const ViewFrustum& Frustum;
   const ParticleLevelOptions& Options;
   const Box& Shift;
-  double Spread; ///< of the ways of all [m]
+  Vector3 Way;   ///< in the middle of all [m]
+  double Spread; ///< of the others about it [m]
   double Limit;
   std::vector<GroupShow> Shows; ///< of a cell
 };
@@ -288,7 +306,7 @@ void Count(const ParticlePart& part, ParticleCounts& counts)
     {
       const auto size = static_cast<long long>(run.Size());
       counts.TrainSum += size * run.Trains;
-      counts.Shown += run.Weight > 0.0f ? size : 0;
+      counts.Shown += run.Weight == RunWeight::None ? 0 : size;
     }
   }
   for (const ShownRun& run : part.Slaves)
@@ -349,6 +367,15 @@ LevelWeights WeightsAt(double distance, const ParticleLevelOptions& options)
   const double beyondMiddle = BlendAt(distance - options.MiddleDistance, options.BlendDistance);
   const double beyondFar = BlendAt(distance - options.FarDistance, options.BlendDistance);
   return { 1.0 - beyondMiddle, beyondMiddle - beyondFar, beyondFar };
+}
+
+double WeightIn(ParticleLevel level, bool isSlave, double distance, const ParticleLevelOptions& options)
+{
+  const LevelWeights weights = WeightsAt(distance, options);
+  return level == ParticleLevel::Far ? weights.Far
+    : !isSlave                       ? 1.0 - weights.Far
+    : level == ParticleLevel::Near   ? weights.Near
+                                     : weights.Middle;
 }
 
 ParticleSelection SelectParticles(const PlaceList& places, const ParticleGroups& groups, const TrainTable& table,

@@ -45,14 +45,22 @@ LevelWeights WeightsAt(double distance, const ParticleLevelOptions& options);
 /// 0 before -width, 1 beyond width, smooth between; a step for a width of 0.
 double BlendAt(double x, double width);
 
+/// Weight of particles in a level.
+enum class RunWeight
+{
+  None,      ///< masters that are needed for their slaves alone
+  One,       ///< all
+  ByDistance ///< by the distance of each, or of its master: see WeightIn()
+};
+
 /// Particles that a level shows alike, from Begin up to End in the order of the groups.
 struct ShownRun
 {
   std::size_t Begin;
   std::size_t End;
-  int Trains;   ///< number of trains that move each of them; 0 for slaves, and for fog
-  float Weight; ///< 0 for masters that are needed for their slaves alone
-  float Error;  ///< bound of their distance from where all trains would have them [m]
+  int Trains; ///< number of trains that move each of them; 0 for slaves, and for fog
+  RunWeight Weight;
+  float Error; ///< bound of their distance from where all trains would have them [m]
 
   std::size_t Size() const { return this->End - this->Begin; }
 };
@@ -70,7 +78,7 @@ struct ParticleCounts
   long long Slaves = 0;  ///< of Middle
   long long Far = 0;
   long long TrainSum = 0;         ///< number of trains, summed over orbits: the work
-  long long Shown = 0;            ///< particles with a weight in Near or Middle
+  long long Shown = 0;            ///< particles in Near or Middle, but for masters that slaves alone need
   double MaximumSlaveError = 0.0; ///< largest error of a slave [m]
 };
 
@@ -92,6 +100,18 @@ struct ParticleSelection : ParticleCounts
   long long Orbits() const { return this->Near + this->Masters; } ///< that are to be computed
 };
 
+/// Levels as they weigh particles.
+enum class ParticleLevel
+{
+  Near,
+  Middle,
+  Far
+};
+
+/// The weight in a level at the distance of a master [m], of itself or of its slaves: a master is in Near and Middle at
+/// the same place, so it is whole in the one that shows it.
+double WeightIn(ParticleLevel level, bool isSlave, double distance, const ParticleLevelOptions& options);
+
 /**
  * Particles that a view needs, of the cells from firstCell up to endCell. A cluster that is in the view and in one
  * level as a whole is taken at once, else each of its cells that is; in the others the distance of a master tells the
@@ -99,9 +119,11 @@ struct ParticleSelection : ParticleCounts
  * never lost, and none of a group is without its master. Trains and errors are those of the nearest and highest place
  * of what is taken at once. Far cells are taken as a whole where the view needs a part of them.
  *
- * Particles that are left out keep their places; the selection depends on the view of the moment alone. A master is at
- * the same place in Near and Middle, and changes between them without a band. Masters in Near are in Middle, too, with
- * weight 0, where slaves need them. Particles may have moved since they were grouped: shift holds the ways of all.
+ * Particles may have gone some way from their places: shift holds the ways of all, and the selection is that of all
+ * ways in it. So it stays as it is from frame to frame as long as they are in the same shift; where levels change,
+ * weights go by distance. Particles that are left out keep their places; the selection depends on the view of the
+ * moment alone. A master changes at once between Near and Middle. Masters in Near are in Middle, too, where slaves need
+ * them.
  */
 ParticleSelection SelectParticles(const PlaceList& places, const ParticleGroups& groups, const TrainTable& table,
   const ViewFrustum& frustum, const ParticleLevelOptions& options, std::size_t firstCell, std::size_t endCell,

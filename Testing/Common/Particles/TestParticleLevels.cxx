@@ -56,26 +56,41 @@ struct Listed : ParticleCounts
   std::vector<ShownParticle> Far;
 };
 
-void Append(const ShownRuns& runs, const ParticleGroups& groups, std::vector<ShownParticle>& list)
+/// Particles of a level with their weights at some places.
+struct Lister
 {
-  for (const ShownRun& run : runs)
+  const ParticleGroups& Groups;
+  const std::vector<Vector3>& Places;
+  const View& Seen;
+  const ParticleLevelOptions& Options;
+
+  void Append(const ShownRuns& runs, ParticleLevel level, std::vector<ShownParticle>& list) const
   {
-    for (std::size_t n = run.Begin; n < run.End; ++n)
+    for (const ShownRun& run : runs)
     {
-      list.push_back({ groups.GetOrder()[n], -1, run.Trains, run.Weight, run.Error });
+      for (std::size_t n = run.Begin; n < run.End; ++n)
+      {
+        const int particle = this->Groups.GetOrder()[n];
+        const int master = this->Groups.MasterOf(particle);
+        const double own =
+          WeightIn(level, master != particle, LevelDistance(this->Seen, this->Places[master]), this->Options);
+        const double weight = run.Weight == RunWeight::None ? 0.0 : run.Weight == RunWeight::One ? 1.0 : own;
+        list.push_back({ particle, -1, run.Trains, static_cast<float>(weight), run.Error });
+      }
     }
   }
-}
+};
 
-Listed ListOf(const ParticleSelection& selection, const ParticleGroups& groups)
+Listed ListOf(const ParticleSelection& selection, const Lister& lister)
 {
+  const ParticleGroups& groups = lister.Groups;
   Listed all;
   static_cast<ParticleCounts&>(all) = selection;
   for (const ParticlePart& part : selection.Parts)
   {
-    Append(part.Near, groups, all.Near);
-    Append(part.Far, groups, all.Far);
-    Append(part.Orbits, groups, all.Middle);
+    lister.Append(part.Near, ParticleLevel::Near, all.Near);
+    lister.Append(part.Far, ParticleLevel::Far, all.Far);
+    lister.Append(part.Orbits, ParticleLevel::Middle, all.Middle);
   }
   const std::size_t orbits = all.Middle.size();
   std::vector<int> places(groups.GetOrder().size(), -1);
@@ -85,7 +100,7 @@ Listed ListOf(const ParticleSelection& selection, const ParticleGroups& groups)
   }
   for (const ParticlePart& part : selection.Parts)
   {
-    Append(part.Slaves, groups, all.Middle);
+    lister.Append(part.Slaves, ParticleLevel::Middle, all.Middle);
   }
   for (std::size_t n = orbits; n < all.Middle.size(); ++n)
   {
@@ -100,7 +115,7 @@ Listed Select(const SeaState& sea, const std::vector<Vector3>& places, const Par
 {
   return ListOf(SelectParticles(places, groups, Table(sea, groups, view, rule), ViewFrustum(view), options, 0,
                   groups.GetCells().size()),
-    groups);
+    { groups, places, view, options });
 }
 
 }
