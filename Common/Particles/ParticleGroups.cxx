@@ -203,8 +203,8 @@ void ParticleGroups::Arrange(std::vector<Item>& items, const Part& group)
   Vector3 sum(0.0);
   std::for_each(first, last, [&](const Item& item) { sum += item.Place; });
   const Vector3 middle = sum / static_cast<double>(group.End - group.Begin);
-  const auto away = [&](const Item& item) { return glm::distance(item.Place, middle); };
-  const auto central = std::min_element(first, last, [&](const Item& a, const Item& b) { return away(a) < away(b); });
+  const auto central = std::min_element(first, last,
+    [&](const Item& a, const Item& b) { return glm::distance(a.Place, middle) < glm::distance(b.Place, middle); });
   std::rotate(first, central, central + 1);
   const RandomStream random(options.Seed, RandomPurpose::SlaveOffsets);
   const Item& master = *first;
@@ -216,6 +216,9 @@ void ParticleGroups::Arrange(std::vector<Item>& items, const Part& group)
       offset = PlaceInShell(random, item->Particle, options.NearestOffset, options.MaximumOffset);
     }
     const bool follows = item != first && (options.Scatter || this->IsOffset(offset));
+    const double away = std::max(glm::length(offset), glm::distance(item->Place, master.Place));
+    float& reach = this->Reaches[master.Particle];
+    reach = follows ? std::max(reach, RoundedUp(away)) : reach;
     this->Masters[item->Particle] = follows ? master.Particle : item->Particle;
     this->Offsets[item->Particle] = follows ? offset : Vector3(0.0);
   }
@@ -265,13 +268,10 @@ void ParticleGroups::Put(int particle, bool hasOrbit, ParticleRegion& region)
   if (hasOrbit)
   {
     this->Kin[place] = static_cast<int>(region.Slaves.End);
+    region.Reach = std::max(region.Reach, this->ReachOf(particle));
     return;
   }
-  const std::size_t master = region.Orbits.End - 1;
-  const float reach = RoundedUp(glm::length(this->Offsets[particle]));
-  this->Kin[place] = static_cast<int>(master);
-  this->Reaches[master] = std::max(this->Reaches[master], reach);
-  region.Reach = std::max(region.Reach, static_cast<double>(reach));
+  this->Kin[place] = static_cast<int>(region.Orbits.End - 1);
 }
 
 }

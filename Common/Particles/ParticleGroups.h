@@ -42,7 +42,7 @@ struct ParticleRegion
   PlaceRange Orbits; ///< masters, and particles that follow none
   PlaceRange Slaves;
   Box Bounds;         ///< that holds them, at their own places and as slaves
-  double Reach = 0.0; ///< longest offset of a slave from its master [m]
+  double Reach = 0.0; ///< bound of the distance of slaves from their masters [m]
 
   std::size_t Size() const { return this->Orbits.Size() + this->Slaves.Size(); }
 };
@@ -88,8 +88,8 @@ public:
   /// Place of the master of the slave at a place in the order.
   std::size_t MasterAt(std::size_t place) const { return static_cast<std::size_t>(this->Kin[place]); }
 
-  /// Longest offset of the slaves of the master at a place [m].
-  double ReachAt(std::size_t place) const { return this->Reaches[place]; }
+  /// Bound of the distance of the slaves from a master, at their own places and as slaves [m]; 0 without any.
+  double ReachOf(int master) const { return this->Reaches[master]; }
 
   /// The master of a particle; the particle itself if it has none.
   int MasterOf(int particle) const { return this->Masters[particle]; }

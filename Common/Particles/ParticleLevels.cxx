@@ -196,12 +196,13 @@ private:
   {
     GroupShow show;
     const View& view = this->Frustum.GetView();
-    const Vector3 center = this->Places[this->Groups.GetOrder()[place]] + this->Way;
+    const int master = this->Groups.GetOrder()[place];
+    const Vector3 center = this->Places[master] + this->Way;
     if (SightDistance(view, center) > this->Limit)
     {
       return show;
     }
-    const double reach = this->Groups.ReachAt(place) + 2.0 * this->Spread;
+    const double reach = this->Groups.ReachOf(master) + 2.0 * this->Spread;
     const double highest = center.z + reach;
     const double distance = LevelDistance(view, center);
     const auto isSeen = [&](double margin) {
@@ -223,7 +224,7 @@ private:
     show.Trains = this->Table.CountAt(std::max(0.0, distance - reach / view.DetailFactor), highest);
     const double tail = this->Table.TailAt(show.Trains, highest);
     show.Tail = RoundedUp(tail);
-    show.SlaveError = this->SlaveError(this->Groups.ReachAt(place), highest, tail);
+    show.SlaveError = this->SlaveError(this->Groups.ReachOf(master), highest, tail);
     return show;
   }
 

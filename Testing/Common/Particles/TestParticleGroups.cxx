@@ -116,8 +116,8 @@ TEST(ParticleGroups, MastersAndSlavesFindEachOther)
         EXPECT_EQ(groups.MasterAt(slave), place);
         reach = std::max(reach, glm::distance(places[order[slave]], places[order[place]]));
       }
-      EXPECT_NEAR(groups.ReachAt(place), reach, 1e-6);
-      EXPECT_GE(groups.ReachAt(place), reach);
+      EXPECT_NEAR(groups.ReachOf(order[place]), reach, 1e-6);
+      EXPECT_GE(groups.ReachOf(order[place]), reach);
       farthest = std::max(farthest, reach);
     }
     EXPECT_EQ(next, cell.Slaves.End);

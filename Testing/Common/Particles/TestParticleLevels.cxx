@@ -318,10 +318,14 @@ TEST(ParticleLevels, LevelsAreThoseOfTheMaster)
 {
   const SeaState sea = Sea(30.0);
   const std::vector<Vector3> places = Places(60000, { { -15.0, -15.0, -9.0 }, { 15.0, 15.0, -1.0 } });
-  const ParticleGroups groups(places, {}, 64);
+  GroupOptions scattered;
+  scattered.Scatter = true;
+  scattered.MaximumOffset = 0.2;
+  const ParticleGroups ofBoth[] = { ParticleGroups(places, {}, 64), ParticleGroups(places, scattered, 64) };
   long long shown = 0;
   for (int frame = 0; frame < 12; ++frame)
   {
+    const ParticleGroups& groups = ofBoth[frame / 6];
     View view = FrameView(11 * frame);
     view.IsParallel = frame % 4 == 3;
     view.ParallelScale = 3.0;
