@@ -4,6 +4,7 @@
 
 #include "Currents/DriftHistory.h"
 #include "Data/Arrays.h"
+#include "Data/CommonWay.h"
 #include "Data/CurrentInputs.h"
 #include "Data/Followers.h"
 #include "Data/FrameArrays.h"
@@ -456,6 +457,10 @@ bool vtkCurrentDriftFilter::WriteLeafAs(vtkPointSet* input, vtkPointSet* output,
   }
   vtkNew<vtkPoints> points;
   points->SetData(places);
+  if (isShift && start)
+  {
+    littoral::KeepCommonWay(places, still.Start, way);
+  }
   output->SetPoints(points);
   output->GetPointData()->AddArray(still.Start);
   output->GetPointData()->AddArray(captured);

@@ -5,6 +5,7 @@
 #include "Data/ArrayReader.h"
 #include "Data/Arrays.h"
 #include "Data/Blocks.h"
+#include "Data/CommonWay.h"
 #include "Data/FrameArrays.h"
 #include "Data/Inputs.h"
 #include "Data/PickedTuples.h"
@@ -12,6 +13,7 @@
 #include "Data/Tables.h"
 #include "Geometry/ViewFrustum.h"
 #include "Numerics/ParameterCheck.h"
+#include "Numerics/ShiftedTriples.h"
 #include "Particles/ParticleGroups.h"
 #include "Particles/ParticleLevels.h"
 #include "Particles/ParticleMotion.h"
@@ -42,6 +44,7 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -118,8 +121,9 @@ struct Shown
   const littoral::ParticleSelection& Selection;
   const littoral::ParticleGroups& Groups;
   const littoral::PlaceList& Places;
-  vtkDataArray* Sorted; ///< the places in the order of the groups; null where they are not at hand
-  bool AreScattered;    ///< slaves
+  vtkDataArray* Sorted;  ///< places in the order of the groups; null where they are not at hand
+  littoral::Vector3 Way; ///< from these to the places [m]
+  bool AreScattered;     ///< slaves
   const littoral::View& View;
   const littoral::ParticleLevelOptions& Options;
 };
@@ -241,7 +245,10 @@ void PickPlaces(const Real* from, const int* numbers, std::size_t count, Real* t
 {
   for (std::size_t n = 0; n < count; ++n)
   {
-    std::copy_n(from + 3 * static_cast<std::size_t>(numbers[n]), 3, to + 3 * n);
+    const Real* place = from + 3 * static_cast<std::size_t>(numbers[n]);
+    to[3 * n] = place[0];
+    to[3 * n + 1] = place[1];
+    to[3 * n + 2] = place[2];
   }
 }
 
@@ -295,7 +302,10 @@ vtkSmartPointer<vtkPoints> PointsOf(const Shown& shown, littoral::ParticleLevel 
   Real* values = points->GetPointer(0);
   if (shown.Sorted)
   {
-    CopyTuples(shown, kind, shown.Sorted, points);
+    const Real* from = Array::SafeDownCast(shown.Sorted)->GetPointer(0);
+    Visit(shown, kind, [=, &shown](const littoral::ShownRun& run, std::size_t place) {
+      littoral::ShiftTriples(from + 3 * run.Begin, run.Size(), shown.Way, values + 3 * place);
+    });
   }
   else
   {
@@ -525,8 +535,12 @@ public:
 
   Stamp Moved; ///< the places of now
   vtkSmartPointer<vtkDataArray> Places;
+  Stamp SortedSource;
+  Stamp RestingPlaces;
+  littoral::ParticleMotion Resting;     ///< of places that all go one way, without it
   bool AreNew = false;                  ///< the places, since the last frame
-  vtkSmartPointer<vtkDataArray> Sorted; ///< the places in the order of the groups; null until they stay for a frame
+  std::optional<littoral::Vector3> Way; ///< of all from the places of the grouping [m]
+  vtkSmartPointer<vtkDataArray> Sorted; ///< the latter in the order of the groups; null where they are not needed
   littoral::ParticleMotion Motion;      ///< since the grouping
   littoral::Box Ways;                   ///< for which levels are chosen: between multiples of WayStep
 
@@ -552,6 +566,7 @@ public:
 
   void Group(const Stamp& source, vtkDataArray* places, const std::vector<double>& numbers,
     const littoral::GroupOptions& options, vtkAlgorithm* owner);
+  void FindMotion(vtkDataArray* from, const littoral::ParallelFor& parallel);
   void Carry(vtkPointSet* input);
   void Sort();
   void MakeTable(const littoral::SeaState& sea, const littoral::View& view, littoral::TrainRule rule, double error);
@@ -583,6 +598,26 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::Group(const Stamp& source, vt
   this->Grouped = source;
   this->GroupedPlaces = places;
   this->Numbers = numbers;
+}
+
+/// Finds the motion of the places from others. Where all have gone one way, the others alone are looked at, and once.
+void vtkParticleLevelOfDetailFilter::vtkInternals::FindMotion(vtkDataArray* from, const littoral::ParallelFor& parallel)
+{
+  this->Way = littoral::CommonWayOf(this->Places, from);
+  if (!this->Way)
+  {
+    this->Motion = littoral::MotionOf(ListOf(from), ListOf(this->Places), parallel);
+    return;
+  }
+  if (!(this->RestingPlaces == StampOf(from)))
+  {
+    this->Resting = littoral::MotionOf(ListOf(from), ListOf(from), parallel);
+    this->RestingPlaces = StampOf(from);
+  }
+  double box[6];
+  littoral::PointsWithRanges(from)->GetBounds(box);
+  this->Motion =
+    littoral::Shifted(this->Resting, *this->Way, { { box[0], box[2], box[4] }, { box[1], box[3], box[5] } });
 }
 
 /// Puts the arrays of the input in the order of the groups, but for those that are made here.
@@ -618,17 +653,19 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::Carry(vtkPointSet* input)
   this->CarriedKey = key;
 }
 
-/// Puts places that stay in the order of the groups; of places that change from frame to frame only those that are
-/// shown are looked at.
+/// Puts places that stay, or go one way, in the order of the groups; of places that change otherwise from frame to
+/// frame only those that are shown are looked at.
 void vtkParticleLevelOfDetailFilter::vtkInternals::Sort()
 {
-  if (this->AreNew)
+  const Stamp source = this->Way ? this->Grouped : this->Moved;
+  if (this->AreNew && !this->Way)
   {
     this->Sorted = nullptr;
   }
-  else if (!this->Sorted)
+  else if (!this->Sorted || !(this->SortedSource == source))
   {
-    const littoral::PlaceList places = ListOf(this->Places);
+    this->SortedSource = source;
+    const littoral::PlaceList places = ListOf(this->Way ? this->GroupedPlaces : this->Places);
     this->Sorted = places.GetSingles() ? SortedPlaces<vtkFloatArray>(places, *this->Groups)
                                        : SortedPlaces<vtkDoubleArray>(places, *this->Groups);
   }
@@ -840,7 +877,7 @@ void vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
   internals.Places = isPlain ? points : littoral::WithType<vtkDoubleArray>(points).Get();
   const littoral::PlaceList places = ListOf(internals.Places);
   const littoral::ParallelFor parallel = littoral::AbortableFor(this);
-  internals.Motion = littoral::MotionOf(knowsStart ? ListOf(start) : places, places, parallel);
+  internals.FindMotion(knowsStart ? start : internals.Places.Get(), parallel);
   if (!internals.Motion.IsFinite)
   {
     RefuseInfinite(places);
@@ -854,6 +891,7 @@ void vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
     internals.Group(wanted, from, numbers, options, this);
   }
   internals.Ways = areTogether ? RoundedWays(internals.Motion.Shift) : littoral::Box{};
+  internals.Way = areTogether ? internals.Way : std::nullopt;
   internals.Moved = moved;
   internals.AreNew = true;
 }
@@ -911,7 +949,7 @@ int vtkParticleLevelOfDetailFilter::RequestData(
   const auto trainOrder = OrderArray(internals.Order);
   const littoral::PlaceList places = ListOf(internals.Places);
   const Shown shown{ *internals.Selection, *internals.Groups, places, internals.Sorted,
-    this->SlavePlacement == Scattered, view, options };
+    internals.Way.value_or(littoral::Vector3(0.0)), this->SlavePlacement == Scattered, view, options };
   const char* const names[] = { littoral::sea::Near, littoral::sea::MasterSlave, littoral::sea::Far };
   for (const littoral::ParticleLevel kind : Levels)
   {
