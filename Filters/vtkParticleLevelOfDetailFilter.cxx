@@ -3,6 +3,7 @@
 #include "vtkParticleLevelOfDetailFilter.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/ArrayStamp.h"
 #include "Data/Arrays.h"
 #include "Data/Blocks.h"
 #include "Data/CommonWay.h"
@@ -73,29 +74,12 @@ constexpr double LargestSpread = 0.25;
 
 /// Levels are chosen for all ways of particles between multiples of this length, so that they stay for some frames of a
 /// current [m].
-constexpr double WayStep = 0.05;
+constexpr double WayStep = 0.1;
 
 /// The ways between multiples of WayStep about some ways.
 littoral::Box RoundedWays(const littoral::Box& ways)
 {
   return { WayStep * glm::floor(ways.Low / WayStep), WayStep * glm::ceil(ways.High / WayStep) };
-}
-
-/// An array as it was.
-struct Stamp
-{
-  vtkAbstractArray* Array = nullptr; ///< compared, never used
-  vtkMTimeType Time = 0;
-};
-
-bool operator==(const Stamp& a, const Stamp& b)
-{
-  return a.Array == b.Array && a.Time == b.Time;
-}
-
-Stamp StampOf(vtkAbstractArray* array)
-{
-  return { array, array->GetMTime() };
 }
 
 /// Places in single or double precision.
@@ -112,8 +96,8 @@ littoral::PlaceList ListOf(vtkDataArray* places)
 constexpr littoral::ParticleLevel Levels[] = { littoral::ParticleLevel::Near, littoral::ParticleLevel::Middle,
   littoral::ParticleLevel::Far };
 
-/// Parts of a selection that are written at once by a thread.
-constexpr std::size_t PartsAtOnce = 128;
+/// Parts of a selection that are written at once by a thread: half a million particles.
+constexpr std::size_t PartsAtOnce = 512;
 
 /// A selection with what tells where its particles are.
 struct Shown
@@ -424,26 +408,35 @@ void AddLevelArrays(
   }
 }
 
-/// The offsets of slaves from their masters, in the type of the points.
+/// The offsets of slaves from their masters, in the type of the points. They are those at rest where these are at hand,
+/// so that they stay from frame to frame.
 template <typename Array>
-void AddOffsets(const Shown& shown, littoral::FrameArrays& memory, vtkPolyData* block)
+vtkSmartPointer<Array> OffsetsOf(const Shown& shown, vtkPolyData* block, littoral::FrameArrays& memory)
 {
   using Real = typename Array::ValueType;
   const Real* points = Array::SafeDownCast(block->GetPoints()->GetData())->GetPointer(0);
+  const Real* resting =
+    shown.Sorted && !shown.AreScattered ? Array::SafeDownCast(shown.Sorted)->GetPointer(0) : nullptr;
   const auto array = memory.New<Array>(littoral::sea::Offset, 3, block->GetNumberOfPoints());
   Real* offsets = array->GetPointer(0);
   const vtkIdType* masters =
     vtkIdTypeArray::SafeDownCast(block->GetPointData()->GetArray(littoral::sea::MasterId))->GetPointer(0);
-  const auto first = static_cast<std::size_t>(shown.Selection.Masters);
-  std::fill_n(offsets, 3 * first, Real(0.0));
-  for (std::size_t slave = first; slave < SizeOf(shown.Selection, littoral::ParticleLevel::Middle); ++slave)
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      offsets[3 * slave + axis] = points[3 * slave + axis] - points[3 * masters[slave] + axis];
-    }
-  }
-  block->GetPointData()->AddArray(array);
+  std::fill_n(offsets, 3 * shown.Selection.Masters, Real(0.0));
+  ForParts(shown.Selection, [&](const littoral::ParticlePart& part) {
+    const auto first = static_cast<std::size_t>(shown.Selection.Masters + part.Before.Slaves);
+    ForRuns(part.Slaves, first, [&](const littoral::ShownRun& run, std::size_t place) {
+      for (std::size_t n = run.Begin; n < run.End; ++n, ++place)
+      {
+        const Real* slave = resting ? resting + 3 * n : points + 3 * place;
+        const Real* master = resting ? resting + 3 * shown.Groups.MasterAt(n) : points + 3 * masters[place];
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          offsets[3 * place + axis] = slave[axis] - master[axis];
+        }
+      }
+    });
+  });
+  return array;
 }
 
 /// Numbers from 0 on, of which all blocks show the first ones.
@@ -527,16 +520,16 @@ double ParticlesIn(const littoral::ParticleGroups& groups, const littoral::Piece
 class vtkParticleLevelOfDetailFilter::vtkInternals
 {
 public:
-  Stamp Grouped; ///< the places of the grouping
+  littoral::ArrayStamp Grouped; ///< the places of the grouping
   vtkSmartPointer<vtkDataArray> GroupedPlaces;
   std::vector<double> Numbers; ///< properties of the grouping
   std::unique_ptr<littoral::ParticleGroups> Groups;
   littoral::Box Bounds; ///< of all cells
 
-  Stamp Moved; ///< the places of now
+  littoral::ArrayStamp Moved; ///< the places of now
   vtkSmartPointer<vtkDataArray> Places;
-  Stamp SortedSource;
-  Stamp RestingPlaces;
+  littoral::ArrayStamp SortedSource;
+  littoral::ArrayStamp RestingPlaces;
   littoral::ParticleMotion Resting;     ///< of places that all go one way, without it
   bool AreNew = false;                  ///< the places, since the last frame
   std::optional<littoral::Vector3> Way; ///< of all from the places of the grouping [m]
@@ -544,11 +537,13 @@ public:
   littoral::ParticleMotion Motion;      ///< since the grouping
   littoral::Box Ways;                   ///< for which levels are chosen: between multiples of WayStep
 
+  bool HadSorted = false; ///< when offsets were found
+
   std::vector<double> TableKey;
   std::vector<int> Order; ///< of the trains
   std::unique_ptr<littoral::TrainTable> Table;
 
-  std::vector<Stamp> CarriedKey;
+  std::vector<littoral::ArrayStamp> CarriedKey;
   vtkSmartPointer<vtkPointData> Carried; ///< arrays of the input in the order of the groups
 
   littoral::FrameArrays Memory;
@@ -564,7 +559,7 @@ public:
     std::fill(std::begin(this->Blocks), std::end(this->Blocks), nullptr);
   }
 
-  void Group(const Stamp& source, vtkDataArray* places, const std::vector<double>& numbers,
+  void Group(const littoral::ArrayStamp& source, vtkDataArray* places, const std::vector<double>& numbers,
     const littoral::GroupOptions& options, vtkAlgorithm* owner);
   void FindMotion(vtkDataArray* from, const littoral::ParallelFor& parallel);
   void Carry(vtkPointSet* input);
@@ -577,7 +572,7 @@ public:
 };
 
 /// Groups particles anew by where they are.
-void vtkParticleLevelOfDetailFilter::vtkInternals::Group(const Stamp& source, vtkDataArray* places,
+void vtkParticleLevelOfDetailFilter::vtkInternals::Group(const littoral::ArrayStamp& source, vtkDataArray* places,
   const std::vector<double>& numbers, const littoral::GroupOptions& options, vtkAlgorithm* owner)
 {
   // Particles that drift keep most of their order, and the groups are found faster from it.
@@ -609,10 +604,10 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::FindMotion(vtkDataArray* from
     this->Motion = littoral::MotionOf(ListOf(from), ListOf(this->Places), parallel);
     return;
   }
-  if (!(this->RestingPlaces == StampOf(from)))
+  if (!(this->RestingPlaces == littoral::StampOf(from)))
   {
     this->Resting = littoral::MotionOf(ListOf(from), ListOf(from), parallel);
-    this->RestingPlaces = StampOf(from);
+    this->RestingPlaces = littoral::StampOf(from);
   }
   double box[6];
   littoral::PointsWithRanges(from)->GetBounds(box);
@@ -630,10 +625,10 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::Carry(vtkPointSet* input)
   {
     carried->RemoveArray(name);
   }
-  std::vector<Stamp> key;
+  std::vector<littoral::ArrayStamp> key;
   for (int index = 0; index < carried->GetNumberOfArrays(); ++index)
   {
-    key.push_back(StampOf(carried->GetAbstractArray(index)));
+    key.push_back(littoral::StampOf(carried->GetAbstractArray(index)));
   }
   if (this->Carried && key == this->CarriedKey)
   {
@@ -657,7 +652,7 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::Carry(vtkPointSet* input)
 /// frame only those that are shown are looked at.
 void vtkParticleLevelOfDetailFilter::vtkInternals::Sort()
 {
-  const Stamp source = this->Way ? this->Grouped : this->Moved;
+  const littoral::ArrayStamp source = this->Way ? this->Grouped : this->Moved;
   if (this->AreNew && !this->Way)
   {
     this->Sorted = nullptr;
@@ -762,12 +757,14 @@ vtkSmartPointer<vtkPolyData> vtkParticleLevelOfDetailFilter::vtkInternals::Block
   {
     AddAlpha(shown, kind, this->Memory, former->GetPointData());
   }
+  if (kind == littoral::ParticleLevel::Middle && (isNew || !shown.Sorted || !this->HadSorted))
+  {
+    former->SetPoints(block->GetPoints());
+    former->GetPointData()->AddArray(OffsetsOf<Array>(shown, former, this->Memory));
+    this->HadSorted = shown.Sorted != nullptr;
+  }
   block->SetVerts(former->GetVerts());
   block->GetPointData()->ShallowCopy(former->GetPointData());
-  if (kind == littoral::ParticleLevel::Middle)
-  {
-    AddOffsets<Array>(shown, this->Memory, block);
-  }
   return block;
 }
 
@@ -847,13 +844,13 @@ void vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
   const vtkIdType count = particles->GetPoints() ? particles->GetNumberOfPoints() : 0;
   littoral::Require(count == 0 ? "there are no particles in the input." : "");
   vtkDataArray* points = particles->GetPoints()->GetData();
-  const Stamp moved{ points, std::max(points->GetMTime(), particles->GetPoints()->GetMTime()) };
+  const littoral::ArrayStamp moved{ points, std::max(points->GetMTime(), particles->GetPoints()->GetMTime()) };
   vtkDataArray* start = littoral::ArrayReader::OfPoints(particles, "Input").Find(littoral::sea::Start, 3);
   const bool knowsStart = start && (vtkFloatArray::SafeDownCast(start) || vtkDoubleArray::SafeDownCast(start));
   const std::vector<double> numbers{ static_cast<double>(this->SlavesPerMaster), this->OffsetRange[0],
     this->OffsetRange[1], static_cast<double>(this->SlavePlacement), static_cast<double>(this->Seed),
     static_cast<double>(knowsStart), static_cast<double>(this->ParticlesPerCell) };
-  const Stamp source = knowsStart ? StampOf(start) : moved;
+  const littoral::ArrayStamp source = knowsStart ? littoral::StampOf(start) : moved;
   const bool areGrouped = internals.Groups && internals.Numbers == numbers;
   if (areGrouped && internals.Moved == moved && (internals.Grouped == source || internals.Grouped == moved))
   {
@@ -885,7 +882,7 @@ void vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
   // Groups that have been torn apart are no groups.
   const bool areTogether = knowsStart && internals.Motion.Spread() <= LargestSpread * this->OffsetRange[1];
   vtkDataArray* from = areTogether ? start : internals.Places.Get();
-  const Stamp wanted = areTogether ? source : moved;
+  const littoral::ArrayStamp wanted = areTogether ? source : moved;
   if (!areGrouped || !(internals.Grouped == wanted))
   {
     internals.Group(wanted, from, numbers, options, this);

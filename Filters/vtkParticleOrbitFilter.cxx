@@ -4,6 +4,7 @@
 
 #include "Data/ArrayReader.h"
 #include "Data/ArraySearch.h"
+#include "Data/ArrayStamp.h"
 #include "Data/Arrays.h"
 #include "Data/Followers.h"
 #include "Data/FrameArrays.h"
@@ -107,31 +108,13 @@ std::vector<int> ReadTrainOrder(vtkPointSet* input, std::size_t trains)
   return order;
 }
 
-/// Reads the points that move with another one, and the numbers of trains of the others.
-void ReadFollowers(vtkPointSet* input, TrainCounts& counts, littoral::Slaves& slaves)
+/// Which points follow others, how many trains act on the others, and behind which of them none does.
+struct Following
 {
-  counts = ReadTrainCounts(input);
-  slaves = littoral::ReadSlaves(input);
-  // A slave needs no orbit. With masters first, whole blocks of slaves are passed over.
-  const auto isIdle = [&](
-                        std::size_t id) { return slaves.Master[id] < 0 || (counts.Values && counts.Values[id] == 0); };
-  std::size_t id = 0;
-  while (id < slaves.Master.size() && isIdle(id))
-  {
-    ++id;
-  }
-  if (id == slaves.Master.size())
-  {
-    return; // as written by vtkParticleLevelOfDetailFilter
-  }
-  std::vector<int> copy(slaves.Master.size(), std::numeric_limits<int>::max());
-  for (id = 0; id < copy.size(); ++id)
-  {
-    copy[id] = slaves.Master[id] >= 0 ? 0 : counts.Values ? counts.Values[id] : copy[id];
-  }
-  counts.Copy = std::move(copy);
-  counts.Values = counts.Copy.data();
-}
+  TrainCounts Counts;
+  littoral::Slaves Slaves;
+  std::size_t Moving = 0;
+};
 
 /// Number of the first points behind which no train acts on any.
 std::size_t CountMoving(const TrainCounts& counts, std::size_t points)
@@ -142,6 +125,37 @@ std::size_t CountMoving(const TrainCounts& counts, std::size_t points)
     --moving;
   }
   return moving;
+}
+
+/// Reads the points that move with another one, and the numbers of trains of the others.
+Following ReadFollowers(vtkPointSet* input)
+{
+  Following following{ ReadTrainCounts(input), littoral::ReadSlaves(input), 0 };
+  TrainCounts& counts = following.Counts;
+  const littoral::Slaves& slaves = following.Slaves;
+  // A slave needs no orbit. With masters first, whole blocks of slaves are passed over.
+  const auto isIdle = [&](
+                        std::size_t id) { return slaves.Master[id] < 0 || (counts.Values && counts.Values[id] == 0); };
+  std::size_t id = 0;
+  while (id < slaves.Master.size() && isIdle(id))
+  {
+    ++id;
+  }
+  const auto points = static_cast<std::size_t>(input->GetNumberOfPoints());
+  if (id == slaves.Master.size()) // as written by vtkParticleLevelOfDetailFilter
+  {
+    following.Moving = CountMoving(counts, points);
+    return following;
+  }
+  std::vector<int> copy(slaves.Master.size(), std::numeric_limits<int>::max());
+  for (id = 0; id < copy.size(); ++id)
+  {
+    copy[id] = slaves.Master[id] >= 0 ? 0 : counts.Values ? counts.Values[id] : copy[id];
+  }
+  counts.Copy = std::move(copy);
+  counts.Values = counts.Copy.data();
+  following.Moving = CountMoving(counts, points);
+  return following;
 }
 
 /// The points at rest, with their ranges, in the type of the moved ones.
@@ -166,12 +180,14 @@ vtkSmartPointer<Array> CentersOf(vtkPointSet* input)
   return centers;
 }
 
-/// The points of a leaf at rest, which are looked at again only when the leaf has changed.
+/// The points of a leaf at rest, and what was read of its arrays: both are looked at again only when they have changed.
 struct RestingPoints
 {
   vtkPointSet* Leaf = nullptr; ///< compared, never used
   vtkMTimeType Time = 0;
   vtkSmartPointer<vtkDataArray> Centers;
+  std::vector<littoral::ArrayStamp> Read;
+  Following Followed;
 };
 
 /// The arrays of moved points.
@@ -361,14 +377,33 @@ public:
 
   /// The points at rest of the next leaf.
   template <typename Array>
-  Array* CentersOf(vtkPointSet* leaf)
+  RestingPoints& RestOf(vtkPointSet* leaf)
   {
     RestingPoints& rest = this->NextEntry();
     if (rest.Leaf != leaf || rest.Time != leaf->GetMTime() || !Array::SafeDownCast(rest.Centers))
     {
-      rest = { leaf, leaf->GetMTime(), ::CentersOf<Array>(leaf) };
+      rest.Leaf = leaf;
+      rest.Time = leaf->GetMTime();
+      rest.Centers = ::CentersOf<Array>(leaf);
     }
-    return Array::SafeDownCast(rest.Centers);
+    return rest;
+  }
+
+  /// What follows what in the leaf of an entry.
+  static const Following& FollowingOf(vtkPointSet* leaf, RestingPoints& rest)
+  {
+    std::vector<littoral::ArrayStamp> read;
+    for (const char* name : { littoral::sea::TrainCount, littoral::sea::MasterId, littoral::sea::Offset })
+    {
+      read.push_back(littoral::StampOf(leaf->GetPointData()->GetAbstractArray(name)));
+    }
+    if (rest.Read != read)
+    {
+      rest.Read.clear();
+      rest.Followed = ReadFollowers(leaf);
+      rest.Read = std::move(read);
+    }
+    return rest.Followed;
   }
 
 private:
@@ -513,11 +548,9 @@ void vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
 {
   const vtkIdType count = input->GetNumberOfPoints();
   this->Internals->RequireRoom(17.0 * sizeof(typename Array::ValueType), count);
-  Array* centers = this->Internals->CentersOf<Array>(input);
-  TrainCounts counts;
-  littoral::Slaves slaves;
-  ReadFollowers(input, counts, slaves);
-  const std::size_t moving = CountMoving(counts, static_cast<std::size_t>(count));
+  RestingPoints& rest = this->Internals->RestOf<Array>(input);
+  auto* centers = Array::SafeDownCast(rest.Centers);
+  const auto& [counts, slaves, moving] = this->Internals->FollowingOf(input, rest);
   const bool surface = this->GenerateSurface && IsAtSeaLevel(centers, sea.State.SeaLevel);
   if (moving == 0 && slaves.Master.empty() && !this->GenerateVelocity && !this->GenerateAcceleration && !surface)
   {

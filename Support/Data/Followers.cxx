@@ -50,7 +50,6 @@ Slaves ReadSlaves(vtkPointSet* input)
   const ArrayReader arrays = ArrayReader::OfPoints(input, "a set of particles");
   vtkDataArray* master = arrays.Find(sea::MasterId, 1);
   slaves.Offset = master ? arrays.Need(sea::Offset, 3) : nullptr;
-  arrays.NeedFinite(slaves.Offset);
   if (!master)
   {
     return slaves;
@@ -61,6 +60,7 @@ Slaves ReadSlaves(vtkPointSet* input)
   auto* singles = vtkFloatArray::SafeDownCast(slaves.Offset);
   slaves.Offsets = doubles ? doubles->GetPointer(0) : nullptr;
   slaves.SingleOffsets = singles ? singles->GetPointer(0) : nullptr;
+  arrays.NeedFinite(slaves.Offset);
   if (auto* ids = vtkIdTypeArray::SafeDownCast(master))
   {
     const vtkIdType* values = ids->GetPointer(0);
