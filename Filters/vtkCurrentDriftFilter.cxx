@@ -50,7 +50,7 @@ using littoral::Vector3;
 /// Points that one thread carries at a time.
 constexpr std::size_t PointsAtOnce = 1 << 12;
 /// Points that go the same way, likewise: some 0.3 ms.
-constexpr std::size_t ShiftedAtOnce = 1 << 18;
+constexpr std::size_t ShiftedAtOnce = 1 << 19;
 
 /// Adds the points of a leaf where they start.
 void AddPoints(vtkPointSet* leaf, const littoral::WaterLayer& layer, littoral::Drifters& points)

@@ -73,7 +73,7 @@ constexpr double LargestSpread = 0.25;
 }
 
 /// Levels are chosen for all ways of particles between multiples of this length, so that they stay for some frames of a
-/// current [m].
+/// current; particles that are fog go by steps of it [m].
 constexpr double WayStep = 0.1;
 
 /// The ways between multiples of WayStep about some ways.
@@ -350,8 +350,9 @@ bool VisitBlended(const Shown& shown, littoral::ParticleLevel kind, const Task& 
 }
 
 /// Weights of some particles of a cluster, by the distances of their masters.
+template <typename Real>
 void Blend(const Shown& shown, littoral::ParticleLevel kind, const littoral::ShownRun& run,
-  const littoral::ParticleRegion& cluster, float* alpha)
+  const littoral::ParticleRegion& cluster, const Real* sorted, float* alpha)
 {
   std::size_t former = shown.Groups.GetOrder().size();
   float weight = 0.0f;
@@ -361,27 +362,36 @@ void Blend(const Shown& shown, littoral::ParticleLevel kind, const littoral::Sho
     const std::size_t master = isSlave ? shown.Groups.MasterAt(n) : n;
     if (master != former)
     {
-      const double distance = LevelDistance(shown.View, shown.Places[shown.Groups.GetOrder()[master]]);
-      weight = static_cast<float>(littoral::WeightIn(kind, isSlave, distance, shown.Options));
+      const Real* own = sorted + 3 * master;
+      const littoral::Vector3 place =
+        sorted ? shown.Way + littoral::Vector3(own[0], own[1], own[2]) : shown.Places[shown.Groups.GetOrder()[master]];
+      weight = static_cast<float>(littoral::WeightIn(kind, isSlave, LevelDistance(shown.View, place), shown.Options));
       former = master;
     }
     *alpha++ = weight;
   }
 }
 
-/// The opacities of a level.
-void AddAlpha(const Shown& shown, littoral::ParticleLevel kind, littoral::FrameArrays& memory, vtkPointData* arrays)
+bool IsBlended(const Shown& shown, littoral::ParticleLevel kind)
 {
-  const auto array =
+  return VisitBlended(shown, kind, [](const auto&, std::size_t, const auto&) {});
+}
+
+/// The opacities of a level.
+template <typename Array>
+vtkSmartPointer<vtkFloatArray> AlphasOf(const Shown& shown, littoral::ParticleLevel kind, littoral::FrameArrays& memory)
+{
+  auto array =
     memory.New<vtkFloatArray>(littoral::sea::Alpha, 1, static_cast<vtkIdType>(SizeOf(shown.Selection, kind)));
   float* alpha = array->GetPointer(0);
   Visit(shown, kind, [=](const littoral::ShownRun& run, std::size_t place) {
     std::fill_n(alpha + place, run.Size(), run.Weight == littoral::RunWeight::None ? 0.0f : 1.0f);
   });
+  const auto* sorted = shown.Sorted ? Array::SafeDownCast(shown.Sorted)->GetPointer(0) : nullptr;
   VisitBlended(shown, kind, [&](const littoral::ShownRun& run, std::size_t place, const auto& cluster) {
-    Blend(shown, kind, run, cluster, alpha + place);
+    Blend(shown, kind, run, cluster, sorted, alpha + place);
   });
-  arrays->AddArray(array);
+  return array;
 }
 
 /// The arrays that tell how a level is moved.
@@ -514,6 +524,27 @@ double ParticlesIn(const littoral::ParticleGroups& groups, const littoral::Piece
   return static_cast<double>(particles);
 }
 
+/// Tells where the particles of a block are.
+struct PlacesKey
+{
+  littoral::ArrayStamp Source;
+  bool IsSorted = false;
+  littoral::Vector3 Way{ 0.0 };
+  std::size_t Selection = 0;
+};
+
+bool operator==(const PlacesKey& a, const PlacesKey& b)
+{
+  return a.Source == b.Source && a.IsSorted == b.IsSorted && a.Way == b.Way && a.Selection == b.Selection;
+}
+
+/// A block of the output.
+struct LevelBlock
+{
+  vtkSmartPointer<vtkPolyData> Data; ///< null: to be made
+  PlacesKey Key;
+};
+
 }
 
 /// State that does not depend on the view, and what one frame leaves to the next one.
@@ -537,8 +568,6 @@ public:
   littoral::ParticleMotion Motion;      ///< since the grouping
   littoral::Box Ways;                   ///< for which levels are chosen: between multiples of WayStep
 
-  bool HadSorted = false; ///< when offsets were found
-
   std::vector<double> TableKey;
   std::vector<int> Order; ///< of the trains
   std::unique_ptr<littoral::TrainTable> Table;
@@ -550,13 +579,14 @@ public:
   CountingArray Counting;
   std::vector<double> SelectionKey;
   std::unique_ptr<littoral::ParticleSelection> Selection; ///< of the last frame
-  vtkSmartPointer<vtkPolyData> Blocks[3];                 ///< that show it
+  std::size_t Selections = 0;                             ///< until now
+  LevelBlock Blocks[3];                                   ///< that show it
 
   void ForgetFrames()
   {
     this->Selection = nullptr;
     this->SelectionKey.clear();
-    std::fill(std::begin(this->Blocks), std::end(this->Blocks), nullptr);
+    std::fill(std::begin(this->Blocks), std::end(this->Blocks), LevelBlock());
   }
 
   void Group(const littoral::ArrayStamp& source, vtkDataArray* places, const std::vector<double>& numbers,
@@ -568,7 +598,7 @@ public:
   void Select(const littoral::View& view, const littoral::ParticleLevelOptions& options,
     const littoral::PieceRange& cells, vtkAlgorithm* owner);
   template <typename Array>
-  vtkSmartPointer<vtkPolyData> Block(const Shown& shown, littoral::ParticleLevel kind);
+  vtkPolyData* Block(const Shown& shown, littoral::ParticleLevel kind);
 };
 
 /// Groups particles anew by where they are.
@@ -687,7 +717,7 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::MakeTable(
       std::make_unique<littoral::TrainTable>(littoral::Ordered(sea, order), lowest, highest, view, rule, error);
     this->TableKey = std::move(key);
     this->Order = std::move(order);
-    this->SelectionKey.clear();
+    this->ForgetFrames();
   }
 }
 
@@ -729,43 +759,54 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::Select(const littoral::View& 
   {
     if (!this->Selection || IsOther(*selection, *this->Selection, kind))
     {
-      this->Blocks[static_cast<int>(kind)] = nullptr;
+      this->Blocks[static_cast<int>(kind)] = {};
     }
   }
   this->Selection = std::move(selection);
   this->SelectionKey = std::move(key);
+  ++this->Selections;
 }
 
-/// The particles of a level, with all that tells how they are drawn and moved.
+/// The particles of a level, with all that tells how they are drawn and moved. What has not changed since the last
+/// frame is that of the last frame.
 template <typename Array>
-vtkSmartPointer<vtkPolyData> vtkParticleLevelOfDetailFilter::vtkInternals::Block(
-  const Shown& shown, littoral::ParticleLevel kind)
+vtkPolyData* vtkParticleLevelOfDetailFilter::vtkInternals::Block(const Shown& shown, littoral::ParticleLevel kind)
 {
-  auto block = vtkSmartPointer<vtkPolyData>::New();
-  block->SetPoints(PointsOf<Array>(shown, kind, this->Memory));
-  vtkSmartPointer<vtkPolyData>& former = this->Blocks[static_cast<int>(kind)];
-  const bool isNew = !former;
+  LevelBlock& block = this->Blocks[static_cast<int>(kind)];
+  const PlacesKey key{ shown.Sorted ? this->SortedSource : this->Moved, shown.Sorted != nullptr, shown.Way,
+    this->Selections };
+  if (block.Data && block.Key == key)
+  {
+    return block.Data;
+  }
+  const bool isNew = !block.Data;
+  const auto data = vtkSmartPointer<vtkPolyData>::New();
+  vtkPointData* arrays = data->GetPointData();
+  data->SetPoints(PointsOf<Array>(shown, kind, this->Memory));
   if (isNew)
   {
-    former = vtkSmartPointer<vtkPolyData>::New();
-    former->SetVerts(this->Counting.Vertices(static_cast<vtkIdType>(SizeOf(shown.Selection, kind))));
-    CarryArrays(shown, kind, this->Carried, this->Memory, former->GetPointData());
-    AddLevelArrays(shown, kind, this->Memory, former->GetPointData());
+    data->SetVerts(this->Counting.Vertices(static_cast<vtkIdType>(SizeOf(shown.Selection, kind))));
+    CarryArrays(shown, kind, this->Carried, this->Memory, arrays);
+    AddLevelArrays(shown, kind, this->Memory, arrays);
+    data->GetFieldData()->AddArray(OrderArray(this->Order));
   }
-  const auto isBlended = [&] { return VisitBlended(shown, kind, [](const auto&, std::size_t, const auto&) {}); };
-  if (isNew || isBlended())
+  else
   {
-    AddAlpha(shown, kind, this->Memory, former->GetPointData());
+    data->SetVerts(block.Data->GetVerts());
+    data->GetFieldData()->ShallowCopy(block.Data->GetFieldData());
+    arrays->ShallowCopy(block.Data->GetPointData());
   }
-  if (kind == littoral::ParticleLevel::Middle && (isNew || !shown.Sorted || !this->HadSorted))
+  if (isNew || IsBlended(shown, kind))
   {
-    former->SetPoints(block->GetPoints());
-    former->GetPointData()->AddArray(OffsetsOf<Array>(shown, former, this->Memory));
-    this->HadSorted = shown.Sorted != nullptr;
+    arrays->AddArray(AlphasOf<Array>(shown, kind, this->Memory));
   }
-  block->SetVerts(former->GetVerts());
-  block->GetPointData()->ShallowCopy(former->GetPointData());
-  return block;
+  const bool haveStayed = !isNew && shown.Sorted && block.Key.IsSorted && block.Key.Source == key.Source;
+  if (kind == littoral::ParticleLevel::Middle && !haveStayed)
+  {
+    arrays->AddArray(OffsetsOf<Array>(shown, data, this->Memory));
+  }
+  block = { data, key };
+  return data;
 }
 
 //----------------------------------------------------------------------------
@@ -943,17 +984,18 @@ int vtkParticleLevelOfDetailFilter::RequestData(
   internals.Sort();
   internals.Memory.BeginFrame();
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
-  const auto trainOrder = OrderArray(internals.Order);
   const littoral::PlaceList places = ListOf(internals.Places);
-  const Shown shown{ *internals.Selection, *internals.Groups, places, internals.Sorted,
+  Shown shown{ *internals.Selection, *internals.Groups, places, internals.Sorted,
     internals.Way.value_or(littoral::Vector3(0.0)), this->SlavePlacement == Scattered, view, options };
   const char* const names[] = { littoral::sea::Near, littoral::sea::MasterSlave, littoral::sea::Far };
   for (const littoral::ParticleLevel kind : Levels)
   {
-    const auto block =
-      places.GetSingles() ? internals.Block<vtkFloatArray>(shown, kind) : internals.Block<vtkDoubleArray>(shown, kind);
-    block->GetFieldData()->AddArray(trainOrder);
-    littoral::AddBlock(output, names[static_cast<int>(kind)], block);
+    if (kind == littoral::ParticleLevel::Far && internals.Way)
+    {
+      shown.Way = 0.5 * (internals.Ways.Low + internals.Ways.High); // fog goes by steps
+    }
+    littoral::AddBlock(output, names[static_cast<int>(kind)],
+      places.GetSingles() ? internals.Block<vtkFloatArray>(shown, kind) : internals.Block<vtkDoubleArray>(shown, kind));
   }
   internals.Memory.EndFrame();
   AddCounters(output, *internals.Selection, ParticlesIn(*internals.Groups, cells), state.Trains.size());
