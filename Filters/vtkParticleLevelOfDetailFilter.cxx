@@ -752,9 +752,9 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::Select(const littoral::View& 
   {
     return;
   }
-  auto selection = std::make_unique<littoral::ParticleSelection>(littoral::SelectParticles(ListOf(this->GroupedPlaces),
-    *this->Groups, *this->Table, littoral::ViewFrustum(view), options, static_cast<std::size_t>(cells.Begin),
-    static_cast<std::size_t>(cells.End), littoral::AbortableFor(owner), this->Ways));
+  auto selection = std::make_unique<littoral::ParticleSelection>(littoral::SelectParticles(*this->Groups, *this->Table,
+    littoral::ViewFrustum(view), options, static_cast<std::size_t>(cells.Begin), static_cast<std::size_t>(cells.End),
+    littoral::AbortableFor(owner), this->Ways));
   for (const littoral::ParticleLevel kind : Levels)
   {
     if (!this->Selection || IsOther(*selection, *this->Selection, kind))

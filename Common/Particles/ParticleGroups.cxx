@@ -76,6 +76,7 @@ ParticleGroups::ParticleGroups(const PlaceList& places, const GroupOptions& opti
   : Options(options)
   , Tree(std::move(former))
   , Order(places.Size())
+  , Places(places.Size())
   , Kin(places.Size())
   , Reaches(places.Size(), 0.0f)
   , Masters(places.Size())
@@ -103,6 +104,9 @@ ParticleGroups::ParticleGroups(const PlaceList& places, const GroupOptions& opti
     for (std::size_t cluster = first; cluster < last; ++cluster)
     {
       this->PutMastersFirst(cells.data(), cluster);
+      const ParticleRegion& all = this->Clusters[cluster];
+      std::transform(this->Order.data() + all.Orbits.Begin, this->Order.data() + all.Slaves.End,
+        this->Places.data() + all.Orbits.Begin, [&](int particle) { return places[particle]; });
     }
   });
 }

@@ -75,6 +75,9 @@ public:
   /// Particles, cluster after cluster: those of all cells with orbits of their own, then the slaves of all cells.
   const std::vector<int>& GetOrder() const { return this->Order; }
 
+  /// Where the particles were, in this order [m].
+  const std::vector<Vector3>& GetPlaces() const { return this->Places; }
+
   /// Particles as the medians have cut them, group after group: the former order of groups to come.
   const std::vector<int>& GetTree() const { return this->Tree; }
 
@@ -122,7 +125,8 @@ private:
   GroupOptions Options;
   std::vector<int> Tree;
   std::vector<int> Order;
-  std::vector<int> Kin; ///< by place: the first slave of a master, the master of a slave
+  std::vector<Vector3> Places; ///< in the order
+  std::vector<int> Kin;        ///< by place: the first slave of a master, the master of a slave
   std::vector<float> Reaches;
   std::vector<int> Masters;
   std::vector<Vector3> Offsets;

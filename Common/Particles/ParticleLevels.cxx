@@ -18,7 +18,7 @@ namespace
 {
 
 /// Clusters that are not worth a thread.
-constexpr std::size_t ClustersOfOneThread = 1024;
+constexpr std::size_t ClustersOfOneThread = 256;
 
 /// Distance from a boundary within which groups are tested one by one, for sums are rounded [m].
 constexpr double Slack = 1e-6;
@@ -39,10 +39,9 @@ void AddRun(ShownRuns& runs, const PlaceRange& range, int trains, RunWeight weig
 class Selector
 {
 public:
-  Selector(const PlaceList& places, const ParticleGroups& groups, const TrainTable& table, const ViewFrustum& frustum,
+  Selector(const ParticleGroups& groups, const TrainTable& table, const ViewFrustum& frustum,
     const ParticleLevelOptions& options, const Box& shift)
-    : Places(places)
-    , Groups(groups)
+    : Groups(groups)
     , Table(table)
     , Frustum(frustum)
     , Options(options)
@@ -196,24 +195,26 @@ private:
   {
     GroupShow show;
     const View& view = this->Frustum.GetView();
-    const int master = this->Groups.GetOrder()[place];
-    const Vector3 center = this->Places[master] + this->Way;
-    if (SightDistance(view, center) > this->Limit)
+    const Vector3 center = this->Groups.GetPlaces()[place] + this->Way;
+    const double ownReach = this->Groups.ReachOf(this->Groups.GetOrder()[place]);
+    const double reach = ownReach + 2.0 * this->Spread;
+    const double highest = center.z + reach;
+    const double margin = this->Table.AmplitudeAt(highest) + this->Options.Margin;
+    const auto isSeen = [&](double wider) {
+      return !this->Options.UseCulling || this->Frustum.MayShow(center, reach + wider);
+    };
+    const double fogMargin = this->Options.UseLevels ? this->Options.FogMargin : 0.0;
+    if (!isSeen(std::max(margin, fogMargin)) || SightDistance(view, center) > this->Limit)
     {
       return show;
     }
-    const double reach = this->Groups.ReachOf(master) + 2.0 * this->Spread;
-    const double highest = center.z + reach;
-    const double distance = LevelDistance(view, center);
-    const auto isSeen = [&](double margin) {
-      return !this->Options.UseCulling || this->Frustum.MayShow(center, reach + margin);
-    };
     // Weights are monotonous in the distance.
+    const double distance = LevelDistance(view, center);
     const double spread = this->Spread / view.DetailFactor;
     const LevelWeights nearest = WeightsAt(distance - spread, this->Options);
-    const LevelWeights farthest = WeightsAt(distance + spread, this->Options);
-    show.Far = LevelWith(nearest.Far, isSeen(this->Options.FogMargin) ? farthest.Far : 0.0);
-    if (nearest.Far >= 1.0 || !isSeen(this->Table.AmplitudeAt(highest) + this->Options.Margin))
+    const LevelWeights farthest = spread > 0.0 ? WeightsAt(distance + spread, this->Options) : nearest;
+    show.Far = LevelWith(nearest.Far, farthest.Far > 0.0 && isSeen(fogMargin) ? farthest.Far : 0.0);
+    if (nearest.Far >= 1.0 || !isSeen(margin))
     {
       return show;
     }
@@ -224,7 +225,7 @@ private:
     show.Trains = this->Table.CountAt(std::max(0.0, distance - reach / view.DetailFactor), highest);
     const double tail = this->Table.TailAt(show.Trains, highest);
     show.Tail = RoundedUp(tail);
-    show.SlaveError = this->SlaveError(this->Groups.ReachOf(master), highest, tail);
+    show.SlaveError = this->SlaveError(ownReach, highest, tail);
     return show;
   }
 
@@ -275,7 +276,6 @@ private:
     }
   }
 
-  const PlaceList& Places;
   const ParticleGroups& Groups;
   const TrainTable& Table;
   const ViewFrustum& Frustum;
@@ -379,9 +379,9 @@ double WeightIn(ParticleLevel level, bool isSlave, double distance, const Partic
                                      : weights.Middle;
 }
 
-ParticleSelection SelectParticles(const PlaceList& places, const ParticleGroups& groups, const TrainTable& table,
-  const ViewFrustum& frustum, const ParticleLevelOptions& options, std::size_t firstCell, std::size_t endCell,
-  const ParallelFor& parallelFor, const Box& shift)
+ParticleSelection SelectParticles(const ParticleGroups& groups, const TrainTable& table, const ViewFrustum& frustum,
+  const ParticleLevelOptions& options, std::size_t firstCell, std::size_t endCell, const ParallelFor& parallelFor,
+  const Box& shift)
 {
   constexpr std::size_t size = ParticleGroups::CellsOfCluster;
   ParticleSelection selection;
@@ -390,7 +390,7 @@ ParticleSelection SelectParticles(const PlaceList& places, const ParticleGroups&
   selection.Parts.resize(firstCell < endCell ? (endCell - 1) / size + 1 - firstCluster : 0);
   std::vector<ParticleCounts> counts(selection.Parts.size());
   ForRanges(parallelFor, counts.size(), ClustersOfOneThread, [&](std::size_t first, std::size_t last) {
-    Selector selector(places, groups, table, frustum, options, shift);
+    Selector selector(groups, table, frustum, options, shift);
     for (std::size_t n = first; n < last; ++n)
     {
       ParticlePart& part = selection.Parts[n];

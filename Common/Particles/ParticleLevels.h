@@ -7,7 +7,6 @@
 #include "Numerics/Parallel.h"
 #include "Numerics/Vector3.h"
 #include "Particles/ParticleGroups.h"
-#include "Particles/PlaceList.h"
 #include "Sea/TrainSelection.h"
 
 #include <cstddef>
@@ -125,8 +124,8 @@ double WeightIn(ParticleLevel level, bool isSlave, double distance, const Partic
  * moment alone. A master changes at once between Near and Middle. Masters in Near are in Middle, too, where slaves need
  * them.
  */
-ParticleSelection SelectParticles(const PlaceList& places, const ParticleGroups& groups, const TrainTable& table,
-  const ViewFrustum& frustum, const ParticleLevelOptions& options, std::size_t firstCell, std::size_t endCell,
+ParticleSelection SelectParticles(const ParticleGroups& groups, const TrainTable& table, const ViewFrustum& frustum,
+  const ParticleLevelOptions& options, std::size_t firstCell, std::size_t endCell,
   const ParallelFor& parallelFor = SerialFor, const Box& shift = {});
 
 }

@@ -177,7 +177,7 @@ TEST(Threads, ParticlesThatAViewNeeds)
   const ParticleGroups groups(places, {}, 64);
   const TrainTable table(sea, -12.0, 0.0, view, TrainRule::TailSum, 1.0);
   const auto select = [&](const ParallelFor& parallel) {
-    return SelectParticles(places, groups, table, ViewFrustum(view), {}, 0, groups.GetCells().size(), parallel);
+    return SelectParticles(groups, table, ViewFrustum(view), {}, 0, groups.GetCells().size(), parallel);
   };
   const ParticleSelection one = select(SerialFor);
   const ParticleSelection three = select(OnThreads(3));

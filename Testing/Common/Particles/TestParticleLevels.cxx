@@ -113,8 +113,8 @@ Listed ListOf(const ParticleSelection& selection, const Lister& lister)
 Listed Select(const SeaState& sea, const std::vector<Vector3>& places, const ParticleGroups& groups, const View& view,
   const ParticleLevelOptions& options, TrainRule rule)
 {
-  return ListOf(SelectParticles(places, groups, Table(sea, groups, view, rule), ViewFrustum(view), options, 0,
-                  groups.GetCells().size()),
+  return ListOf(
+    SelectParticles(groups, Table(sea, groups, view, rule), ViewFrustum(view), options, 0, groups.GetCells().size()),
     { groups, places, view, options });
 }
 
