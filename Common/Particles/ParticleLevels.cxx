@@ -105,10 +105,17 @@ private:
     InLevel Near; ///< of slaves
     InLevel Middle;
     InLevel Far; ///< of all
-    int Trains = 0;
-    float Tail = 0.0f;
-    float SlaveError = 0.0f;
   };
+
+  /// How the orbits of a region are computed, and with which errors.
+  struct Motion
+  {
+    int Trains;
+    float Tail;       ///< error of all that have orbits
+    float SlaveError; ///< and of slaves
+  };
+
+  Box Shifted(const Box& box) const { return { box.Low + this->Shift.Low, box.High + this->Shift.High }; }
 
   bool MayShow(const Box& box) const
   {
@@ -152,7 +159,7 @@ private:
   /// Takes a region that is in one level, if the numbers of trains that its parts need differ by no more than so many.
   Verdict TakeWhole(const ParticleRegion& region, int difference, ParticlePart& part) const
   {
-    const Box box{ region.Bounds.Low + this->Shift.Low, region.Bounds.High + this->Shift.High };
+    const Box box = this->Shifted(region.Bounds);
     if (!this->MayShow(box))
     {
       return Verdict::Hidden;
@@ -165,23 +172,25 @@ private:
       AddRun(part.Far, region.Slaves, 0, RunWeight::One, 0.0f);
       return Verdict::Taken;
     }
-    const int trains = this->Table.CountAt(distances.Least, box.High.z);
-    if (level == Level::Mixed || trains - this->Table.CountAt(distances.Most, box.Low.z) > difference)
+    const Motion motion = this->MotionOf(region, box, distances);
+    if (level == Level::Mixed || motion.Trains - this->Table.CountAt(distances.Most, box.Low.z) > difference)
     {
       return Verdict::Mixed;
     }
-    const double tail = this->Table.TailAt(trains, box.High.z);
     const bool isNear = level == Level::Near;
-    AddRun(isNear ? part.Near : part.Orbits, region.Orbits, trains, RunWeight::One, RoundedUp(tail));
-    isNear ? AddRun(part.Near, region.Slaves, trains, RunWeight::One, RoundedUp(tail))
-           : AddRun(part.Slaves, region.Slaves, 0, RunWeight::One, this->SlaveError(region.Reach, box.High.z, tail));
+    AddRun(isNear ? part.Near : part.Orbits, region.Orbits, motion.Trains, RunWeight::One, motion.Tail);
+    isNear ? AddRun(part.Near, region.Slaves, motion.Trains, RunWeight::One, motion.Tail)
+           : AddRun(part.Slaves, region.Slaves, 0, RunWeight::One, motion.SlaveError);
     return Verdict::Taken;
   }
 
-  /// Bound of the error of slaves up to a reach from their masters, none of them above a height.
-  float SlaveError(double reach, double height, double tail) const
+  /// The motion of a region in a box: that of its nearest and highest place, and of the slave farthest from its master.
+  Motion MotionOf(const ParticleRegion& region, const Box& box, const Distances& distances) const
   {
-    return RoundedUp(this->Table.SlaveError(reach + 2.0 * this->Spread, height) + tail);
+    const int trains = this->Table.CountAt(distances.Least, box.High.z);
+    const double tail = this->Table.TailAt(trains, box.High.z);
+    const double error = this->Table.SlaveError(region.Reach + 2.0 * this->Spread, box.High.z);
+    return { trains, RoundedUp(tail), RoundedUp(error + tail) };
   }
 
   /// A level whose weight is between two bounds.
@@ -196,10 +205,8 @@ private:
     GroupShow show;
     const View& view = this->Frustum.GetView();
     const Vector3 center = this->Groups.GetPlaces()[place] + this->Way;
-    const double ownReach = this->Groups.ReachOf(this->Groups.GetOrder()[place]);
-    const double reach = ownReach + 2.0 * this->Spread;
-    const double highest = center.z + reach;
-    const double margin = this->Table.AmplitudeAt(highest) + this->Options.Margin;
+    const double reach = this->Groups.ReachOf(this->Groups.GetOrder()[place]) + 2.0 * this->Spread;
+    const double margin = this->Table.AmplitudeAt(center.z + reach) + this->Options.Margin;
     const auto isSeen = [&](double wider) {
       return !this->Options.UseCulling || this->Frustum.MayShow(center, reach + wider);
     };
@@ -222,37 +229,36 @@ private:
     show.Orbit = LevelWith(1.0 - farthest.Far, 1.0 - nearest.Far);
     show.Near = LevelWith(farthest.Near, nearest.Near);
     show.Middle = LevelWith(1.0 - nearest.Near - farthest.Far, 1.0 - farthest.Near - nearest.Far);
-    show.Trains = this->Table.CountAt(std::max(0.0, distance - reach / view.DetailFactor), highest);
-    const double tail = this->Table.TailAt(show.Trains, highest);
-    show.Tail = RoundedUp(tail);
-    show.SlaveError = this->SlaveError(ownReach, highest, tail);
     return show;
   }
 
   void TakeGroups(const ParticleRegion& cell, ParticlePart& part)
   {
+    const Box box = this->Shifted(cell.Bounds);
+    const Motion motion = this->MotionOf(cell, box, LevelDistances(this->Frustum.GetView(), box));
     this->Shows.clear();
     for (std::size_t place = cell.Orbits.Begin; place < cell.Orbits.End; ++place)
     {
       this->Shows.push_back(this->ShowOf(place));
-      this->TakeOrbit({ place, place + 1 }, this->Groups.SlavesAt(cell, place), this->Shows.back(), part);
+      TakeOrbit({ place, place + 1 }, this->Groups.SlavesAt(cell, place).Size() > 0, this->Shows.back(), motion, part);
     }
     auto show = this->Shows.begin();
     for (std::size_t place = cell.Orbits.Begin; place < cell.Orbits.End; ++place)
     {
-      TakeSlaves(this->Groups.SlavesAt(cell, place), *show++, part);
+      TakeSlaves(this->Groups.SlavesAt(cell, place), *show++, motion, part);
     }
   }
 
-  static void TakeOrbit(const PlaceRange& orbit, const PlaceRange& slaves, const GroupShow& show, ParticlePart& part)
+  static void TakeOrbit(
+    const PlaceRange& orbit, bool isMaster, const GroupShow& show, const Motion& motion, ParticlePart& part)
   {
     if (show.Orbit.Is)
     {
-      AddRun(show.IsNear ? part.Near : part.Orbits, orbit, show.Trains, show.Orbit.Weight, show.Tail);
+      AddRun(show.IsNear ? part.Near : part.Orbits, orbit, motion.Trains, show.Orbit.Weight, motion.Tail);
     }
-    if (show.IsNear && show.Middle.Is && slaves.Size() > 0)
+    if (show.IsNear && show.Middle.Is && isMaster)
     {
-      AddRun(part.Orbits, orbit, show.Trains, RunWeight::None, show.Tail);
+      AddRun(part.Orbits, orbit, motion.Trains, RunWeight::None, motion.Tail);
     }
     if (show.Far.Is)
     {
@@ -260,15 +266,15 @@ private:
     }
   }
 
-  static void TakeSlaves(const PlaceRange& slaves, const GroupShow& show, ParticlePart& part)
+  static void TakeSlaves(const PlaceRange& slaves, const GroupShow& show, const Motion& motion, ParticlePart& part)
   {
     if (show.Near.Is)
     {
-      AddRun(part.Near, slaves, show.Trains, show.Near.Weight, show.Tail);
+      AddRun(part.Near, slaves, motion.Trains, show.Near.Weight, motion.Tail);
     }
     if (show.Middle.Is)
     {
-      AddRun(part.Slaves, slaves, 0, show.Middle.Weight, show.SlaveError);
+      AddRun(part.Slaves, slaves, 0, show.Middle.Weight, motion.SlaveError);
     }
     if (show.Far.Is)
     {
