@@ -73,8 +73,11 @@ constexpr double LargestSpread = 0.25;
 }
 
 /// Levels are chosen for all ways of particles between multiples of this length, so that they stay for some frames of a
-/// current; particles that are fog go by steps of it [m].
+/// current [m].
 constexpr double WayStep = 0.1;
+
+/// Particles that are fog go by steps of this length where all go the same way: much less than the cells of fog [m].
+constexpr double FogStep = 0.02;
 
 /// The ways between multiples of WayStep about some ways.
 littoral::Box RoundedWays(const littoral::Box& ways)
@@ -309,8 +312,11 @@ vtkSmartPointer<vtkPoints> PointsOf(const Shown& shown, littoral::ParticleLevel 
 }
 
 /// Places of the masters of all in the level Middle in its block; -1 for those with orbits.
-void FindMasters(const Shown& shown, vtkIdType* masters)
+vtkSmartPointer<vtkIdTypeArray> MastersOf(const Shown& shown, littoral::FrameArrays& memory)
 {
+  auto array = memory.New<vtkIdTypeArray>(
+    littoral::sea::MasterId, 1, static_cast<vtkIdType>(SizeOf(shown.Selection, littoral::ParticleLevel::Middle)));
+  vtkIdType* masters = array->GetPointer(0);
   std::fill_n(masters, shown.Selection.Masters, -1);
   ForParts(shown.Selection, [&](const littoral::ParticlePart& part) {
     const littoral::ParticleRegion& cluster = shown.Groups.GetClusters()[part.Cluster];
@@ -329,6 +335,7 @@ void FindMasters(const Shown& shown, vtkIdType* masters)
       }
     }
   });
+  return array;
 }
 
 /// Calls a task with the runs of a level whose weights go by distance; whether there are any.
@@ -412,25 +419,21 @@ void AddLevelArrays(
     std::fill_n(trains + place, run.Size(), run.Trains);
     std::fill_n(error ? error + place : nullptr, error ? run.Size() : 0, run.Error);
   });
-  if (kind == littoral::ParticleLevel::Middle)
-  {
-    FindMasters(shown, add(static_cast<vtkIdTypeArray*>(nullptr), littoral::sea::MasterId));
-  }
 }
 
 /// The offsets of slaves from their masters, in the type of the points. They are those at rest where these are at hand,
 /// so that they stay from frame to frame.
 template <typename Array>
-vtkSmartPointer<Array> OffsetsOf(const Shown& shown, vtkPolyData* block, littoral::FrameArrays& memory)
+vtkSmartPointer<Array> OffsetsOf(
+  const Shown& shown, vtkPoints* places, vtkIdTypeArray* masterIds, littoral::FrameArrays& memory)
 {
   using Real = typename Array::ValueType;
-  const Real* points = Array::SafeDownCast(block->GetPoints()->GetData())->GetPointer(0);
+  const Real* points = Array::SafeDownCast(places->GetData())->GetPointer(0);
   const Real* resting =
     shown.Sorted && !shown.AreScattered ? Array::SafeDownCast(shown.Sorted)->GetPointer(0) : nullptr;
-  const auto array = memory.New<Array>(littoral::sea::Offset, 3, block->GetNumberOfPoints());
+  const auto array = memory.New<Array>(littoral::sea::Offset, 3, places->GetNumberOfPoints());
   Real* offsets = array->GetPointer(0);
-  const vtkIdType* masters =
-    vtkIdTypeArray::SafeDownCast(block->GetPointData()->GetArray(littoral::sea::MasterId))->GetPointer(0);
+  const vtkIdType* masters = masterIds->GetPointer(0);
   std::fill_n(offsets, 3 * shown.Selection.Masters, Real(0.0));
   ForParts(shown.Selection, [&](const littoral::ParticlePart& part) {
     const auto first = static_cast<std::size_t>(shown.Selection.Masters + part.Before.Slaves);
@@ -541,7 +544,8 @@ bool operator==(const PlacesKey& a, const PlacesKey& b)
 /// A block of the output.
 struct LevelBlock
 {
-  vtkSmartPointer<vtkPolyData> Data; ///< null: to be made
+  vtkSmartPointer<vtkPolyData> Data;       ///< null: to be made
+  vtkSmartPointer<vtkIdTypeArray> Masters; ///< of Middle
   PlacesKey Key;
 };
 
@@ -788,6 +792,11 @@ vtkPolyData* vtkParticleLevelOfDetailFilter::vtkInternals::Block(const Shown& sh
     data->SetVerts(this->Counting.Vertices(static_cast<vtkIdType>(SizeOf(shown.Selection, kind))));
     CarryArrays(shown, kind, this->Carried, this->Memory, arrays);
     AddLevelArrays(shown, kind, this->Memory, arrays);
+    if (kind == littoral::ParticleLevel::Middle)
+    {
+      block.Masters = MastersOf(shown, this->Memory);
+      arrays->AddArray(block.Masters);
+    }
     data->GetFieldData()->AddArray(OrderArray(this->Order));
   }
   else
@@ -803,9 +812,10 @@ vtkPolyData* vtkParticleLevelOfDetailFilter::vtkInternals::Block(const Shown& sh
   const bool haveStayed = !isNew && shown.Sorted && block.Key.IsSorted && block.Key.Source == key.Source;
   if (kind == littoral::ParticleLevel::Middle && !haveStayed)
   {
-    arrays->AddArray(OffsetsOf<Array>(shown, data, this->Memory));
+    arrays->AddArray(OffsetsOf<Array>(shown, data->GetPoints(), block.Masters, this->Memory));
   }
-  block = { data, key };
+  block.Data = data;
+  block.Key = key;
   return data;
 }
 
@@ -992,7 +1002,7 @@ int vtkParticleLevelOfDetailFilter::RequestData(
   {
     if (kind == littoral::ParticleLevel::Far && internals.Way)
     {
-      shown.Way = 0.5 * (internals.Ways.Low + internals.Ways.High); // fog goes by steps
+      shown.Way = FogStep * glm::round(shown.Way / FogStep);
     }
     littoral::AddBlock(output, names[static_cast<int>(kind)],
       places.GetSingles() ? internals.Block<vtkFloatArray>(shown, kind) : internals.Block<vtkDoubleArray>(shown, kind));

@@ -50,6 +50,8 @@ namespace
 
 /// Points that one thread moves at a time.
 constexpr std::size_t PointsAtOnce = 1 << 13;
+/// Points that follow others, likewise.
+constexpr std::size_t FollowersAtOnce = 1 << 17;
 /// Maximum distance of points of the surface from sea level [m].
 constexpr double SurfaceTolerance = 1e-3;
 
@@ -108,7 +110,7 @@ std::vector<int> ReadTrainOrder(vtkPointSet* input, std::size_t trains)
   return order;
 }
 
-/// Which points follow others, how many trains act on the others, and behind which of them none does.
+/// Points that follow others, numbers of trains that act on the others, and the point from which on none acts.
 struct Following
 {
   TrainCounts Counts;
@@ -389,13 +391,14 @@ public:
     return rest;
   }
 
-  /// What follows what in the leaf of an entry.
+  /// Followers in the leaf of an entry.
   static const Following& FollowingOf(vtkPointSet* leaf, RestingPoints& rest)
   {
     std::vector<littoral::ArrayStamp> read;
+    const auto arrays = littoral::ArrayReader::OfPoints(leaf, "a set of particles");
     for (const char* name : { littoral::sea::TrainCount, littoral::sea::MasterId, littoral::sea::Offset })
     {
-      read.push_back(littoral::StampOf(leaf->GetPointData()->GetAbstractArray(name)));
+      read.push_back(littoral::StampOf(arrays.Any(name)));
     }
     if (rest.Read != read)
     {
@@ -562,16 +565,14 @@ void vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
   MovedArrays<Array> moved(this->Internals->Arrays, centers, this->GenerateVelocity, this->GenerateAcceleration,
     surface, output->GetPointData());
   moved.Request.TrainCounts = counts.Values;
-  const auto forAll = [&](double first, double last, std::size_t points, const auto& task) {
-    const std::size_t batches = (points + PointsAtOnce - 1) / PointsAtOnce;
-    return littoral::RunWithProgress(this, batches, first, last, [&](std::size_t batch) {
-      const std::size_t begin = batch * PointsAtOnce;
-      task(begin, std::min(begin + PointsAtOnce, points));
-    });
+  const auto forAll = [&](double first, double last, std::size_t points, std::size_t atOnce, const auto& task) {
+    const std::size_t batches = (points + atOnce - 1) / atOnce;
+    return littoral::RunWithProgress(this, batches, first, last,
+      [&](std::size_t batch) { task(batch * atOnce, std::min((batch + 1) * atOnce, points)); });
   };
   // Slaves come last, as written by vtkParticleLevelOfDetailFilter: their orbits are not evaluated.
   const std::size_t evaluated = surface ? static_cast<std::size_t>(count) : moving;
-  bool done = forAll(0.0, 0.8, evaluated, [&](std::size_t begin, std::size_t end) {
+  bool done = forAll(0.0, 0.8, evaluated, PointsAtOnce, [&](std::size_t begin, std::size_t end) {
     sea.Orbits.Evaluate(moved.Request, begin, end);
     moved.FinishSurface(begin, end);
     moved.AddRanges(slaves.Master.empty() && evaluated == static_cast<std::size_t>(count), begin, end);
@@ -579,7 +580,7 @@ void vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
   moved.Rest(evaluated, static_cast<std::size_t>(count));
   if (done && !(slaves.Master.empty() && evaluated == static_cast<std::size_t>(count)))
   {
-    done = forAll(0.8, 1.0, static_cast<std::size_t>(count), [&](std::size_t begin, std::size_t end) {
+    done = forAll(0.8, 1.0, static_cast<std::size_t>(count), FollowersAtOnce, [&](std::size_t begin, std::size_t end) {
       if (!slaves.Master.empty())
       {
         moved.Follow(slaves, begin, end);

@@ -3,18 +3,11 @@
 #ifndef LittoralRoundedUp_h
 #define LittoralRoundedUp_h
 
-#include <cmath>
-#include <limits>
-
 namespace littoral
 {
 
 /// The least single precision number that is not below: bounds stay bounds.
-inline float RoundedUp(double value)
-{
-  const float near = static_cast<float>(value);
-  return static_cast<double>(near) < value ? std::nextafter(near, std::numeric_limits<float>::infinity()) : near;
-}
+float RoundedUp(double value);
 
 }
 

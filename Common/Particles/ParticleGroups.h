@@ -75,7 +75,7 @@ public:
   /// Particles, cluster after cluster: those of all cells with orbits of their own, then the slaves of all cells.
   const std::vector<int>& GetOrder() const { return this->Order; }
 
-  /// Where the particles were, in this order [m].
+  /// Places of the particles when they were grouped, in this order [m].
   const std::vector<Vector3>& GetPlaces() const { return this->Places; }
 
   /// Particles as the medians have cut them, group after group: the former order of groups to come.

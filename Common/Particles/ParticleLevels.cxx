@@ -74,7 +74,7 @@ public:
   }
 
 private:
-  /// What a test of a region has found.
+  /// Result of the test of a region.
   enum class Verdict
   {
     Hidden, ///< the view needs nothing of it
@@ -97,7 +97,7 @@ private:
     RunWeight Weight = RunWeight::One;
   };
 
-  /// How a group is shown.
+  /// Levels of a group.
   struct GroupShow
   {
     InLevel Orbit; ///< of the master, in Near or in Middle
@@ -107,7 +107,7 @@ private:
     InLevel Far; ///< of all
   };
 
-  /// How the orbits of a region are computed, and with which errors.
+  /// Number of trains of the orbits of a region, and errors [m].
   struct Motion
   {
     int Trains;
@@ -199,7 +199,7 @@ private:
     return { most > 0.0, least >= 1.0 ? RunWeight::One : RunWeight::ByDistance };
   }
 
-  /// How the group of the master at a place is shown. All of it is within a reach of the master.
+  /// Levels of the group of the master at a place. All of it is within a reach of the master.
   GroupShow ShowOf(std::size_t place) const
   {
     GroupShow show;

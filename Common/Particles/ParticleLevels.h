@@ -81,7 +81,7 @@ struct ParticleCounts
   double MaximumSlaveError = 0.0; ///< largest error of a slave [m]
 };
 
-/// What a view needs of a cluster. The level Middle are the orbits of all parts, then all slaves.
+/// Particles that a view needs of a cluster. The level Middle are the orbits of all parts, then all slaves.
 struct ParticlePart
 {
   std::size_t Cluster = 0;

@@ -21,14 +21,14 @@ vtkInformationDoubleVectorKey* Way()
   return key;
 }
 
-/// When the places had gone it.
+/// Modification time of the places that had gone it.
 vtkInformationIdTypeKey* WayTime()
 {
   static auto* key = SharedKey<vtkInformationIdTypeKey>("COMMON_WAY_TIME");
   return key;
 }
 
-/// Where the numbers of the other array are in memory, which its copies share.
+/// Memory of the numbers of the other array, which its copies share.
 vtkInformationIdTypeKey* WayStart()
 {
   static auto* key = SharedKey<vtkInformationIdTypeKey>("COMMON_WAY_START");

@@ -214,6 +214,7 @@ bool CheckMotion()
   vtkNew<Sea> sea;
   sea->SetWaterDepth(9.0);
   vtkNew<vtkPolyData> particles = Particles(8000);
+  double largest = 0.0;
   for (const int placement : { Levels::OwnPlace, Levels::Scattered })
   {
     vtkNew<Levels> levels;
@@ -230,8 +231,6 @@ bool CheckMotion()
     all->SetSeaStateConnection(sea->GetOutputPort());
     all->UpdateTimeStep(4.2);
     auto* moved = vtkPolyData::SafeDownCast(all->GetOutputDataObject(0));
-    double least = 1.0;
-    double largest = 0.0;
     for (int index = 0; index < (placement == Levels::OwnPlace ? 2 : 1); ++index)
     {
       vtkPolyData* block = BlockOf(some, index);
@@ -245,7 +244,6 @@ bool CheckMotion()
         const double error = std::sqrt(vtkMath::Distance2BetweenPoints(a, b));
         const double bound = arrays->GetArray("ErrorBound")->GetTuple1(n);
         good &= error <= bound + 1e-12;
-        least = std::min(least, bound);
         largest = std::max(largest, error);
       }
     }
