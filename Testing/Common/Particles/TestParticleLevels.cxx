@@ -393,6 +393,91 @@ TEST(ParticleMotion, WaysOfAll)
   EXPECT_FALSE(MotionOf(from, to).IsFinite);
 }
 
+TEST(ParticleMotion, ShiftHoldsRoundedSums)
+{
+  const std::vector<Vector3> places = Places(5000, { { -500.0, 0.0, -8.5 }, { 800.0, 10.0, -7.5 } });
+  std::vector<float> from(3 * places.size());
+  for (std::size_t n = 0; n < from.size(); ++n)
+  {
+    from[n] = static_cast<float>(places[n / 3][static_cast<int>(n % 3)]);
+  }
+  const PlaceList start(from.data(), places.size());
+  for (const Vector3& way : { Vector3(0.0), Vector3(0.37, 0.0, -0.011), Vector3(-73.1, 4e-5, 0.2) })
+  {
+    std::vector<float> to(from.size());
+    for (std::size_t n = 0; n < from.size(); ++n)
+    {
+      to[n] = static_cast<float>(static_cast<double>(from[n]) + way[static_cast<int>(n % 3)]);
+    }
+    const ParticleMotion found = MotionOf(start, PlaceList(to.data(), places.size()));
+    const Box box{ { -500.0, 0.0, -8.5 }, { 800.0, 10.0, -7.5 } };
+    const ParticleMotion shifted = Shifted(MotionOf(start, start), way, box);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_LE(shifted.Shift.Low[axis], found.Shift.Low[axis]);
+      EXPECT_GE(shifted.Shift.High[axis], found.Shift.High[axis]);
+    }
+    EXPECT_LT(shifted.Spread(), 2.5e-4);
+    EXPECT_NEAR(shifted.MeanHeight, found.MeanHeight, 1e-6);
+  }
+  EXPECT_EQ(Shifted(MotionOf(start, start), Vector3(0.0), {}).Spread(), 0.0);
+}
+
+/// Particles that have gone any of the ways for which they were chosen: all that the distance of their master asks for
+/// is there, and what is whole is so.
+TEST(ParticleLevels, ASelectionHoldsForAllItsWays)
+{
+  const SeaState sea = Sea(30.0);
+  const std::vector<Vector3> places = Places(40000, { { -15.0, -15.0, -9.0 }, { 15.0, 15.0, -1.0 } });
+  const ParticleGroups groups(places, {}, 64);
+  const View view = Look({ 0.0, -4.0, -5.0 }, { 0.2, 1.0, 0.1 }, 60.0);
+  ParticleLevelOptions options;
+  options.UseCulling = false;
+  const Box shift{ { 0.2, -0.1, 0.0 }, { 0.6, 0.0, 0.1 } };
+  const TrainTable table = Table(sea, groups, view, TrainRule::TailSum);
+  const ParticleSelection selection =
+    SelectParticles(groups, table, ViewFrustum(view), options, 0, groups.GetCells().size(), SerialFor, shift);
+  using Weights = std::vector<std::array<int, 3>>; // 0 none, 1 by distance, 2 whole
+  Weights found(places.size(), { 0, 0, 0 });
+  const auto add = [&](const ShownRuns& runs, int level) {
+    for (const ShownRun& run : runs)
+    {
+      for (std::size_t n = run.Begin; n < run.End && run.Weight != RunWeight::None; ++n)
+      {
+        found[groups.GetOrder()[n]][level] = run.Weight == RunWeight::One ? 2 : 1;
+      }
+    }
+  };
+  for (const ParticlePart& part : selection.Parts)
+  {
+    add(part.Near, 0);
+    add(part.Orbits, 1);
+    add(part.Slaves, 1);
+    add(part.Far, 2);
+  }
+  int whole = 0;
+  for (const Vector3& share : { Vector3(0.0), Vector3(1.0), Vector3(0.5), Vector3(1.0, 0.0, 0.3) })
+  {
+    const Vector3 way = shift.Low + share * (shift.High - shift.Low);
+    for (std::size_t n = 0; n < places.size(); ++n)
+    {
+      const int master = groups.MasterOf(static_cast<int>(n));
+      const LevelWeights weights = WeightsAt(LevelDistance(view, places[master] + way), options);
+      const std::array<int, 3>& own = found[n];
+      const bool isOrbit = master == static_cast<int>(n);
+      const bool isThere = isOrbit ? weights.Far >= 1.0 || own[0] + own[1] > 0
+                                   : (weights.Near <= 0.0 || own[0] > 0) && (weights.Middle <= 0.0 || own[1] > 0);
+      EXPECT_TRUE(isThere && (weights.Far <= 0.0 || own[2] > 0)) << n;
+      EXPECT_TRUE(own[2] != 2 || weights.Far >= 1.0) << n;
+      EXPECT_TRUE(isOrbit || own[0] != 2 || weights.Near >= 1.0) << n;
+      EXPECT_TRUE(isOrbit || own[1] != 2 || weights.Middle >= 1.0) << n;
+      EXPECT_TRUE(!isOrbit || own[0] + own[1] < 2 || weights.Far <= 0.0) << n;
+      whole += own[0] == 2 || own[1] == 2 || own[2] == 2;
+    }
+  }
+  EXPECT_GT(whole, 100000);
+}
+
 TEST(ParticleLevels, WorkOfTheTableOfThePaper)
 {
   // Section 3.4: 4000 particles in 10 m x 1 m x 10 m, 30 trains, 3 slaves a master, levels at 2 m and 12 m, 30 m of
