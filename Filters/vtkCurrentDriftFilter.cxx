@@ -4,12 +4,14 @@
 
 #include "Currents/DriftHistory.h"
 #include "Data/Arrays.h"
+#include "Data/CommonWay.h"
 #include "Data/CurrentInputs.h"
 #include "Data/Followers.h"
 #include "Data/FrameArrays.h"
 #include "Data/Inputs.h"
 #include "Data/SeaStateTable.h"
 #include "Numerics/ParameterCheck.h"
+#include "Numerics/ShiftedTriples.h"
 #include "Pipeline/MarchingRequests.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
@@ -47,6 +49,8 @@ using littoral::Vector3;
 
 /// Points that one thread carries at a time.
 constexpr std::size_t PointsAtOnce = 1 << 12;
+/// Points that go the same way, likewise: some 0.3 ms.
+constexpr std::size_t ShiftedAtOnce = 1 << 19;
 
 /// Adds the points of a leaf where they start.
 void AddPoints(vtkPointSet* leaf, const littoral::WaterLayer& layer, littoral::Drifters& points)
@@ -82,12 +86,13 @@ void Shift(const littoral::Drifters& start, std::size_t first, const Vector3& wa
   }
 }
 
-/// Runs a task on all points, PointsAtOnce at a time, with progress from first to last. False when aborted.
-bool RunOnPoints(vtkAlgorithm* algorithm, std::size_t count, double first, double last, const littoral::RangeTask& task)
+/// Runs a task on all points, some at a time, with progress from first to last. False when aborted.
+bool RunOnPoints(vtkAlgorithm* algorithm, std::size_t count, double first, double last, const littoral::RangeTask& task,
+  std::size_t atOnce = PointsAtOnce)
 {
-  const std::size_t batches = (count + PointsAtOnce - 1) / PointsAtOnce;
+  const std::size_t batches = (count + atOnce - 1) / atOnce;
   return littoral::RunWithProgress(algorithm, batches, first, last,
-    [&](std::size_t batch) { task(batch * PointsAtOnce, std::min(count, (batch + 1) * PointsAtOnce)); });
+    [&](std::size_t batch) { task(batch * atOnce, std::min(count, (batch + 1) * atOnce)); });
 }
 
 }
@@ -112,6 +117,8 @@ class vtkCurrentDriftFilter::vtkInternals
   , public littoral::LeafFrames<StillPoints>
 {
 public:
+  bool AreFree = false; ///< all points, where they start
+
   /// Arrays of the next leaf that stay as long as the leaf does.
   template <typename Array>
   StillPoints& NextStill(vtkPointSet* leaf)
@@ -272,6 +279,8 @@ void vtkCurrentDriftFilter::TakePoints(vtkDataObject* input)
   {
     AddPoints(leaf, this->Internals->Scene.Currents.Layer, start);
   }
+  this->Internals->AreFree = std::all_of(
+    start.Fates.begin(), start.Fates.end(), [](littoral::DriftFate fate) { return fate == littoral::DriftFate::Free; });
   this->Internals->Scene.Begin(std::move(start));
 }
 
@@ -420,12 +429,17 @@ bool vtkCurrentDriftFilter::WriteLeafAs(vtkPointSet* input, vtkPointSet* output,
       flow->SetTuple3(id, velocity.x, velocity.y, velocity.z);
     }
   };
+  auto* start = this->Internals->AreFree ? Array::SafeDownCast(input->GetPoints()->GetData()) : nullptr;
   const Vector3 way = isShift ? history.ClosedWay(currents) : Vector3(0.0);
   const bool done = isShift
-    ? RunOnPoints(this, static_cast<std::size_t>(count), 0.98, 1.0,
+    ? RunOnPoints(
+        this, static_cast<std::size_t>(count), 0.98, 1.0,
         [&](std::size_t begin, std::size_t end) {
-          Shift(history.GetStart(), first, way, begin, end, places->GetPointer(0));
-        })
+          Real* to = places->GetPointer(0);
+          start ? littoral::ShiftTriples(start->GetPointer(0) + 3 * begin, end - begin, way, to + 3 * begin)
+                : Shift(history.GetStart(), first, way, begin, end, to);
+        },
+        ShiftedAtOnce)
     : RunOnPoints(this, static_cast<std::size_t>(count), 0.98, 1.0, [&](std::size_t begin, std::size_t end) {
         for (std::size_t id = begin; id < end; ++id)
         {
@@ -443,6 +457,10 @@ bool vtkCurrentDriftFilter::WriteLeafAs(vtkPointSet* input, vtkPointSet* output,
   }
   vtkNew<vtkPoints> points;
   points->SetData(places);
+  if (isShift && start)
+  {
+    littoral::KeepCommonWay(places, still.Start, way);
+  }
   output->SetPoints(points);
   output->GetPointData()->AddArray(still.Start);
   output->GetPointData()->AddArray(captured);

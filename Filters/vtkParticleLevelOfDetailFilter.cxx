@@ -3,8 +3,10 @@
 #include "vtkParticleLevelOfDetailFilter.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/ArrayStamp.h"
 #include "Data/Arrays.h"
 #include "Data/Blocks.h"
+#include "Data/CommonWay.h"
 #include "Data/FrameArrays.h"
 #include "Data/Inputs.h"
 #include "Data/PickedTuples.h"
@@ -12,6 +14,7 @@
 #include "Data/Tables.h"
 #include "Geometry/ViewFrustum.h"
 #include "Numerics/ParameterCheck.h"
+#include "Numerics/ShiftedTriples.h"
 #include "Particles/ParticleGroups.h"
 #include "Particles/ParticleLevels.h"
 #include "Particles/ParticleMotion.h"
@@ -42,6 +45,7 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -54,14 +58,6 @@ namespace
 
 /// Memory of a particle here and in the output at most, without its own arrays [bytes].
 constexpr double BytesAParticle = 400.0;
-
-/// The levels of the output.
-enum class LevelKind
-{
-  Near,
-  Middle,
-  Far
-};
 
 /// Groups by where particles began hold as long as their ways differ by no more than this part of the largest offset.
 constexpr double LargestSpread = 0.25;
@@ -76,21 +72,17 @@ constexpr double LargestSpread = 0.25;
   littoral::Refuse("point ", n, " has a coordinate that is no finite number.");
 }
 
-/// An array as it was.
-struct Stamp
-{
-  vtkAbstractArray* Array = nullptr; ///< compared, never used
-  vtkMTimeType Time = 0;
-};
+/// Levels are chosen for all ways of particles between multiples of this length, so that they stay for some frames of a
+/// current [m].
+constexpr double WayStep = 0.1;
 
-bool operator==(const Stamp& a, const Stamp& b)
-{
-  return a.Array == b.Array && a.Time == b.Time;
-}
+/// Particles that are fog go by steps of this length where all go the same way: much less than the cells of fog [m].
+constexpr double FogStep = 0.02;
 
-Stamp StampOf(vtkAbstractArray* array)
+/// The ways between multiples of WayStep about some ways.
+littoral::Box RoundedWays(const littoral::Box& ways)
 {
-  return { array, array->GetMTime() };
+  return { WayStep * glm::floor(ways.Low / WayStep), WayStep * glm::ceil(ways.High / WayStep) };
 }
 
 /// Places in single or double precision.
@@ -104,8 +96,11 @@ littoral::PlaceList ListOf(vtkDataArray* places)
   return { vtkDoubleArray::SafeDownCast(places)->GetPointer(0), count };
 }
 
-/// Parts of a selection that are written at once by a thread.
-constexpr std::size_t PartsAtOnce = 16;
+constexpr littoral::ParticleLevel Levels[] = { littoral::ParticleLevel::Near, littoral::ParticleLevel::Middle,
+  littoral::ParticleLevel::Far };
+
+/// Parts of a selection that are written at once by a thread: half a million particles.
+constexpr std::size_t PartsAtOnce = 512;
 
 /// A selection with what tells where its particles are.
 struct Shown
@@ -113,119 +108,93 @@ struct Shown
   const littoral::ParticleSelection& Selection;
   const littoral::ParticleGroups& Groups;
   const littoral::PlaceList& Places;
+  vtkDataArray* Sorted;  ///< places in the order of the groups; null where they are not at hand
+  littoral::Vector3 Way; ///< from these to the places [m]
+  bool AreScattered;     ///< slaves
+  const littoral::View& View;
+  const littoral::ParticleLevelOptions& Options;
 };
 
-std::size_t SizeOf(const littoral::ParticleSelection& selection, LevelKind kind)
+std::size_t SizeOf(const littoral::ParticleSelection& selection, littoral::ParticleLevel kind)
 {
   const long long middle = selection.Masters + selection.Slaves;
-  return static_cast<std::size_t>(kind == LevelKind::Near ? selection.Near
-      : kind == LevelKind::Far                            ? selection.Far
-                                                          : middle);
+  return static_cast<std::size_t>(kind == littoral::ParticleLevel::Near ? selection.Near
+      : kind == littoral::ParticleLevel::Far                            ? selection.Far
+                                                                        : middle);
 }
 
-/// Calls `whole(begin, end, place, trains)` for the runs of a part in a level, and `one(particle, place, master)` for
-/// its other particles, with their places in the block; slaves have the index of their master there, and its particle.
-template <typename Whole, typename One>
-void VisitPart(
-  const Shown& shown, const littoral::ParticlePart& part, LevelKind kind, const Whole& whole, const One& one)
+/// Calls a task with each of some runs and the place of its first particle in a block.
+template <typename Task>
+std::size_t ForRuns(const littoral::ShownRuns& runs, std::size_t place, const Task& task)
 {
-  if (kind != LevelKind::Middle)
+  for (const littoral::ShownRun& run : runs)
   {
-    const bool isNear = kind == LevelKind::Near;
-    const auto first = static_cast<std::size_t>(isNear ? part.Before.Near : part.Before.Far);
-    (isNear ? part.Near : part.Far)
-      .ForEach([&](std::size_t begin, std::size_t end, std::size_t place,
-                 int trains) { whole(begin, end, first + place, trains); },
-        [&](const littoral::ShownParticle& particle, std::size_t place) { one(particle, first + place, -1); });
+    task(run, place);
+    place += run.Size();
+  }
+  return place;
+}
+
+/// Calls a task with the runs of a part in a level, in their places in the block.
+template <typename Task>
+void VisitPart(const littoral::ParticleSelection& selection, const littoral::ParticlePart& part,
+  littoral::ParticleLevel kind, const Task& task)
+{
+  const littoral::ParticleCounts& before = part.Before;
+  if (kind == littoral::ParticleLevel::Middle)
+  {
+    ForRuns(part.Orbits, static_cast<std::size_t>(before.Masters), task);
+    ForRuns(part.Slaves, static_cast<std::size_t>(selection.Masters + before.Slaves), task);
     return;
   }
-  auto place = static_cast<std::size_t>(part.Before.Masters);
-  for (const littoral::ShownParticle& master : part.Masters)
-  {
-    one(master, place++, -1);
-  }
-  place = static_cast<std::size_t>(shown.Selection.Masters + part.Before.Slaves);
-  for (littoral::ShownParticle slave : part.Slaves)
-  {
-    const int master = part.Masters[slave.Master].Particle;
-    slave.Master += static_cast<int>(part.Before.Masters);
-    one(slave, place++, master);
-  }
+  const bool isNear = kind == littoral::ParticleLevel::Near;
+  ForRuns(isNear ? part.Near : part.Far, static_cast<std::size_t>(isNear ? before.Near : before.Far), task);
 }
 
-/// The same for all parts, on all threads where they are worth calling.
-template <typename Whole, typename One>
-void Visit(const Shown& shown, LevelKind kind, const Whole& whole, const One& one)
+/// Calls a task with all parts, on all threads where they are worth calling.
+template <typename Task>
+void ForParts(const littoral::ParticleSelection& selection, const Task& task)
 {
-  const std::vector<littoral::ParticlePart>& parts = shown.Selection.Parts;
-  littoral::ForRanges(littoral::SmpFor, parts.size(), PartsAtOnce, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t part = begin; part < end; ++part)
-    {
-      VisitPart(shown, parts[part], kind, whole, one);
-    }
+  littoral::ForRanges(littoral::SmpFor, selection.Parts.size(), PartsAtOnce, [&](std::size_t begin, std::size_t end) {
+    std::for_each(selection.Parts.data() + begin, selection.Parts.data() + end, task);
   });
 }
 
-/// Copies a tuple of a number of bytes, of the usual ones without a call.
-inline void CopyTuple(const unsigned char* from, unsigned char* to, std::size_t bytes)
+/// Calls a task with the runs of a level.
+template <typename Task>
+void Visit(const Shown& shown, littoral::ParticleLevel kind, const Task& task)
 {
-  switch (bytes)
-  {
-    case 1:
-      *to = *from;
-      return;
-    case 3:
-      std::memcpy(to, from, 3);
-      return;
-    case 4:
-      std::memcpy(to, from, 4);
-      return;
-    case 8:
-      std::memcpy(to, from, 8);
-      return;
-    default:
-      std::memcpy(to, from, bytes);
-  }
+  ForParts(shown.Selection, [&](const littoral::ParticlePart& part) { VisitPart(shown.Selection, part, kind, task); });
 }
 
-/// Copies numbers that lie in the order of the groups to a level.
-void CopyNumbers(const Shown& shown, LevelKind kind, vtkAbstractArray* ordered, vtkAbstractArray* level)
+/// Copies tuples that lie in the order of the groups to a level.
+void CopyTuples(const Shown& shown, littoral::ParticleLevel kind, vtkAbstractArray* ordered, vtkAbstractArray* level)
 {
   const auto* from = static_cast<const unsigned char*>(ordered->GetVoidPointer(0));
   auto* to = static_cast<unsigned char*>(level->GetVoidPointer(0));
   const std::size_t bytes = static_cast<std::size_t>(ordered->GetNumberOfComponents()) * ordered->GetDataTypeSize();
-  Visit(
-    shown, kind,
-    [=](std::size_t begin, std::size_t end, std::size_t place, int) {
-      std::memcpy(to + place * bytes, from + begin * bytes, (end - begin) * bytes);
-    },
-    [=](const littoral::ShownParticle& particle, std::size_t place, int) {
-      CopyTuple(from + particle.Place * bytes, to + place * bytes, bytes);
-    });
+  Visit(shown, kind, [=](const littoral::ShownRun& run, std::size_t place) {
+    std::memcpy(to + place * bytes, from + run.Begin * bytes, run.Size() * bytes);
+  });
 }
 
 /// Copies what are no numbers, or lie otherwise in memory, one after the other.
-void CopyOthers(const Shown& shown, LevelKind kind, vtkAbstractArray* ordered, vtkAbstractArray* level)
+void CopyOthers(const Shown& shown, littoral::ParticleLevel kind, vtkAbstractArray* ordered, vtkAbstractArray* level)
 {
   for (const littoral::ParticlePart& part : shown.Selection.Parts)
   {
-    VisitPart(
-      shown, part, kind,
-      [=](std::size_t begin, std::size_t end, std::size_t place, int) {
-        for (std::size_t n = begin; n < end; ++n)
-        {
-          level->SetTuple(static_cast<vtkIdType>(place + n - begin), static_cast<vtkIdType>(n), ordered);
-        }
-      },
-      [=](const littoral::ShownParticle& particle, std::size_t place, int) {
-        level->SetTuple(static_cast<vtkIdType>(place), particle.Place, ordered);
-      });
+    VisitPart(shown.Selection, part, kind, [=](const littoral::ShownRun& run, std::size_t place) {
+      for (std::size_t n = 0; n < run.Size(); ++n)
+      {
+        level->SetTuple(static_cast<vtkIdType>(place + n), static_cast<vtkIdType>(run.Begin + n), ordered);
+      }
+    });
   }
 }
 
 /// The arrays of the input, in the order of the groups, at the particles of a level.
-void CarryArrays(
-  const Shown& shown, LevelKind kind, vtkPointData* ordered, littoral::FrameArrays& memory, vtkPointData* to)
+void CarryArrays(const Shown& shown, littoral::ParticleLevel kind, vtkPointData* ordered, littoral::FrameArrays& memory,
+  vtkPointData* to)
 {
   const auto count = static_cast<vtkIdType>(SizeOf(shown.Selection, kind));
   for (int index = 0; index < ordered->GetNumberOfArrays(); ++index)
@@ -237,7 +206,7 @@ void CarryArrays(
     if (isPlain)
     {
       array = memory.Like(numbers, count);
-      CopyNumbers(shown, kind, whole, array);
+      CopyTuples(shown, kind, whole, array);
     }
     else
     {
@@ -257,95 +226,230 @@ void CarryArrays(
   }
 }
 
+/// Copies places by their numbers.
+template <typename Real>
+void PickPlaces(const Real* from, const int* numbers, std::size_t count, Real* to)
+{
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    const Real* place = from + 3 * static_cast<std::size_t>(numbers[n]);
+    to[3 * n] = place[0];
+    to[3 * n + 1] = place[1];
+    to[3 * n + 2] = place[2];
+  }
+}
+
+template <typename Real>
+const Real* NumbersOf(const littoral::PlaceList& places)
+{
+  if constexpr (std::is_same_v<Real, float>)
+  {
+    return places.GetSingles();
+  }
+  else
+  {
+    return places.GetDoubles();
+  }
+}
+
+/// All places in the order of the groups.
+template <typename Array>
+vtkSmartPointer<vtkDataArray> SortedPlaces(const littoral::PlaceList& places, const littoral::ParticleGroups& groups)
+{
+  const auto sorted = littoral::NewArray<Array>("", 3, static_cast<vtkIdType>(places.Size()));
+  PickPlaces(
+    NumbersOf<typename Array::ValueType>(places), groups.GetOrder().data(), places.Size(), sorted->GetPointer(0));
+  return sorted;
+}
+
+/// Puts scattered slaves about their masters.
+template <typename Real>
+void ScatterSlaves(const Shown& shown, Real* values)
+{
+  const std::vector<int>& order = shown.Groups.GetOrder();
+  for (const littoral::ParticlePart& part : shown.Selection.Parts)
+  {
+    const auto first = static_cast<std::size_t>(shown.Selection.Masters + part.Before.Slaves);
+    ForRuns(part.Slaves, first, [&](const littoral::ShownRun& run, std::size_t place) {
+      for (std::size_t n = run.Begin; n < run.End; ++n, ++place)
+      {
+        const littoral::Vector3 at = shown.Places[order[shown.Groups.MasterAt(n)]] + shown.Groups.OffsetOf(order[n]);
+        std::transform(&at.x, &at.x + 3, values + 3 * place, [](double x) { return static_cast<Real>(x); });
+      }
+    });
+  }
+}
+
 /// The points of a level; those of scattered slaves about their masters.
 template <typename Array>
-vtkSmartPointer<vtkPoints> PointsOf(const Shown& shown, LevelKind kind, bool scattered, littoral::FrameArrays& memory)
+vtkSmartPointer<vtkPoints> PointsOf(const Shown& shown, littoral::ParticleLevel kind, littoral::FrameArrays& memory)
 {
   using Real = typename Array::ValueType;
   const auto points = memory.New<Array>("Points", 3, static_cast<vtkIdType>(SizeOf(shown.Selection, kind)));
   Real* values = points->GetPointer(0);
-  const std::vector<int>& order = shown.Groups.GetOrder();
-  const auto put = [values](std::size_t place, const littoral::Vector3& center) {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      values[3 * place + axis] = static_cast<Real>(center[axis]);
-    }
-  };
-  Visit(
-    shown, kind,
-    [&](std::size_t begin, std::size_t end, std::size_t place, int) {
-      for (std::size_t n = begin; n < end; ++n)
-      {
-        put(place + n - begin, shown.Places[order[n]]);
-      }
-    },
-    [&](const littoral::ShownParticle& particle, std::size_t place, int master) {
-      put(place,
-        scattered && master >= 0 ? shown.Places[master] + shown.Groups.OffsetOf(particle.Particle)
-                                 : shown.Places[particle.Particle]);
+  if (shown.Sorted)
+  {
+    const Real* from = Array::SafeDownCast(shown.Sorted)->GetPointer(0);
+    Visit(shown, kind, [=, &shown](const littoral::ShownRun& run, std::size_t place) {
+      littoral::ShiftTriples(from + 3 * run.Begin, run.Size(), shown.Way, values + 3 * place);
     });
+  }
+  else
+  {
+    const int* order = shown.Groups.GetOrder().data();
+    const auto* from = NumbersOf<Real>(shown.Places);
+    Visit(shown, kind, [=](const littoral::ShownRun& run, std::size_t place) {
+      PickPlaces(from, order + run.Begin, run.Size(), values + 3 * place);
+    });
+  }
+  if (shown.AreScattered && kind == littoral::ParticleLevel::Middle)
+  {
+    ScatterSlaves(shown, values);
+  }
   auto all = vtkSmartPointer<vtkPoints>::New();
   all->SetData(points);
   return all;
 }
 
-/// The offset that a slave keeps from its master; zero without one.
-littoral::Vector3 OffsetOf(const Shown& shown, int particle, int master)
+/// Places of the masters of all in the level Middle in its block; -1 for those with orbits.
+vtkSmartPointer<vtkIdTypeArray> MastersOf(const Shown& shown, littoral::FrameArrays& memory)
 {
-  littoral::Vector3 offset(0.0);
-  if (master >= 0)
-  {
-    shown.Groups.Follows(particle, shown.Places[particle], shown.Places[master], offset);
-  }
-  return offset;
+  auto array = memory.New<vtkIdTypeArray>(
+    littoral::sea::MasterId, 1, static_cast<vtkIdType>(SizeOf(shown.Selection, littoral::ParticleLevel::Middle)));
+  vtkIdType* masters = array->GetPointer(0);
+  std::fill_n(masters, shown.Selection.Masters, -1);
+  ForParts(shown.Selection, [&](const littoral::ParticlePart& part) {
+    const littoral::ParticleRegion& cluster = shown.Groups.GetClusters()[part.Cluster];
+    std::vector<vtkIdType> places(cluster.Orbits.Size());
+    ForRuns(
+      part.Orbits, static_cast<std::size_t>(part.Before.Masters), [&](const littoral::ShownRun& run, std::size_t at) {
+        std::iota(&places[run.Begin - cluster.Orbits.Begin], &places[run.Begin - cluster.Orbits.Begin] + run.Size(),
+          static_cast<vtkIdType>(at));
+      });
+    vtkIdType* next = masters + shown.Selection.Masters + part.Before.Slaves;
+    for (const littoral::ShownRun& run : part.Slaves)
+    {
+      for (std::size_t n = run.Begin; n < run.End; ++n)
+      {
+        *next++ = places[shown.Groups.MasterAt(n) - cluster.Orbits.Begin];
+      }
+    }
+  });
+  return array;
 }
 
-/// The arrays that tell how a level is drawn and moved.
+/// Calls a task with the runs of a level whose weights go by distance; whether there are any.
+template <typename Task>
+bool VisitBlended(const Shown& shown, littoral::ParticleLevel kind, const Task& task)
+{
+  bool areAny = false;
+  for (const littoral::ParticlePart& part : shown.Selection.Parts)
+  {
+    VisitPart(shown.Selection, part, kind, [&](const littoral::ShownRun& run, std::size_t place) {
+      if (run.Weight == littoral::RunWeight::ByDistance)
+      {
+        areAny = true;
+        task(run, place, shown.Groups.GetClusters()[part.Cluster]);
+      }
+    });
+  }
+  return areAny;
+}
+
+/// Weights of some particles of a cluster, by the distances of their masters.
+template <typename Real>
+void Blend(const Shown& shown, littoral::ParticleLevel kind, const littoral::ShownRun& run,
+  const littoral::ParticleRegion& cluster, const Real* sorted, float* alpha)
+{
+  std::size_t former = shown.Groups.GetOrder().size();
+  float weight = 0.0f;
+  for (std::size_t n = run.Begin; n < run.End; ++n)
+  {
+    const bool isSlave = n >= cluster.Slaves.Begin;
+    const std::size_t master = isSlave ? shown.Groups.MasterAt(n) : n;
+    if (master != former)
+    {
+      const Real* own = sorted + 3 * master;
+      const littoral::Vector3 place =
+        sorted ? shown.Way + littoral::Vector3(own[0], own[1], own[2]) : shown.Places[shown.Groups.GetOrder()[master]];
+      weight = static_cast<float>(littoral::WeightIn(kind, isSlave, LevelDistance(shown.View, place), shown.Options));
+      former = master;
+    }
+    *alpha++ = weight;
+  }
+}
+
+bool IsBlended(const Shown& shown, littoral::ParticleLevel kind)
+{
+  return VisitBlended(shown, kind, [](const auto&, std::size_t, const auto&) {});
+}
+
+/// The opacities of a level.
+template <typename Array>
+vtkSmartPointer<vtkFloatArray> AlphasOf(const Shown& shown, littoral::ParticleLevel kind, littoral::FrameArrays& memory)
+{
+  auto array =
+    memory.New<vtkFloatArray>(littoral::sea::Alpha, 1, static_cast<vtkIdType>(SizeOf(shown.Selection, kind)));
+  float* alpha = array->GetPointer(0);
+  Visit(shown, kind, [=](const littoral::ShownRun& run, std::size_t place) {
+    std::fill_n(alpha + place, run.Size(), run.Weight == littoral::RunWeight::None ? 0.0f : 1.0f);
+  });
+  const auto* sorted = shown.Sorted ? Array::SafeDownCast(shown.Sorted)->GetPointer(0) : nullptr;
+  VisitBlended(shown, kind, [&](const littoral::ShownRun& run, std::size_t place, const auto& cluster) {
+    Blend(shown, kind, run, cluster, sorted, alpha + place);
+  });
+  return array;
+}
+
+/// The arrays that tell how a level is moved.
 void AddLevelArrays(
-  const Shown& shown, LevelKind kind, bool needsIds, littoral::FrameArrays& memory, vtkPointData* arrays)
+  const Shown& shown, littoral::ParticleLevel kind, littoral::FrameArrays& memory, vtkPointData* arrays)
 {
   const auto count = static_cast<vtkIdType>(SizeOf(shown.Selection, kind));
-  const auto add = [&](auto* type, const char* name, int components) {
-    const auto array = memory.New<std::decay_t<decltype(*type)>>(name, components, count);
+  const auto add = [&](auto* type, const char* name) {
+    const auto array = memory.New<std::decay_t<decltype(*type)>>(name, 1, count);
     arrays->AddArray(array);
     return array->GetPointer(0);
   };
-  auto* ids = needsIds ? add(static_cast<vtkIdTypeArray*>(nullptr), littoral::sea::ParticleId, 1) : nullptr;
-  auto* alpha = add(static_cast<vtkFloatArray*>(nullptr), littoral::sea::Alpha, 1);
-  auto* trains = add(static_cast<vtkIntArray*>(nullptr), littoral::sea::TrainCount, 1);
-  const bool isFar = kind == LevelKind::Far;
-  auto* error = isFar ? nullptr : add(static_cast<vtkFloatArray*>(nullptr), littoral::sea::ErrorBound, 1);
-  const bool isMiddle = kind == LevelKind::Middle;
-  auto* masters = isMiddle ? add(static_cast<vtkIdTypeArray*>(nullptr), littoral::sea::MasterId, 1) : nullptr;
-  auto* offsets = isMiddle ? add(static_cast<vtkDoubleArray*>(nullptr), littoral::sea::Offset, 3) : nullptr;
-  const std::vector<int>& order = shown.Groups.GetOrder();
-  Visit(
-    shown, kind,
-    [=, &order](std::size_t begin, std::size_t end, std::size_t place, int all) {
-      const std::size_t size = end - begin;
-      std::fill_n(alpha + place, size, 1.0f);
-      std::fill_n(trains + place, size, all);
-      std::fill_n(error ? error + place : nullptr, error ? size : 0, 0.0f);
-      std::copy_n(order.begin() + static_cast<std::ptrdiff_t>(begin), ids ? size : 0, ids ? ids + place : nullptr);
-    },
-    [=, &shown](const littoral::ShownParticle& particle, std::size_t place, int master) {
-      alpha[place] = particle.Weight;
-      trains[place] = particle.Trains;
-      if (ids)
+  auto* trains = add(static_cast<vtkIntArray*>(nullptr), littoral::sea::TrainCount);
+  auto* error = kind == littoral::ParticleLevel::Far
+    ? nullptr
+    : add(static_cast<vtkFloatArray*>(nullptr), littoral::sea::ErrorBound);
+  Visit(shown, kind, [=](const littoral::ShownRun& run, std::size_t place) {
+    std::fill_n(trains + place, run.Size(), run.Trains);
+    std::fill_n(error ? error + place : nullptr, error ? run.Size() : 0, run.Error);
+  });
+}
+
+/// The offsets of slaves from their masters, in the type of the points. They are those at rest where these are at hand,
+/// so that they stay from frame to frame.
+template <typename Array>
+vtkSmartPointer<Array> OffsetsOf(
+  const Shown& shown, vtkPoints* places, vtkIdTypeArray* masterIds, littoral::FrameArrays& memory)
+{
+  using Real = typename Array::ValueType;
+  const Real* points = Array::SafeDownCast(places->GetData())->GetPointer(0);
+  const Real* resting =
+    shown.Sorted && !shown.AreScattered ? Array::SafeDownCast(shown.Sorted)->GetPointer(0) : nullptr;
+  const auto array = memory.New<Array>(littoral::sea::Offset, 3, places->GetNumberOfPoints());
+  Real* offsets = array->GetPointer(0);
+  const vtkIdType* masters = masterIds->GetPointer(0);
+  std::fill_n(offsets, 3 * shown.Selection.Masters, Real(0.0));
+  ForParts(shown.Selection, [&](const littoral::ParticlePart& part) {
+    const auto first = static_cast<std::size_t>(shown.Selection.Masters + part.Before.Slaves);
+    ForRuns(part.Slaves, first, [&](const littoral::ShownRun& run, std::size_t place) {
+      for (std::size_t n = run.Begin; n < run.End; ++n, ++place)
       {
-        ids[place] = particle.Particle;
-      }
-      if (error)
-      {
-        error[place] = particle.Error;
-      }
-      if (masters)
-      {
-        masters[place] = particle.Master;
-        const littoral::Vector3 offset = OffsetOf(shown, particle.Particle, master);
-        std::copy_n(&offset.x, 3, offsets + 3 * place);
+        const Real* slave = resting ? resting + 3 * n : points + 3 * place;
+        const Real* master = resting ? resting + 3 * shown.Groups.MasterAt(n) : points + 3 * masters[place];
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          offsets[3 * place + axis] = slave[axis] - master[axis];
+        }
       }
     });
+  });
+  return array;
 }
 
 /// Numbers from 0 on, of which all blocks show the first ones.
@@ -418,10 +522,32 @@ double ParticlesIn(const littoral::ParticleGroups& groups, const littoral::Piece
   long long particles = 0;
   for (long long cell = cells.Begin; cell < cells.End; ++cell)
   {
-    particles += static_cast<long long>(groups.GetCells()[cell].End - groups.GetCells()[cell].Begin);
+    particles += static_cast<long long>(groups.GetCells()[cell].Size());
   }
   return static_cast<double>(particles);
 }
+
+/// Tells where the particles of a block are.
+struct PlacesKey
+{
+  littoral::ArrayStamp Source;
+  bool IsSorted = false;
+  littoral::Vector3 Way{ 0.0 };
+  std::size_t Selection = 0;
+};
+
+bool operator==(const PlacesKey& a, const PlacesKey& b)
+{
+  return a.Source == b.Source && a.IsSorted == b.IsSorted && a.Way == b.Way && a.Selection == b.Selection;
+}
+
+/// A block of the output.
+struct LevelBlock
+{
+  vtkSmartPointer<vtkPolyData> Data;       ///< null: to be made
+  vtkSmartPointer<vtkIdTypeArray> Masters; ///< of Middle
+  PlacesKey Key;
+};
 
 }
 
@@ -429,61 +555,98 @@ double ParticlesIn(const littoral::ParticleGroups& groups, const littoral::Piece
 class vtkParticleLevelOfDetailFilter::vtkInternals
 {
 public:
-  Stamp Grouped;               ///< the places of the grouping
+  littoral::ArrayStamp Grouped; ///< the places of the grouping
+  vtkSmartPointer<vtkDataArray> GroupedPlaces;
   std::vector<double> Numbers; ///< properties of the grouping
   std::unique_ptr<littoral::ParticleGroups> Groups;
   littoral::Box Bounds; ///< of all cells
 
-  Stamp Moved; ///< the places of now
+  littoral::ArrayStamp Moved; ///< the places of now
   vtkSmartPointer<vtkDataArray> Places;
-  littoral::ParticleMotion Motion; ///< since the grouping
+  littoral::ArrayStamp SortedSource;
+  littoral::ArrayStamp RestingPlaces;
+  littoral::ParticleMotion Resting;     ///< of places that all go one way, without it
+  bool AreNew = false;                  ///< the places, since the last frame
+  std::optional<littoral::Vector3> Way; ///< of all from the places of the grouping [m]
+  vtkSmartPointer<vtkDataArray> Sorted; ///< the latter in the order of the groups; null where they are not needed
+  littoral::ParticleMotion Motion;      ///< since the grouping
+  littoral::Box Ways;                   ///< for which levels are chosen: between multiples of WayStep
 
   std::vector<double> TableKey;
   std::vector<int> Order; ///< of the trains
   std::unique_ptr<littoral::TrainTable> Table;
 
-  std::vector<Stamp> CarriedKey;
+  std::vector<littoral::ArrayStamp> CarriedKey;
   vtkSmartPointer<vtkPointData> Carried; ///< arrays of the input in the order of the groups
 
   littoral::FrameArrays Memory;
   CountingArray Counting;
+  std::vector<double> SelectionKey;
   std::unique_ptr<littoral::ParticleSelection> Selection; ///< of the last frame
-  vtkSmartPointer<vtkPolyData> Blocks[3];                 ///< that show it
+  std::size_t Selections = 0;                             ///< until now
+  LevelBlock Blocks[3];                                   ///< that show it
 
   void ForgetFrames()
   {
     this->Selection = nullptr;
-    std::fill(std::begin(this->Blocks), std::end(this->Blocks), nullptr);
+    this->SelectionKey.clear();
+    std::fill(std::begin(this->Blocks), std::end(this->Blocks), LevelBlock());
   }
 
-  void Group(const Stamp& source, vtkDataArray* places, const std::vector<double>& numbers,
+  void Group(const littoral::ArrayStamp& source, vtkDataArray* places, const std::vector<double>& numbers,
     const littoral::GroupOptions& options, vtkAlgorithm* owner);
+  void FindMotion(vtkDataArray* from, const littoral::ParallelFor& parallel);
   void Carry(vtkPointSet* input);
+  void Sort();
   void MakeTable(const littoral::SeaState& sea, const littoral::View& view, littoral::TrainRule rule, double error);
-  bool IsSame(const littoral::ParticleSelection& selection, LevelKind kind) const;
-  vtkSmartPointer<vtkPolyData> Block(const Shown& shown, LevelKind kind, bool scattered);
+  void Select(const littoral::View& view, const littoral::ParticleLevelOptions& options,
+    const littoral::PieceRange& cells, vtkAlgorithm* owner);
+  template <typename Array>
+  vtkPolyData* Block(const Shown& shown, littoral::ParticleLevel kind);
 };
 
 /// Groups particles anew by where they are.
-void vtkParticleLevelOfDetailFilter::vtkInternals::Group(const Stamp& source, vtkDataArray* places,
+void vtkParticleLevelOfDetailFilter::vtkInternals::Group(const littoral::ArrayStamp& source, vtkDataArray* places,
   const std::vector<double>& numbers, const littoral::GroupOptions& options, vtkAlgorithm* owner)
 {
   // Particles that drift keep most of their order, and the groups are found faster from it.
-  std::vector<int> former = this->Groups ? this->Groups->GetOrder() : std::vector<int>();
+  std::vector<int> former = this->Groups ? this->Groups->GetTree() : std::vector<int>();
   this->Groups = nullptr;
   this->ForgetFrames();
   this->CarriedKey.clear();
+  this->Sorted = nullptr;
   this->Groups =
     std::make_unique<littoral::ParticleGroups>(ListOf(places), options, static_cast<std::size_t>(numbers.back()),
       littoral::AbortableFor(owner), littoral::PollOf(owner), std::move(former));
-  this->Bounds = this->Groups->GetCells().front().Bounds;
-  for (const littoral::ParticleGroups::Cell& cell : this->Groups->GetCells())
+  this->Bounds = this->Groups->GetClusters().front().Bounds;
+  for (const littoral::ParticleRegion& cluster : this->Groups->GetClusters())
   {
-    this->Bounds.Low = glm::min(this->Bounds.Low, cell.Bounds.Low);
-    this->Bounds.High = glm::max(this->Bounds.High, cell.Bounds.High);
+    this->Bounds.Low = glm::min(this->Bounds.Low, cluster.Bounds.Low);
+    this->Bounds.High = glm::max(this->Bounds.High, cluster.Bounds.High);
   }
   this->Grouped = source;
+  this->GroupedPlaces = places;
   this->Numbers = numbers;
+}
+
+/// Finds the motion of the places from others. Where all have gone one way, the others alone are looked at, and once.
+void vtkParticleLevelOfDetailFilter::vtkInternals::FindMotion(vtkDataArray* from, const littoral::ParallelFor& parallel)
+{
+  this->Way = littoral::CommonWayOf(this->Places, from);
+  if (!this->Way)
+  {
+    this->Motion = littoral::MotionOf(ListOf(from), ListOf(this->Places), parallel);
+    return;
+  }
+  if (!(this->RestingPlaces == littoral::StampOf(from)))
+  {
+    this->Resting = littoral::MotionOf(ListOf(from), ListOf(from), parallel);
+    this->RestingPlaces = littoral::StampOf(from);
+  }
+  double box[6];
+  littoral::PointsWithRanges(from)->GetBounds(box);
+  this->Motion =
+    littoral::Shifted(this->Resting, *this->Way, { { box[0], box[2], box[4] }, { box[1], box[3], box[5] } });
 }
 
 /// Puts the arrays of the input in the order of the groups, but for those that are made here.
@@ -496,10 +659,10 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::Carry(vtkPointSet* input)
   {
     carried->RemoveArray(name);
   }
-  std::vector<Stamp> key;
+  std::vector<littoral::ArrayStamp> key;
   for (int index = 0; index < carried->GetNumberOfArrays(); ++index)
   {
-    key.push_back(StampOf(carried->GetAbstractArray(index)));
+    key.push_back(littoral::StampOf(carried->GetAbstractArray(index)));
   }
   if (this->Carried && key == this->CarriedKey)
   {
@@ -509,15 +672,41 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::Carry(vtkPointSet* input)
   const std::vector<int>& order = this->Groups->GetOrder();
   this->Carried = vtkSmartPointer<vtkPointData>::New();
   littoral::PickTuples(carried, { order.begin(), order.end() }, this->Carried);
+  if (!this->Carried->HasArray(littoral::sea::ParticleId))
+  {
+    const auto ids =
+      littoral::NewArray<vtkIdTypeArray>(littoral::sea::ParticleId, 1, static_cast<vtkIdType>(order.size()));
+    std::copy(order.begin(), order.end(), ids->GetPointer(0));
+    this->Carried->AddArray(ids);
+  }
   this->CarriedKey = key;
+}
+
+/// Puts places that stay, or go one way, in the order of the groups; of places that change otherwise from frame to
+/// frame only those that are shown are looked at.
+void vtkParticleLevelOfDetailFilter::vtkInternals::Sort()
+{
+  const littoral::ArrayStamp source = this->Way ? this->Grouped : this->Moved;
+  if (this->AreNew && !this->Way)
+  {
+    this->Sorted = nullptr;
+  }
+  else if (!this->Sorted || !(this->SortedSource == source))
+  {
+    this->SortedSource = source;
+    const littoral::PlaceList places = ListOf(this->Way ? this->GroupedPlaces : this->Places);
+    this->Sorted = places.GetSingles() ? SortedPlaces<vtkFloatArray>(places, *this->Groups)
+                                       : SortedPlaces<vtkDoubleArray>(places, *this->Groups);
+  }
+  this->AreNew = false;
 }
 
 /// The trains in their order, and how many of them matter where, as long as neither sea nor lens nor heights change.
 void vtkParticleLevelOfDetailFilter::vtkInternals::MakeTable(
   const littoral::SeaState& sea, const littoral::View& view, littoral::TrainRule rule, double error)
 {
-  const double lowest = this->Bounds.Low.z + this->Motion.Shift.Low.z;
-  const double highest = this->Bounds.High.z + this->Motion.Shift.High.z;
+  const double lowest = this->Bounds.Low.z + this->Ways.Low.z;
+  const double highest = this->Bounds.High.z + this->Ways.High.z;
   std::vector<int> order = littoral::OrderAt(sea, this->Motion.MeanHeight);
   std::vector<double> key{ lowest, highest, view.Angle, view.AspectRatio, view.Height, view.Margin,
     static_cast<double>(rule), error, sea.Depth, sea.SeaLevel };
@@ -532,44 +721,102 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::MakeTable(
       std::make_unique<littoral::TrainTable>(littoral::Ordered(sea, order), lowest, highest, view, rule, error);
     this->TableKey = std::move(key);
     this->Order = std::move(order);
+    this->ForgetFrames();
   }
 }
 
-/// Whether a level has the same particles as in the last frame, shown alike.
-bool vtkParticleLevelOfDetailFilter::vtkInternals::IsSame(
-  const littoral::ParticleSelection& selection, LevelKind kind) const
+/// Whether a level has other particles than in the block that is there.
+bool IsOther(
+  const littoral::ParticleSelection& selection, const littoral::ParticleSelection& former, littoral::ParticleLevel kind)
 {
   const auto areSame = [kind](const littoral::ParticlePart& a, const littoral::ParticlePart& b) {
-    return kind == LevelKind::Near ? a.Near == b.Near : a.Far == b.Far;
+    return a.Cluster == b.Cluster &&
+      (kind == littoral::ParticleLevel::Near     ? a.Near == b.Near
+          : kind == littoral::ParticleLevel::Far ? a.Far == b.Far
+                                                 : a.Orbits == b.Orbits && a.Slaves == b.Slaves);
   };
-  return kind != LevelKind::Middle && this->Selection && this->Blocks[static_cast<int>(kind)] &&
-    std::equal(selection.Parts.begin(), selection.Parts.end(), this->Selection->Parts.begin(),
-      this->Selection->Parts.end(), areSame);
+  return !std::equal(selection.Parts.begin(), selection.Parts.end(), former.Parts.begin(), former.Parts.end(), areSame);
 }
 
-/// The particles of a level, with all that tells how they are drawn and moved.
-vtkSmartPointer<vtkPolyData> vtkParticleLevelOfDetailFilter::vtkInternals::Block(
-  const Shown& shown, LevelKind kind, bool scattered)
+/// Chooses the particles that a view needs, unless that has been done; levels in which they are others lose their
+/// blocks.
+void vtkParticleLevelOfDetailFilter::vtkInternals::Select(const littoral::View& view,
+  const littoral::ParticleLevelOptions& options, const littoral::PieceRange& cells, vtkAlgorithm* owner)
 {
-  auto block = vtkSmartPointer<vtkPolyData>::New();
-  const bool isDouble = this->Places->GetDataType() == VTK_DOUBLE;
-  block->SetPoints(isDouble ? PointsOf<vtkDoubleArray>(shown, kind, scattered, this->Memory)
-                            : PointsOf<vtkFloatArray>(shown, kind, scattered, this->Memory));
-  vtkSmartPointer<vtkPolyData>& former = this->Blocks[static_cast<int>(kind)];
-  if (this->IsSame(shown.Selection, kind))
+  std::vector<double> key{ view.Angle, static_cast<double>(view.IsParallel), view.ParallelScale, view.AspectRatio,
+    view.Height, view.DetailFactor, view.Near, view.Far, view.Margin, view.AngleMargin,
+    static_cast<double>(options.UseLevels), static_cast<double>(options.UseCulling), options.MiddleDistance,
+    options.FarDistance, options.BlendDistance, options.VisibleDistance, options.Margin, options.FogMargin,
+    static_cast<double>(cells.Begin), static_cast<double>(cells.End) };
+  for (const littoral::Vector3& each : { view.Point, view.Direction, view.Up, this->Ways.Low, this->Ways.High })
   {
-    block->SetVerts(former->GetVerts());
-    block->GetPointData()->ShallowCopy(former->GetPointData());
+    key.insert(key.end(), &each.x, &each.x + 3);
+  }
+  if (this->Selection && key == this->SelectionKey)
+  {
+    return;
+  }
+  auto selection = std::make_unique<littoral::ParticleSelection>(littoral::SelectParticles(*this->Groups, *this->Table,
+    littoral::ViewFrustum(view), options, static_cast<std::size_t>(cells.Begin), static_cast<std::size_t>(cells.End),
+    littoral::AbortableFor(owner), this->Ways));
+  for (const littoral::ParticleLevel kind : Levels)
+  {
+    if (!this->Selection || IsOther(*selection, *this->Selection, kind))
+    {
+      this->Blocks[static_cast<int>(kind)] = {};
+    }
+  }
+  this->Selection = std::move(selection);
+  this->SelectionKey = std::move(key);
+  ++this->Selections;
+}
+
+/// The particles of a level, with all that tells how they are drawn and moved. What has not changed since the last
+/// frame is that of the last frame.
+template <typename Array>
+vtkPolyData* vtkParticleLevelOfDetailFilter::vtkInternals::Block(const Shown& shown, littoral::ParticleLevel kind)
+{
+  LevelBlock& block = this->Blocks[static_cast<int>(kind)];
+  const PlacesKey key{ shown.Sorted ? this->SortedSource : this->Moved, shown.Sorted != nullptr, shown.Way,
+    this->Selections };
+  if (block.Data && block.Key == key)
+  {
+    return block.Data;
+  }
+  const bool isNew = !block.Data;
+  const auto data = vtkSmartPointer<vtkPolyData>::New();
+  vtkPointData* arrays = data->GetPointData();
+  data->SetPoints(PointsOf<Array>(shown, kind, this->Memory));
+  if (isNew)
+  {
+    data->SetVerts(this->Counting.Vertices(static_cast<vtkIdType>(SizeOf(shown.Selection, kind))));
+    CarryArrays(shown, kind, this->Carried, this->Memory, arrays);
+    AddLevelArrays(shown, kind, this->Memory, arrays);
+    if (kind == littoral::ParticleLevel::Middle)
+    {
+      block.Masters = MastersOf(shown, this->Memory);
+      arrays->AddArray(block.Masters);
+    }
+    data->GetFieldData()->AddArray(OrderArray(this->Order));
   }
   else
   {
-    former = nullptr;
-    block->SetVerts(this->Counting.Vertices(static_cast<vtkIdType>(SizeOf(shown.Selection, kind))));
-    CarryArrays(shown, kind, this->Carried, this->Memory, block->GetPointData());
-    AddLevelArrays(
-      shown, kind, !this->Carried->HasArray(littoral::sea::ParticleId), this->Memory, block->GetPointData());
+    data->SetVerts(block.Data->GetVerts());
+    data->GetFieldData()->ShallowCopy(block.Data->GetFieldData());
+    arrays->ShallowCopy(block.Data->GetPointData());
   }
-  return block;
+  if (isNew || IsBlended(shown, kind))
+  {
+    arrays->AddArray(AlphasOf<Array>(shown, kind, this->Memory));
+  }
+  const bool haveStayed = !isNew && shown.Sorted && block.Key.IsSorted && block.Key.Source == key.Source;
+  if (kind == littoral::ParticleLevel::Middle && !haveStayed)
+  {
+    arrays->AddArray(OffsetsOf<Array>(shown, data->GetPoints(), block.Masters, this->Memory));
+  }
+  block.Data = data;
+  block.Key = key;
+  return data;
 }
 
 //----------------------------------------------------------------------------
@@ -648,13 +895,13 @@ void vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
   const vtkIdType count = particles->GetPoints() ? particles->GetNumberOfPoints() : 0;
   littoral::Require(count == 0 ? "there are no particles in the input." : "");
   vtkDataArray* points = particles->GetPoints()->GetData();
-  const Stamp moved{ points, std::max(points->GetMTime(), particles->GetPoints()->GetMTime()) };
+  const littoral::ArrayStamp moved{ points, std::max(points->GetMTime(), particles->GetPoints()->GetMTime()) };
   vtkDataArray* start = littoral::ArrayReader::OfPoints(particles, "Input").Find(littoral::sea::Start, 3);
   const bool knowsStart = start && (vtkFloatArray::SafeDownCast(start) || vtkDoubleArray::SafeDownCast(start));
   const std::vector<double> numbers{ static_cast<double>(this->SlavesPerMaster), this->OffsetRange[0],
     this->OffsetRange[1], static_cast<double>(this->SlavePlacement), static_cast<double>(this->Seed),
     static_cast<double>(knowsStart), static_cast<double>(this->ParticlesPerCell) };
-  const Stamp source = knowsStart ? StampOf(start) : moved;
+  const littoral::ArrayStamp source = knowsStart ? littoral::StampOf(start) : moved;
   const bool areGrouped = internals.Groups && internals.Numbers == numbers;
   if (areGrouped && internals.Moved == moved && (internals.Grouped == source || internals.Grouped == moved))
   {
@@ -678,7 +925,7 @@ void vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
   internals.Places = isPlain ? points : littoral::WithType<vtkDoubleArray>(points).Get();
   const littoral::PlaceList places = ListOf(internals.Places);
   const littoral::ParallelFor parallel = littoral::AbortableFor(this);
-  internals.Motion = littoral::MotionOf(knowsStart ? ListOf(start) : places, places, parallel);
+  internals.FindMotion(knowsStart ? start : internals.Places.Get(), parallel);
   if (!internals.Motion.IsFinite)
   {
     RefuseInfinite(places);
@@ -686,13 +933,15 @@ void vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
   // Groups that have been torn apart are no groups.
   const bool areTogether = knowsStart && internals.Motion.Spread() <= LargestSpread * this->OffsetRange[1];
   vtkDataArray* from = areTogether ? start : internals.Places.Get();
-  const Stamp wanted = areTogether ? source : moved;
+  const littoral::ArrayStamp wanted = areTogether ? source : moved;
   if (!areGrouped || !(internals.Grouped == wanted))
   {
     internals.Group(wanted, from, numbers, options, this);
   }
-  internals.Motion.Shift = areTogether ? internals.Motion.Shift : littoral::Box{};
+  internals.Ways = areTogether ? RoundedWays(internals.Motion.Shift) : littoral::Box{};
+  internals.Way = areTogether ? internals.Way : std::nullopt;
   internals.Moved = moved;
+  internals.AreNew = true;
 }
 
 //----------------------------------------------------------------------------
@@ -738,31 +987,28 @@ int vtkParticleLevelOfDetailFilter::RequestData(
     state, view, static_cast<littoral::TrainRule>(this->TrainSelection), this->PixelError / this->DetailFactor);
   const littoral::PieceRange cells = littoral::RequestedPart(
     outputVector->GetInformationObject(0), static_cast<long long>(internals.Groups->GetCells().size()));
-  const littoral::PlaceList places = ListOf(internals.Places);
-  auto selection = std::make_unique<littoral::ParticleSelection>(littoral::SelectParticles(places, *internals.Groups,
-    *internals.Table, littoral::ViewFrustum(view), options, static_cast<std::size_t>(cells.Begin),
-    static_cast<std::size_t>(cells.End), littoral::AbortableFor(this), internals.Motion.Shift));
+  internals.Carry(input);
+  internals.Select(view, options, cells, this);
   this->UpdateProgress(0.5);
 
-  internals.Carry(input);
+  internals.Sort();
   internals.Memory.BeginFrame();
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
-  const auto trainOrder = OrderArray(internals.Order);
-  const Shown shown{ *selection, *internals.Groups, places };
-  const auto addLevel = [&](const char* name, LevelKind kind) {
-    const auto block = internals.Block(shown, kind, this->SlavePlacement == Scattered);
-    block->GetFieldData()->AddArray(trainOrder);
-    littoral::AddBlock(output, name, block);
-    internals.Blocks[static_cast<int>(kind)] = vtkSmartPointer<vtkPolyData>::New();
-    internals.Blocks[static_cast<int>(kind)]->SetVerts(block->GetVerts());
-    internals.Blocks[static_cast<int>(kind)]->GetPointData()->ShallowCopy(block->GetPointData());
-  };
-  addLevel(littoral::sea::Near, LevelKind::Near);
-  addLevel(littoral::sea::MasterSlave, LevelKind::Middle);
-  addLevel(littoral::sea::Far, LevelKind::Far);
+  const littoral::PlaceList places = ListOf(internals.Places);
+  Shown shown{ *internals.Selection, *internals.Groups, places, internals.Sorted,
+    internals.Way.value_or(littoral::Vector3(0.0)), this->SlavePlacement == Scattered, view, options };
+  const char* const names[] = { littoral::sea::Near, littoral::sea::MasterSlave, littoral::sea::Far };
+  for (const littoral::ParticleLevel kind : Levels)
+  {
+    if (kind == littoral::ParticleLevel::Far && internals.Way)
+    {
+      shown.Way = FogStep * glm::round(shown.Way / FogStep);
+    }
+    littoral::AddBlock(output, names[static_cast<int>(kind)],
+      places.GetSingles() ? internals.Block<vtkFloatArray>(shown, kind) : internals.Block<vtkDoubleArray>(shown, kind));
+  }
   internals.Memory.EndFrame();
-  AddCounters(output, *selection, ParticlesIn(*internals.Groups, cells), state.Trains.size());
-  internals.Selection = std::move(selection);
+  AddCounters(output, *internals.Selection, ParticlesIn(*internals.Groups, cells), state.Trains.size());
   littoral::KeepRanges(output, littoral::PollOf(this));
   this->UpdateProgress(1.0);
   return 1;

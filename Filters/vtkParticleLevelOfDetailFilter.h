@@ -13,7 +13,8 @@
  * input unless it has such an array; `Alpha`, the opacity of the particle in this level: levels blend over bands in
  * which a particle is in both, and its alphas sum to 1. Near and MasterSlave also have `TrainCount`, and `ErrorBound`
  * [m], an upper bound of the distance to the position by all trains at any time, without Stokes drift. MasterSlave also
- * has `MasterId`, an index in the block, and `Offset`[3] [m]. In Far, `TrainCount` is 0.
+ * has `MasterId`, an index in the block, and `Offset`[3] [m], in the
+ * precision of the points. In Far, `TrainCount` is 0.
  *
  * The field array `TrainOrder` of each block is the order in which vtkParticleOrbitFilter takes the trains, by their
  * displacement at the mean height of the particles, which makes the counts smaller.

@@ -4,6 +4,7 @@
 
 #include "Data/ArrayReader.h"
 #include "Data/ArraySearch.h"
+#include "Data/ArrayStamp.h"
 #include "Data/Arrays.h"
 #include "Data/Followers.h"
 #include "Data/FrameArrays.h"
@@ -49,6 +50,8 @@ namespace
 
 /// Points that one thread moves at a time.
 constexpr std::size_t PointsAtOnce = 1 << 13;
+/// Points that follow others, likewise.
+constexpr std::size_t FollowersAtOnce = 1 << 17;
 /// Maximum distance of points of the surface from sea level [m].
 constexpr double SurfaceTolerance = 1e-3;
 
@@ -107,11 +110,31 @@ std::vector<int> ReadTrainOrder(vtkPointSet* input, std::size_t trains)
   return order;
 }
 
-/// Reads the points that move with another one, and the numbers of trains of the others.
-void ReadFollowers(vtkPointSet* input, TrainCounts& counts, littoral::Slaves& slaves)
+/// Points that follow others, numbers of trains that act on the others, and the point from which on none acts.
+struct Following
 {
-  counts = ReadTrainCounts(input);
-  slaves = littoral::ReadSlaves(input);
+  TrainCounts Counts;
+  littoral::Slaves Slaves;
+  std::size_t Moving = 0;
+};
+
+/// Number of the first points behind which no train acts on any.
+std::size_t CountMoving(const TrainCounts& counts, std::size_t points)
+{
+  std::size_t moving = points;
+  while (counts.Values && moving > 0 && counts.Values[moving - 1] == 0)
+  {
+    --moving;
+  }
+  return moving;
+}
+
+/// Reads the points that move with another one, and the numbers of trains of the others.
+Following ReadFollowers(vtkPointSet* input)
+{
+  Following following{ ReadTrainCounts(input), littoral::ReadSlaves(input), 0 };
+  TrainCounts& counts = following.Counts;
+  const littoral::Slaves& slaves = following.Slaves;
   // A slave needs no orbit. With masters first, whole blocks of slaves are passed over.
   const auto isIdle = [&](
                         std::size_t id) { return slaves.Master[id] < 0 || (counts.Values && counts.Values[id] == 0); };
@@ -120,9 +143,11 @@ void ReadFollowers(vtkPointSet* input, TrainCounts& counts, littoral::Slaves& sl
   {
     ++id;
   }
-  if (id == slaves.Master.size())
+  const auto points = static_cast<std::size_t>(input->GetNumberOfPoints());
+  if (id == slaves.Master.size()) // as written by vtkParticleLevelOfDetailFilter
   {
-    return; // as written by vtkParticleLevelOfDetailFilter
+    following.Moving = CountMoving(counts, points);
+    return following;
   }
   std::vector<int> copy(slaves.Master.size(), std::numeric_limits<int>::max());
   for (id = 0; id < copy.size(); ++id)
@@ -131,6 +156,8 @@ void ReadFollowers(vtkPointSet* input, TrainCounts& counts, littoral::Slaves& sl
   }
   counts.Copy = std::move(copy);
   counts.Values = counts.Copy.data();
+  following.Moving = CountMoving(counts, points);
+  return following;
 }
 
 /// The points at rest, with their ranges, in the type of the moved ones.
@@ -140,6 +167,7 @@ vtkSmartPointer<Array> CentersOf(vtkPointSet* input)
   auto centers = vtkSmartPointer<littoral::SharedArray<Array>>::New();
   centers->Share(littoral::WithType<Array>(input->GetPoints()->GetData()));
   centers->SetName("Center");
+  littoral::ShareRanges(input->GetPoints()->GetData(), centers);
   const bool areFinite = littoral::KeepFiniteRanges(centers);
   bool areSmall = areFinite;
   for (int axis = 0; axis < 3 && areSmall; ++axis)
@@ -154,12 +182,14 @@ vtkSmartPointer<Array> CentersOf(vtkPointSet* input)
   return centers;
 }
 
-/// The points of a leaf at rest, which are looked at again only when the leaf has changed.
+/// The points of a leaf at rest, and what was read of its arrays: both are looked at again only when they have changed.
 struct RestingPoints
 {
   vtkPointSet* Leaf = nullptr; ///< compared, never used
   vtkMTimeType Time = 0;
   vtkSmartPointer<vtkDataArray> Centers;
+  std::vector<littoral::ArrayStamp> Read;
+  Following Followed;
 };
 
 /// The arrays of moved points.
@@ -245,21 +275,47 @@ struct MovedArrays
     }
   }
 
+  /// Leaves points where they are on which no train acts.
+  void Rest(std::size_t begin, std::size_t end)
+  {
+    for (Real* values : this->Vectors)
+    {
+      std::fill(values + 3 * begin, values + 3 * end, Real(0.0));
+    }
+    std::copy(
+      this->Request.Centers + 3 * begin, this->Request.Centers + 3 * end, this->Request.Displacement + 3 * begin);
+  }
+
   /// Takes slaves along. Masters are no slaves: what is read here is not written here.
   void Follow(const littoral::Slaves& slaves, std::size_t begin, std::size_t end)
   {
-    for (std::size_t id = begin; id < end; ++id)
+    if (slaves.SingleOffsets)
     {
-      const vtkIdType master = slaves.Master[id];
-      for (int axis = 0; master >= 0 && axis < 3; ++axis)
+      this->FollowBy(
+        slaves.Master.data(), [&](std::size_t n) { return slaves.SingleOffsets[n]; }, begin, end);
+      return;
+    }
+    this->FollowBy(
+      slaves.Master.data(),
+      [&](std::size_t n) { return slaves.OffsetAt(static_cast<vtkIdType>(n / 3), static_cast<int>(n % 3)); }, begin,
+      end);
+  }
+
+private:
+  /// The same with an offset for each coordinate.
+  template <typename OffsetAt>
+  void FollowBy(const vtkIdType* masters, const OffsetAt& offsetAt, std::size_t begin, std::size_t end)
+  {
+    for (Real* values : this->Vectors)
+    {
+      const bool isPlace = values == this->Request.Displacement;
+      for (std::size_t id = begin; id < end; ++id)
       {
-        for (Real* values : this->Vectors)
+        for (std::size_t axis = 0; masters[id] >= 0 && axis < 3; ++axis)
         {
-          values[3 * id + axis] = values[3 * master + axis];
+          const double own = static_cast<double>(values[3 * masters[id] + axis]);
+          values[3 * id + axis] = static_cast<Real>(isPlace ? own + static_cast<double>(offsetAt(3 * id + axis)) : own);
         }
-        const double offset = slaves.OffsetAt(static_cast<vtkIdType>(id), axis);
-        Real& value = this->Request.Displacement[3 * id + axis];
-        value = static_cast<Real>(static_cast<double>(value) + offset);
       }
     }
   }
@@ -310,17 +366,51 @@ public:
 class vtkParticleOrbitFilter::vtkInternals : public littoral::LeafFrames<RestingPoints>
 {
 public:
+  /// Refuses more points than there is memory for. As many as before have theirs.
+  void RequireRoom(double bytesOfPoint, vtkIdType count)
+  {
+    if (count > this->Granted)
+    {
+      littoral::RequireMemory(
+        bytesOfPoint * static_cast<double>(count), "the motion of " + std::to_string(count) + " points", "take fewer");
+      this->Granted = count;
+    }
+  }
+
   /// The points at rest of the next leaf.
   template <typename Array>
-  Array* CentersOf(vtkPointSet* leaf)
+  RestingPoints& RestOf(vtkPointSet* leaf)
   {
     RestingPoints& rest = this->NextEntry();
     if (rest.Leaf != leaf || rest.Time != leaf->GetMTime() || !Array::SafeDownCast(rest.Centers))
     {
-      rest = { leaf, leaf->GetMTime(), ::CentersOf<Array>(leaf) };
+      rest.Leaf = leaf;
+      rest.Time = leaf->GetMTime();
+      rest.Centers = ::CentersOf<Array>(leaf);
     }
-    return Array::SafeDownCast(rest.Centers);
+    return rest;
   }
+
+  /// Followers in the leaf of an entry.
+  static const Following& FollowingOf(vtkPointSet* leaf, RestingPoints& rest)
+  {
+    std::vector<littoral::ArrayStamp> read;
+    const auto arrays = littoral::ArrayReader::OfPoints(leaf, "a set of particles");
+    for (const char* name : { littoral::sea::TrainCount, littoral::sea::MasterId, littoral::sea::Offset })
+    {
+      read.push_back(littoral::StampOf(arrays.Any(name)));
+    }
+    if (rest.Read != read)
+    {
+      rest.Read.clear();
+      rest.Followed = ReadFollowers(leaf);
+      rest.Read = std::move(read);
+    }
+    return rest.Followed;
+  }
+
+private:
+  vtkIdType Granted = 0; ///< most points that had memory
 };
 
 //----------------------------------------------------------------------------
@@ -460,32 +550,41 @@ template <typename Array>
 void vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPointSet* output)
 {
   const vtkIdType count = input->GetNumberOfPoints();
-  littoral::RequireMemory(17.0 * sizeof(typename Array::ValueType) * static_cast<double>(count),
-    "the motion of " + std::to_string(count) + " points", "take fewer");
-  Array* centers = this->Internals->CentersOf<Array>(input);
-  TrainCounts counts;
-  littoral::Slaves slaves;
-  ReadFollowers(input, counts, slaves);
+  this->Internals->RequireRoom(17.0 * sizeof(typename Array::ValueType), count);
+  RestingPoints& rest = this->Internals->RestOf<Array>(input);
+  auto* centers = Array::SafeDownCast(rest.Centers);
+  const auto& [counts, slaves, moving] = this->Internals->FollowingOf(input, rest);
   const bool surface = this->GenerateSurface && IsAtSeaLevel(centers, sea.State.SeaLevel);
+  if (moving == 0 && slaves.Master.empty() && !this->GenerateVelocity && !this->GenerateAcceleration && !surface)
+  {
+    output->GetPointData()->AddArray(centers);
+    auto* places = Array::SafeDownCast(input->GetPoints()->GetData());
+    output->SetPoints(littoral::PointsWithRanges(places ? places : centers));
+    return;
+  }
   MovedArrays<Array> moved(this->Internals->Arrays, centers, this->GenerateVelocity, this->GenerateAcceleration,
     surface, output->GetPointData());
   moved.Request.TrainCounts = counts.Values;
-  const auto forAll = [&](double first, double last, const auto& task) {
-    const std::size_t batches = (static_cast<std::size_t>(count) + PointsAtOnce - 1) / PointsAtOnce;
-    return littoral::RunWithProgress(this, batches, first, last, [&](std::size_t batch) {
-      const std::size_t begin = batch * PointsAtOnce;
-      task(begin, std::min(begin + PointsAtOnce, static_cast<std::size_t>(count)));
-    });
+  const auto forAll = [&](double first, double last, std::size_t points, std::size_t atOnce, const auto& task) {
+    const std::size_t batches = (points + atOnce - 1) / atOnce;
+    return littoral::RunWithProgress(this, batches, first, last,
+      [&](std::size_t batch) { task(batch * atOnce, std::min((batch + 1) * atOnce, points)); });
   };
-  bool done = forAll(0.0, 0.8, [&](std::size_t begin, std::size_t end) {
+  // Slaves come last, as written by vtkParticleLevelOfDetailFilter: their orbits are not evaluated.
+  const std::size_t evaluated = surface ? static_cast<std::size_t>(count) : moving;
+  bool done = forAll(0.0, 0.8, evaluated, PointsAtOnce, [&](std::size_t begin, std::size_t end) {
     sea.Orbits.Evaluate(moved.Request, begin, end);
     moved.FinishSurface(begin, end);
-    moved.AddRanges(slaves.Master.empty(), begin, end);
+    moved.AddRanges(slaves.Master.empty() && evaluated == static_cast<std::size_t>(count), begin, end);
   });
-  if (done && !slaves.Master.empty())
+  moved.Rest(evaluated, static_cast<std::size_t>(count));
+  if (done && !(slaves.Master.empty() && evaluated == static_cast<std::size_t>(count)))
   {
-    done = forAll(0.8, 1.0, [&](std::size_t begin, std::size_t end) {
-      moved.Follow(slaves, begin, end);
+    done = forAll(0.8, 1.0, static_cast<std::size_t>(count), FollowersAtOnce, [&](std::size_t begin, std::size_t end) {
+      if (!slaves.Master.empty())
+      {
+        moved.Follow(slaves, begin, end);
+      }
       moved.AddRanges(true, begin, end);
     });
   }

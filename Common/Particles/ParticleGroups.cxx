@@ -5,6 +5,7 @@
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
 #include "Numerics/RandomStream.h"
+#include "Numerics/RoundedUp.h"
 
 #include <glm/common.hpp>
 
@@ -73,15 +74,18 @@ struct ParticleGroups::Item
 ParticleGroups::ParticleGroups(const PlaceList& places, const GroupOptions& options, std::size_t particlesPerCell,
   const ParallelFor& parallelFor, const Poll& poll, std::vector<int> former)
   : Options(options)
-  , GroupSize(static_cast<std::size_t>(options.Slaves) + 1)
-  , Order(std::move(former))
+  , Tree(std::move(former))
+  , Order(places.Size())
+  , Places(places.Size())
+  , Kin(places.Size())
+  , Reaches(places.Size(), 0.0f)
   , Masters(places.Size())
   , Offsets(places.Size(), Vector3(0.0))
 {
-  if (this->Order.size() != places.Size())
+  if (this->Tree.size() != places.Size())
   {
-    this->Order.resize(places.Size());
-    std::iota(this->Order.begin(), this->Order.end(), 0);
+    this->Tree.resize(places.Size());
+    std::iota(this->Tree.begin(), this->Tree.end(), 0);
   }
   if (places.Size() == 0)
   {
@@ -90,39 +94,51 @@ ParticleGroups::ParticleGroups(const PlaceList& places, const GroupOptions& opti
   std::vector<Item> items(places.Size());
   for (std::size_t n = 0; n < places.Size(); ++n)
   {
-    items[n] = { places[this->Order[n]], this->Order[n] };
+    items[n] = { places[this->Tree[n]], this->Tree[n] };
   }
-  const std::size_t group = this->GroupSize;
-  const std::size_t cell = std::max(group, particlesPerCell);
   const ParallelFor& onThreads = items.size() > ParticlesOfOneThread ? parallelFor : SerialFor;
+  const std::vector<Part> cells = this->FindCells(items, particlesPerCell, onThreads, poll);
+  this->Cells.resize(cells.size());
+  this->Clusters.resize((cells.size() + CellsOfCluster - 1) / CellsOfCluster);
+  onThreads(this->Clusters.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t cluster = first; cluster < last; ++cluster)
+    {
+      this->PutMastersFirst(cells.data(), cluster);
+      const ParticleRegion& all = this->Clusters[cluster];
+      std::transform(this->Order.data() + all.Orbits.Begin, this->Order.data() + all.Slaves.End,
+        this->Places.data() + all.Orbits.Begin, [&](int particle) { return places[particle]; });
+    }
+  });
+}
+
+/// Cells in the order of the tree, with their groups arranged.
+std::vector<ParticleGroups::Part> ParticleGroups::FindCells(
+  std::vector<Item>& items, std::size_t cell, const ParallelFor& parallelFor, const Poll& poll)
+{
+  const std::size_t group = static_cast<std::size_t>(this->Options.Slaves) + 1;
+  const std::size_t size = std::max(group, cell);
   // A few large parts one after the other, each of them by a thread.
-  std::vector<Cell> parts;
-  const Cell all{ 0, items.size(), BoxOf(items, 0, items.size()) };
-  Split(items, all, group, std::max(cell, items.size() / 32), parts, poll);
-  std::vector<std::vector<Cell>> cells(parts.size());
-  onThreads(parts.size(), [&](std::size_t first, std::size_t last) {
-    std::vector<Cell> groups;
+  std::vector<Part> parts;
+  const Part all{ 0, items.size(), BoxOf(items, 0, items.size()) };
+  Split(items, all, group, std::max(size, items.size() / 32), parts, poll);
+  std::vector<std::vector<Part>> cells(parts.size());
+  parallelFor(parts.size(), [&](std::size_t first, std::size_t last) {
+    std::vector<Part> groups;
     for (std::size_t part = first; part < last; ++part)
     {
-      Split(items, parts[part], group, cell, cells[part], NoPoll);
-      for (Cell& each : cells[part])
+      Split(items, parts[part], group, size, cells[part], NoPoll);
+      for (const Part& each : cells[part])
       {
         groups.clear();
         Split(items, each, group, group, groups, NoPoll);
-        for (const Cell& one : groups)
-        {
-          this->Arrange(items, one.Begin, one.End);
-        }
-        const double scatter = options.Scatter && options.Slaves > 0 ? options.MaximumOffset : 0.0;
-        each.Bounds.Low -= scatter;
-        each.Bounds.High += scatter;
+        std::for_each(groups.begin(), groups.end(), [&](const Part& one) { this->Arrange(items, one); });
       }
     }
   });
-  for (const std::vector<Cell>& some : cells)
-  {
-    this->Cells.insert(this->Cells.end(), some.begin(), some.end());
-  }
+  std::vector<Part> flat;
+  std::for_each(
+    cells.begin(), cells.end(), [&](const auto& some) { flat.insert(flat.end(), some.begin(), some.end()); });
+  return flat;
 }
 
 Box ParticleGroups::BoxOf(const std::vector<Item>& items, std::size_t begin, std::size_t end)
@@ -137,7 +153,7 @@ Box ParticleGroups::BoxOf(const std::vector<Item>& items, std::size_t begin, std
 }
 
 /// Puts the lower half of some particles along an axis before the upper one.
-void ParticleGroups::Halve(std::vector<Item>& items, const Cell& low, const Cell& high, int axis)
+void ParticleGroups::Halve(std::vector<Item>& items, const Part& low, const Part& high, int axis)
 {
   const auto at = [&items](std::size_t n) { return items.begin() + static_cast<std::ptrdiff_t>(n); };
   const auto middle = at(high.Begin);
@@ -152,8 +168,8 @@ void ParticleGroups::Halve(std::vector<Item>& items, const Cell& low, const Cell
   });
 }
 
-void ParticleGroups::Split(std::vector<Item>& items, const Cell& all, std::size_t group, std::size_t cell,
-  std::vector<Cell>& cells, const Poll& poll)
+void ParticleGroups::Split(std::vector<Item>& items, const Part& all, std::size_t group, std::size_t cell,
+  std::vector<Part>& cells, const Poll& poll)
 {
   poll();
   if (all.End - all.Begin <= cell)
@@ -163,8 +179,8 @@ void ParticleGroups::Split(std::vector<Item>& items, const Cell& all, std::size_
   }
   const int axis = LongestSide(all.Bounds);
   const std::size_t middle = all.Begin + HalfOf(all.End - all.Begin, group);
-  Cell low{ all.Begin, middle, BoxOf(items, all.Begin, middle) };
-  Cell high{ middle, all.End, BoxOf(items, middle, all.End) };
+  Part low{ all.Begin, middle, BoxOf(items, all.Begin, middle) };
+  Part high{ middle, all.End, BoxOf(items, middle, all.End) };
   if (!(low.Bounds.High[axis] < high.Bounds.Low[axis]))
   {
     Halve(items, low, high, axis);
@@ -181,23 +197,18 @@ bool ParticleGroups::IsOffset(const Vector3& offset) const
   return length >= this->Options.NearestOffset && length <= this->Options.MaximumOffset;
 }
 
-bool ParticleGroups::Follows(int particle, const Vector3& place, const Vector3& master, Vector3& offset) const
-{
-  offset = this->Options.Scatter ? this->Offsets[particle] : place - master;
-  return this->Options.Scatter || this->IsOffset(offset);
-}
-
-void ParticleGroups::Arrange(std::vector<Item>& items, std::size_t begin, std::size_t end)
+/// Puts the master of a group first, then its slaves, then those that follow none.
+void ParticleGroups::Arrange(std::vector<Item>& items, const Part& group)
 {
   const GroupOptions& options = this->Options;
-  const auto first = items.begin() + static_cast<std::ptrdiff_t>(begin);
-  const auto last = items.begin() + static_cast<std::ptrdiff_t>(end);
+  const auto first = items.begin() + static_cast<std::ptrdiff_t>(group.Begin);
+  const auto last = items.begin() + static_cast<std::ptrdiff_t>(group.End);
   std::sort(first, last, [](const Item& a, const Item& b) { return a.Particle < b.Particle; });
   Vector3 sum(0.0);
   std::for_each(first, last, [&](const Item& item) { sum += item.Place; });
-  const Vector3 middle = sum / static_cast<double>(end - begin);
-  const auto away = [&](const Item& item) { return glm::distance(item.Place, middle); };
-  const auto central = std::min_element(first, last, [&](const Item& a, const Item& b) { return away(a) < away(b); });
+  const Vector3 middle = sum / static_cast<double>(group.End - group.Begin);
+  const auto central = std::min_element(first, last,
+    [&](const Item& a, const Item& b) { return glm::distance(a.Place, middle) < glm::distance(b.Place, middle); });
   std::rotate(first, central, central + 1);
   const RandomStream random(options.Seed, RandomPurpose::SlaveOffsets);
   const Item& master = *first;
@@ -209,10 +220,62 @@ void ParticleGroups::Arrange(std::vector<Item>& items, std::size_t begin, std::s
       offset = PlaceInShell(random, item->Particle, options.NearestOffset, options.MaximumOffset);
     }
     const bool follows = item != first && (options.Scatter || this->IsOffset(offset));
-    this->Order[begin + static_cast<std::size_t>(item - first)] = item->Particle;
+    const double away = std::max(glm::length(offset), glm::distance(item->Place, master.Place));
+    float& reach = this->Reaches[master.Particle];
+    reach = follows ? std::max(reach, RoundedUp(away)) : reach;
     this->Masters[item->Particle] = follows ? master.Particle : item->Particle;
     this->Offsets[item->Particle] = follows ? offset : Vector3(0.0);
   }
+  std::stable_partition(
+    first + 1, last, [&](const Item& item) { return this->Masters[item.Particle] != item.Particle; });
+  std::transform(first, last, this->Tree.begin() + static_cast<std::ptrdiff_t>(group.Begin),
+    [](const Item& item) { return item.Particle; });
+}
+
+/// Puts the slaves of a cluster behind all that have orbits, and finds its cells in this order.
+void ParticleGroups::PutMastersFirst(const Part* cells, std::size_t cluster)
+{
+  const std::size_t firstCell = cluster * CellsOfCluster;
+  const std::size_t endCell = std::min(firstCell + CellsOfCluster, this->Cells.size());
+  const std::size_t begin = cells[firstCell].Begin;
+  const auto hasOrbit = [this](int particle) { return this->Masters[particle] == particle; };
+  std::size_t orbit = begin;
+  std::size_t slave = begin +
+    static_cast<std::size_t>(
+      std::count_if(this->Tree.data() + begin, this->Tree.data() + cells[endCell - 1].End, hasOrbit));
+  const double scatter = this->Options.Scatter && this->Options.Slaves > 0 ? this->Options.MaximumOffset : 0.0;
+  ParticleRegion& all = this->Clusters[cluster];
+  all.Bounds = cells[firstCell].Bounds;
+  for (std::size_t cell = firstCell; cell < endCell; ++cell)
+  {
+    ParticleRegion& region = this->Cells[cell];
+    region = { { orbit, orbit }, { slave, slave }, cells[cell].Bounds, 0.0 };
+    region.Bounds = { region.Bounds.Low - scatter, region.Bounds.High + scatter };
+    for (std::size_t n = cells[cell].Begin; n < cells[cell].End; ++n)
+    {
+      this->Put(this->Tree[n], hasOrbit(this->Tree[n]), region);
+    }
+    orbit = region.Orbits.End;
+    slave = region.Slaves.End;
+    all.Bounds = { glm::min(all.Bounds.Low, region.Bounds.Low), glm::max(all.Bounds.High, region.Bounds.High) };
+    all.Reach = std::max(all.Reach, region.Reach);
+  }
+  all.Orbits = { begin, orbit };
+  all.Slaves = { orbit, slave };
+}
+
+/// Puts a particle behind those of its kind in a region. A slave comes after its master, and before all other masters.
+void ParticleGroups::Put(int particle, bool hasOrbit, ParticleRegion& region)
+{
+  const std::size_t place = hasOrbit ? region.Orbits.End++ : region.Slaves.End++;
+  this->Order[place] = particle;
+  if (hasOrbit)
+  {
+    this->Kin[place] = static_cast<int>(region.Slaves.End);
+    region.Reach = std::max(region.Reach, this->ReachOf(particle));
+    return;
+  }
+  this->Kin[place] = static_cast<int>(region.Orbits.End - 1);
 }
 
 }

@@ -3,11 +3,12 @@
 #include "Particles/ParticleLevels.h"
 
 #include "Numerics/ParameterCheck.h"
+#include "Numerics/RoundedUp.h"
 #include "Numerics/SmoothStep.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 
 namespace littoral
@@ -16,69 +17,105 @@ namespace littoral
 namespace
 {
 
-/// Cells that one thread tests at a time, and that are not worth a thread.
-constexpr std::size_t CellsAtOnce = 16;
-constexpr std::size_t CellsOfOneThread = 128;
+/// Clusters that are not worth a thread.
+constexpr std::size_t ClustersOfOneThread = 256;
 
-/// Distance from a boundary within which particles are tested one by one, for sums are rounded [m].
+/// Distance from a boundary within which groups are tested one by one, for sums are rounded [m].
 constexpr double Slack = 1e-6;
 
-/// The least single precision number that is not below: bounds stay bounds.
-float RoundedUp(double value)
+/// Appends a run, to the last one where that is shown alike and ends where it begins.
+void AddRun(ShownRuns& runs, const PlaceRange& range, int trains, RunWeight weight, float error)
 {
-  const float near = static_cast<float>(value);
-  return near < value ? std::nextafter(near, std::numeric_limits<float>::infinity()) : near;
+  if (range.Size() == 0)
+  {
+    return;
+  }
+  const bool goesOn = !runs.empty() && runs.back().End == range.Begin && runs.back().Trains == trains &&
+    runs.back().Weight == weight && runs.back().Error == error;
+  goesOn ? static_cast<void>(runs.back().End = range.End)
+         : runs.push_back({ range.Begin, range.End, trains, weight, error });
 }
 
 class Selector
 {
 public:
-  Selector(const PlaceList& places, const ParticleGroups& groups, const TrainTable& table, const ViewFrustum& frustum,
+  Selector(const ParticleGroups& groups, const TrainTable& table, const ViewFrustum& frustum,
     const ParticleLevelOptions& options, const Box& shift)
-    : Places(places)
-    , Groups(groups)
+    : Groups(groups)
     , Table(table)
     , Frustum(frustum)
     , Options(options)
     , Shift(shift)
+    , Way(0.5 * (shift.Low + shift.High))
+    , Spread(0.5 * glm::length(shift.High - shift.Low))
     , Limit(options.VisibleDistance > 0.0 ? options.VisibleDistance + frustum.GetView().Margin
                                           : std::numeric_limits<double>::infinity())
   {
   }
 
-  /// Adds what the view needs of a cell.
-  void Take(const ParticleGroups::Cell& cell, ParticlePart& part, ParticleCounts& counts) const
+  /// Adds what the view needs of the cells from begin up to end, which are in the cluster of the part.
+  void Take(std::size_t begin, std::size_t end, ParticlePart& part, ParticleCounts& counts)
   {
-    const Box box{ cell.Bounds.Low + this->Shift.Low, cell.Bounds.High + this->Shift.High };
-    if (!this->MayShow(box))
+    const std::vector<ParticleRegion>& cells = this->Groups.GetCells();
+    const ParticleRegion& cluster = this->Groups.GetClusters()[part.Cluster];
+    const bool isWhole =
+      cells[begin].Orbits.Begin == cluster.Orbits.Begin && cells[end - 1].Slaves.End == cluster.Slaves.End;
+    const Verdict verdict = isWhole ? this->TakeWhole(cluster, 1, part) : Verdict::Mixed;
+    counts.CellsShown += verdict == Verdict::Taken ? static_cast<long long>(end - begin) : 0;
+    for (std::size_t cell = begin; verdict == Verdict::Mixed && cell < end; ++cell)
     {
-      return;
-    }
-    ++counts.CellsShown;
-    switch (this->LevelOf(box))
-    {
-      case CellLevel::Far:
-        part.Far.AddRun(cell.Begin, cell.End, 0);
-        return;
-      case CellLevel::InAllTrains:
-        part.Near.AddRun(cell.Begin, cell.End, this->Table.NumberOfTrains());
-        return;
-      case CellLevel::Middle:
-        return this->TakeGroups(cell, [&](auto begin, auto end) { this->TakeMiddle(begin, end, part); });
-      case CellLevel::Mixed:
-        return this->TakeGroups(cell, [&](auto begin, auto end) { this->TakeGroup(begin, end, part); });
+      const Verdict own = this->TakeWhole(cells[cell], this->Table.NumberOfTrains(), part);
+      counts.CellsShown += own == Verdict::Hidden ? 0 : 1;
+      if (own == Verdict::Mixed)
+      {
+        this->TakeGroups(cells[cell], part);
+      }
     }
   }
 
 private:
-  /// Level of the particles of a cell.
-  enum class CellLevel
+  /// Result of the test of a region.
+  enum class Verdict
   {
-    Mixed,       ///< each in its own way
-    InAllTrains, ///< all in Near, by all trains
-    Middle,      ///< all in Middle alone
-    Far          ///< all in Far alone
+    Hidden, ///< the view needs nothing of it
+    Taken,  ///< it is in one level
+    Mixed   ///< its parts are to be tested
   };
+
+  enum class Level
+  {
+    Near,
+    Middle,
+    Far,
+    Mixed
+  };
+
+  /// A level of a group: whether it is in it, and with which weight.
+  struct InLevel
+  {
+    bool Is = false;
+    RunWeight Weight = RunWeight::One;
+  };
+
+  /// Levels of a group.
+  struct GroupShow
+  {
+    InLevel Orbit; ///< of the master, in Near or in Middle
+    bool IsNear = false;
+    InLevel Near; ///< of slaves
+    InLevel Middle;
+    InLevel Far; ///< of all
+  };
+
+  /// Number of trains of the orbits of a region, and errors [m].
+  struct Motion
+  {
+    int Trains;
+    float Tail;       ///< error of all that have orbits
+    float SlaveError; ///< and of slaves
+  };
+
+  Box Shifted(const Box& box) const { return { box.Low + this->Shift.Low, box.High + this->Shift.High }; }
 
   bool MayShow(const Box& box) const
   {
@@ -91,247 +128,197 @@ private:
     return !this->Options.UseCulling || this->Frustum.MayShow({ box.Low - reach, box.High + reach });
   }
 
-  /// The level that all places in a box have, if the view shows all of them.
-  CellLevel LevelOf(const Box& box) const
+  /// The level that all places in a box have; Mixed where it is not one, or the view does not need all of it.
+  Level LevelOf(const Box& box, const Distances& distances) const
   {
     const View& view = this->Frustum.GetView();
-    const bool isWhole =
-      (!this->Options.UseCulling || this->Frustum.Holds(box, Slack)) && FarthestSight(view, box) <= this->Limit - Slack;
-    if (!isWhole)
+    if (FarthestSight(view, box) > this->Limit - Slack)
     {
-      return CellLevel::Mixed;
+      return Level::Mixed;
     }
-    const bool byAll = this->Table.IsComplete();
-    if (!this->Options.UseLevels)
-    {
-      return byAll ? CellLevel::InAllTrains : CellLevel::Mixed;
-    }
-    const Distances distances = LevelDistances(view, box);
     const auto isBeyond = [&](double distance) {
       return distances.Least >= distance + this->Options.BlendDistance + Slack;
     };
     const auto isBefore = [&](double distance) {
       return distances.Most <= distance - this->Options.BlendDistance - Slack;
     };
+    if (this->Options.UseLevels && isBeyond(this->Options.FarDistance))
+    {
+      return Level::Far;
+    }
+    if (this->Options.UseCulling && !this->Frustum.Holds(box, Slack))
+    {
+      return Level::Mixed;
+    }
     const bool isMiddle = isBeyond(this->Options.MiddleDistance) && isBefore(this->Options.FarDistance);
-    return isBeyond(this->Options.FarDistance)          ? CellLevel::Far
-      : isMiddle                                        ? CellLevel::Middle
-      : byAll && isBefore(this->Options.MiddleDistance) ? CellLevel::InAllTrains
-                                                        : CellLevel::Mixed;
+    return !this->Options.UseLevels || isBefore(this->Options.MiddleDistance) ? Level::Near
+      : isMiddle                                                              ? Level::Middle
+                                                                              : Level::Mixed;
   }
 
-  template <typename Take>
-  void TakeGroups(const ParticleGroups::Cell& cell, const Take& take) const
+  /// Takes a region that is in one level, if the numbers of trains that its parts need differ by no more than so many.
+  Verdict TakeWhole(const ParticleRegion& region, int difference, ParticlePart& part) const
   {
-    const std::size_t group = this->Groups.GetGroupSize();
-    for (std::size_t begin = cell.Begin; begin < cell.End; begin += group)
+    const Box box = this->Shifted(region.Bounds);
+    if (!this->MayShow(box))
     {
-      take(begin, std::min(begin + group, cell.End));
+      return Verdict::Hidden;
+    }
+    const Distances distances = LevelDistances(this->Frustum.GetView(), box);
+    const Level level = this->LevelOf(box, distances);
+    if (level == Level::Far)
+    {
+      AddRun(part.Far, region.Orbits, 0, RunWeight::One, 0.0f);
+      AddRun(part.Far, region.Slaves, 0, RunWeight::One, 0.0f);
+      return Verdict::Taken;
+    }
+    const Motion motion = this->MotionOf(region, box, distances);
+    if (level == Level::Mixed || motion.Trains - this->Table.CountAt(distances.Most, box.Low.z) > difference)
+    {
+      return Verdict::Mixed;
+    }
+    const bool isNear = level == Level::Near;
+    AddRun(isNear ? part.Near : part.Orbits, region.Orbits, motion.Trains, RunWeight::One, motion.Tail);
+    isNear ? AddRun(part.Near, region.Slaves, motion.Trains, RunWeight::One, motion.Tail)
+           : AddRun(part.Slaves, region.Slaves, 0, RunWeight::One, motion.SlaveError);
+    return Verdict::Taken;
+  }
+
+  /// The motion of a region in a box: that of its nearest and highest place, and of the slave farthest from its master.
+  Motion MotionOf(const ParticleRegion& region, const Box& box, const Distances& distances) const
+  {
+    const int trains = this->Table.CountAt(distances.Least, box.High.z);
+    const double tail = this->Table.TailAt(trains, box.High.z);
+    const double error = this->Table.SlaveError(region.Reach + 2.0 * this->Spread, box.High.z);
+    return { trains, RoundedUp(tail), RoundedUp(error + tail) };
+  }
+
+  /// A level whose weight is between two bounds.
+  static InLevel LevelWith(double least, double most)
+  {
+    return { most > 0.0, least >= 1.0 ? RunWeight::One : RunWeight::ByDistance };
+  }
+
+  /// Levels of the group of the master at a place. All of it is within a reach of the master.
+  GroupShow ShowOf(std::size_t place) const
+  {
+    GroupShow show;
+    const View& view = this->Frustum.GetView();
+    const Vector3 center = this->Groups.GetPlaces()[place] + this->Way;
+    const double reach = this->Groups.ReachOf(this->Groups.GetOrder()[place]) + 2.0 * this->Spread;
+    const double margin = this->Table.AmplitudeAt(center.z + reach) + this->Options.Margin;
+    const auto isSeen = [&](double wider) {
+      return !this->Options.UseCulling || this->Frustum.MayShow(center, reach + wider);
+    };
+    const double fogMargin = this->Options.UseLevels ? this->Options.FogMargin : 0.0;
+    if (!isSeen(std::max(margin, fogMargin)) || SightDistance(view, center) > this->Limit)
+    {
+      return show;
+    }
+    // Weights are monotonous in the distance.
+    const double distance = LevelDistance(view, center);
+    const double spread = this->Spread / view.DetailFactor;
+    const LevelWeights nearest = WeightsAt(distance - spread, this->Options);
+    const LevelWeights farthest = spread > 0.0 ? WeightsAt(distance + spread, this->Options) : nearest;
+    show.Far = LevelWith(nearest.Far, farthest.Far > 0.0 && isSeen(fogMargin) ? farthest.Far : 0.0);
+    if (nearest.Far >= 1.0 || !isSeen(margin))
+    {
+      return show;
+    }
+    show.IsNear = distance < this->Options.MiddleDistance || !this->Options.UseLevels;
+    show.Orbit = LevelWith(1.0 - farthest.Far, 1.0 - nearest.Far);
+    show.Near = LevelWith(farthest.Near, nearest.Near);
+    show.Middle = LevelWith(1.0 - nearest.Near - farthest.Far, 1.0 - farthest.Near - nearest.Far);
+    return show;
+  }
+
+  void TakeGroups(const ParticleRegion& cell, ParticlePart& part)
+  {
+    const Box box = this->Shifted(cell.Bounds);
+    const Motion motion = this->MotionOf(cell, box, LevelDistances(this->Frustum.GetView(), box));
+    this->Shows.clear();
+    for (std::size_t place = cell.Orbits.Begin; place < cell.Orbits.End; ++place)
+    {
+      this->Shows.push_back(this->ShowOf(place));
+      TakeOrbit({ place, place + 1 }, this->Groups.SlavesAt(cell, place).Size() > 0, this->Shows.back(), motion, part);
+    }
+    auto show = this->Shows.begin();
+    for (std::size_t place = cell.Orbits.Begin; place < cell.Orbits.End; ++place)
+    {
+      TakeSlaves(this->Groups.SlavesAt(cell, place), *show++, motion, part);
     }
   }
 
-  int ParticleAt(std::size_t place) const { return this->Groups.GetOrder()[place]; }
-
-  bool IsSeen(const Vector3& center, double height) const
+  static void TakeOrbit(
+    const PlaceRange& orbit, bool isMaster, const GroupShow& show, const Motion& motion, ParticlePart& part)
   {
-    return !this->Options.UseCulling ||
-      this->Frustum.MayShow(center, this->Table.AmplitudeAt(height) + this->Options.Margin);
-  }
-
-  double DistanceOf(const Vector3& place) const { return LevelDistance(this->Frustum.GetView(), place); }
-
-  bool IsInSight(const Vector3& place) const { return SightDistance(this->Frustum.GetView(), place) <= this->Limit; }
-
-  /// A particle that so many trains of its height move.
-  ShownParticle ByTrains(std::size_t place, int trains, double height, double weight) const
-  {
-    return { this->ParticleAt(place), static_cast<int>(place), -1, trains, static_cast<float>(weight),
-      RoundedUp(this->Table.TailAt(trains, height)) };
-  }
-
-  ShownParticle OnOrbit(std::size_t place, double height, double distance, double weight) const
-  {
-    return this->ByTrains(place, this->Table.CountAt(distance, height), height, weight);
-  }
-
-  void TakeFog(std::size_t place, const Vector3& center, double weight, ParticlePart& part) const
-  {
-    if (weight > 0.0 && (!this->Options.UseCulling || this->Frustum.MayShow(center, this->Options.FogMargin)))
+    if (show.Orbit.Is)
     {
-      part.Far.Add({ this->ParticleAt(place), static_cast<int>(place), -1, 0, static_cast<float>(weight), 0.0f });
+      AddRun(show.IsNear ? part.Near : part.Orbits, orbit, motion.Trains, show.Orbit.Weight, motion.Tail);
+    }
+    if (show.IsNear && show.Middle.Is && isMaster)
+    {
+      AddRun(part.Orbits, orbit, motion.Trains, RunWeight::None, motion.Tail);
+    }
+    if (show.Far.Is)
+    {
+      AddRun(part.Far, orbit, 0, show.Far.Weight, 0.0f);
     }
   }
 
-  /// A particle with an orbit of its own: masters, and those that follow none. The place of a master in Middle, or -1.
-  int TakeMaster(std::size_t place, const Vector3& center, ParticlePart& part) const
+  static void TakeSlaves(const PlaceRange& slaves, const GroupShow& show, const Motion& motion, ParticlePart& part)
   {
-    if (!this->IsInSight(center))
+    if (show.Near.Is)
     {
-      return -1;
+      AddRun(part.Near, slaves, motion.Trains, show.Near.Weight, motion.Tail);
     }
-    const double distance = this->DistanceOf(center);
-    LevelWeights weights = WeightsAt(distance, this->Options);
-    this->TakeFog(place, center, weights.Far, part);
-    const double weight = 1.0 - weights.Far;
-    if (weight <= 0.0 || !this->IsSeen(center, center.z))
+    if (show.Middle.Is)
     {
-      return -1;
+      AddRun(part.Slaves, slaves, 0, show.Middle.Weight, motion.SlaveError);
     }
-    const bool isNear = distance < this->Options.MiddleDistance || !this->Options.UseLevels;
-    const ShownParticle shown = this->OnOrbit(place, center.z, distance, weight);
-    if (isNear)
+    if (show.Far.Is)
     {
-      part.Near.Add(shown);
-      return -1;
-    }
-    part.Masters.push_back(shown);
-    return static_cast<int>(part.Masters.size()) - 1;
-  }
-
-  /// A slave with its master, by places in the order of the groups and where they are.
-  struct Following
-  {
-    std::size_t Place;
-    Vector3 Center;
-    std::size_t Master;
-    Vector3 MasterCenter;
-    Vector3 Offset;
-  };
-
-  void TakeSlave(const Following& slave, int& place, ParticlePart& part) const
-  {
-    if (!this->IsInSight(slave.Center))
-    {
-      return;
-    }
-    const double distance = this->DistanceOf(slave.Center);
-    const LevelWeights weights = WeightsAt(distance, this->Options);
-    this->TakeFog(slave.Place, slave.Center, weights.Far, part);
-    if (weights.Near > 0.0 && this->IsSeen(slave.Center, slave.Center.z))
-    {
-      part.Near.Add(this->OnOrbit(slave.Place, slave.Center.z, distance, weights.Near));
-    }
-    const double masterHeight = slave.MasterCenter.z;
-    if (weights.Middle <= 0.0 || !this->IsSeen(slave.MasterCenter + slave.Offset, masterHeight))
-    {
-      return;
-    }
-    if (place < 0)
-    {
-      place = static_cast<int>(part.Masters.size());
-      part.Masters.push_back(this->OnOrbit(slave.Master, masterHeight, distance, 0.0));
-    }
-    // The slave may be nearer to the eye than its master, which then needs more trains.
-    ShownParticle& shown = part.Masters[place];
-    shown.Trains = std::max(shown.Trains, this->Table.CountAt(distance, masterHeight));
-    shown.Error = RoundedUp(this->Table.TailAt(shown.Trains, masterHeight));
-    this->AddSlave(slave, place, weights.Middle, part);
-  }
-
-  /// Adds a slave to the level Middle; its error is that of its offset, as yet.
-  void AddSlave(const Following& slave, int place, double weight, ParticlePart& part) const
-  {
-    const double highest = slave.MasterCenter.z + std::max(0.0, slave.Offset.z);
-    const double error = this->Table.SlaveError(glm::length(slave.Offset), highest);
-    part.Slaves.push_back(
-      { this->ParticleAt(slave.Place), static_cast<int>(slave.Place), place, 0, static_cast<float>(weight), 0.0f });
-    part.OffsetErrors.push_back(error);
-  }
-
-  /// Adds the errors of their master to those of the slaves from the first one on.
-  void EndGroup(std::size_t firstSlave, ParticlePart& part) const
-  {
-    for (std::size_t n = firstSlave; n < part.Slaves.size(); ++n)
-    {
-      ShownParticle& slave = part.Slaves[n];
-      slave.Error = RoundedUp(part.Masters[slave.Master].Error + part.OffsetErrors[n]);
+      AddRun(part.Far, slaves, 0, show.Far.Weight, 0.0f);
     }
   }
 
-  void TakeGroup(std::size_t begin, std::size_t end, ParticlePart& part) const
-  {
-    const Vector3 center = this->Places[this->ParticleAt(begin)];
-    int place = this->TakeMaster(begin, center, part);
-    const std::size_t firstSlave = part.Slaves.size();
-    for (std::size_t n = begin + 1; n < end; ++n)
-    {
-      const int particle = this->ParticleAt(n);
-      Following slave{ n, this->Places[particle], begin, center, Vector3(0.0) };
-      if (this->Options.UseLevels && this->Groups.Follows(particle, slave.Center, center, slave.Offset))
-      {
-        this->TakeSlave(slave, place, part);
-      }
-      else
-      {
-        this->TakeMaster(n, slave.Center, part);
-      }
-    }
-    this->EndGroup(firstSlave, part);
-  }
-
-  /// A group in the level Middle alone, all of it in the view: its number of trains is that of its nearest place.
-  void TakeMiddle(std::size_t begin, std::size_t end, ParticlePart& part) const
-  {
-    const Vector3 center = this->Places[this->ParticleAt(begin)];
-    const std::size_t place = part.Masters.size();
-    const std::size_t firstSlave = part.Slaves.size();
-    double nearest = this->DistanceOf(center);
-    part.Masters.emplace_back();
-    for (std::size_t n = begin + 1; n < end; ++n)
-    {
-      const int particle = this->ParticleAt(n);
-      Following slave{ n, this->Places[particle], begin, center, Vector3(0.0) };
-      const double distance = this->DistanceOf(slave.Center);
-      if (this->Groups.Follows(particle, slave.Center, center, slave.Offset))
-      {
-        nearest = std::min(nearest, distance);
-        this->AddSlave(slave, static_cast<int>(place), 1.0, part);
-      }
-      else
-      {
-        part.Masters.push_back(this->OnOrbit(n, slave.Center.z, distance, 1.0));
-      }
-    }
-    part.Masters[place] = this->OnOrbit(begin, center.z, nearest, 1.0);
-    this->EndGroup(firstSlave, part);
-  }
-
-  const PlaceList& Places;
   const ParticleGroups& Groups;
   const TrainTable& Table;
   const ViewFrustum& Frustum;
   const ParticleLevelOptions& Options;
   const Box& Shift;
+  Vector3 Way;   ///< in the middle of all [m]
+  double Spread; ///< of the others about it [m]
   double Limit;
+  std::vector<GroupShow> Shows; ///< of a cell
 };
 
-void Count(const ShownParticle& particle, ParticleCounts& counts)
+/// Number of particles of some runs.
+long long SizeOf(const ShownRuns& runs)
 {
-  counts.TrainSum += particle.Trains;
-  counts.Shown += particle.Weight > 0.0f;
+  return std::accumulate(runs.begin(), runs.end(), 0ll,
+    [](long long sum, const ShownRun& run) { return sum + static_cast<long long>(run.Size()); });
 }
 
 /// Adds the numbers of a part.
 void Count(const ParticlePart& part, ParticleCounts& counts)
 {
-  counts.Near += static_cast<long long>(part.Near.Size());
-  counts.Masters += static_cast<long long>(part.Masters.size());
-  counts.Slaves += static_cast<long long>(part.Slaves.size());
-  counts.Far += static_cast<long long>(part.Far.Size());
-  part.Near.ForEach(
-    [&](std::size_t begin, std::size_t end, std::size_t, int trains) {
-      counts.TrainSum += static_cast<long long>(end - begin) * trains;
-      counts.Shown += static_cast<long long>(end - begin);
-    },
-    [&](const ShownParticle& particle, std::size_t) { Count(particle, counts); });
-  for (const ShownParticle& particle : part.Masters)
+  counts.Near += SizeOf(part.Near);
+  counts.Masters += SizeOf(part.Orbits);
+  counts.Slaves += SizeOf(part.Slaves);
+  counts.Far += SizeOf(part.Far);
+  for (const ShownRuns* runs : { &part.Near, &part.Orbits, &part.Slaves })
   {
-    Count(particle, counts);
+    for (const ShownRun& run : *runs)
+    {
+      const auto size = static_cast<long long>(run.Size());
+      counts.TrainSum += size * run.Trains;
+      counts.Shown += run.Weight == RunWeight::None ? 0 : size;
+    }
   }
-  for (const ShownParticle& particle : part.Slaves)
+  for (const ShownRun& run : part.Slaves)
   {
-    Count(particle, counts);
-    counts.MaximumSlaveError = std::max(counts.MaximumSlaveError, static_cast<double>(particle.Error));
+    counts.MaximumSlaveError = std::max(counts.MaximumSlaveError, static_cast<double>(run.Error));
   }
 }
 
@@ -349,31 +336,9 @@ void Add(const ParticleCounts& some, ParticleCounts& to)
 
 }
 
-bool operator==(const ShownParticle& a, const ShownParticle& b)
+bool operator==(const ShownRun& a, const ShownRun& b)
 {
-  return a.Particle == b.Particle && a.Place == b.Place && a.Master == b.Master && a.Trains == b.Trains &&
-    a.Weight == b.Weight && a.Error == b.Error;
-}
-
-void ShownLevel::AddRun(std::size_t begin, std::size_t end, int trains)
-{
-  this->TrainsOfRuns = trains;
-  this->InRuns += end - begin;
-  if (!this->Runs.empty() && this->Runs.back().End == begin && this->Runs.back().Before == this->Listed.size())
-  {
-    this->Runs.back().End = end;
-    return;
-  }
-  this->Runs.push_back({ begin, end, this->Listed.size() });
-}
-
-bool ShownLevel::operator==(const ShownLevel& other) const
-{
-  const auto areSame = [](const Run& a, const Run& b) {
-    return a.Begin == b.Begin && a.End == b.End && a.Before == b.Before;
-  };
-  return this->TrainsOfRuns == other.TrainsOfRuns && this->Listed == other.Listed &&
-    std::equal(this->Runs.begin(), this->Runs.end(), other.Runs.begin(), other.Runs.end(), areSame);
+  return a.Begin == b.Begin && a.End == b.End && a.Trains == b.Trains && a.Weight == b.Weight && a.Error == b.Error;
 }
 
 std::string WhyInvalid(const ParticleLevelOptions& options)
@@ -411,32 +376,40 @@ LevelWeights WeightsAt(double distance, const ParticleLevelOptions& options)
   return { 1.0 - beyondMiddle, beyondMiddle - beyondFar, beyondFar };
 }
 
-ParticleSelection SelectParticles(const PlaceList& places, const ParticleGroups& groups, const TrainTable& table,
-  const ViewFrustum& frustum, const ParticleLevelOptions& options, std::size_t firstCell, std::size_t endCell,
-  const ParallelFor& parallelFor, const Box& shift)
+double WeightIn(ParticleLevel level, bool isSlave, double distance, const ParticleLevelOptions& options)
 {
-  const Selector selector(places, groups, table, frustum, options, shift);
-  const std::size_t cells = endCell - firstCell;
+  const LevelWeights weights = WeightsAt(distance, options);
+  return level == ParticleLevel::Far ? weights.Far
+    : !isSlave                       ? 1.0 - weights.Far
+    : level == ParticleLevel::Near   ? weights.Near
+                                     : weights.Middle;
+}
+
+ParticleSelection SelectParticles(const ParticleGroups& groups, const TrainTable& table, const ViewFrustum& frustum,
+  const ParticleLevelOptions& options, std::size_t firstCell, std::size_t endCell, const ParallelFor& parallelFor,
+  const Box& shift)
+{
+  constexpr std::size_t size = ParticleGroups::CellsOfCluster;
   ParticleSelection selection;
-  selection.CellsInAll = static_cast<long long>(cells);
-  selection.Parts.resize((cells + CellsAtOnce - 1) / CellsAtOnce);
+  selection.CellsInAll = static_cast<long long>(endCell - firstCell);
+  const std::size_t firstCluster = firstCell / size;
+  selection.Parts.resize(firstCell < endCell ? (endCell - 1) / size + 1 - firstCluster : 0);
   std::vector<ParticleCounts> counts(selection.Parts.size());
-  const ParallelFor& onThreads = cells > CellsOfOneThread ? parallelFor : SerialFor;
-  onThreads(counts.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t part = first; part < last; ++part)
+  ForRanges(parallelFor, counts.size(), ClustersOfOneThread, [&](std::size_t first, std::size_t last) {
+    Selector selector(groups, table, frustum, options, shift);
+    for (std::size_t n = first; n < last; ++n)
     {
-      const std::size_t begin = firstCell + part * CellsAtOnce;
-      for (std::size_t cell = begin; cell < std::min(begin + CellsAtOnce, endCell); ++cell)
-      {
-        selector.Take(groups.GetCells()[cell], selection.Parts[part], counts[part]);
-      }
-      Count(selection.Parts[part], counts[part]);
+      ParticlePart& part = selection.Parts[n];
+      part.Cluster = firstCluster + n;
+      selector.Take(
+        std::max(firstCell, part.Cluster * size), std::min(endCell, (part.Cluster + 1) * size), part, counts[n]);
+      Count(part, counts[n]);
     }
   });
-  for (std::size_t part = 0; part < counts.size(); ++part)
+  for (std::size_t n = 0; n < counts.size(); ++n)
   {
-    selection.Parts[part].Before = selection;
-    Add(counts[part], selection);
+    selection.Parts[n].Before = selection;
+    Add(counts[n], selection);
   }
   return selection;
 }

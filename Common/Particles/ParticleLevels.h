@@ -7,7 +7,6 @@
 #include "Numerics/Parallel.h"
 #include "Numerics/Vector3.h"
 #include "Particles/ParticleGroups.h"
-#include "Particles/PlaceList.h"
 #include "Sea/TrainSelection.h"
 
 #include <cstddef>
@@ -45,91 +44,51 @@ LevelWeights WeightsAt(double distance, const ParticleLevelOptions& options);
 /// 0 before -width, 1 beyond width, smooth between; a step for a width of 0.
 double BlendAt(double x, double width);
 
-/// A particle that a level shows.
-struct ShownParticle
+/// Weight of particles in a level.
+enum class RunWeight
 {
-  int Particle;
-  int Place;    ///< in the order of the groups
-  int Master;   ///< place of its master in the level; -1 for a particle with an orbit of its own
-  int Trains;   ///< number of trains that move it; 0 for a slave, and for fog
-  float Weight; ///< 0 for a master that is needed for its slaves alone
-  float Error;  ///< bound of its distance from where all trains would have it [m]
+  None,      ///< masters that are needed for their slaves alone
+  One,       ///< all
+  ByDistance ///< by the distance of each, or of its master: see WeightIn()
 };
 
-bool operator==(const ShownParticle& a, const ShownParticle& b);
-
-/// Particles of a level: some one by one, between runs of the order of the groups that are shown alike.
-class ShownLevel
+/// Particles that a level shows alike, from Begin up to End in the order of the groups.
+struct ShownRun
 {
-public:
-  /// Adds a particle.
-  void Add(const ShownParticle& particle) { this->Listed.push_back(particle); }
+  std::size_t Begin;
+  std::size_t End;
+  int Trains; ///< number of trains that move each of them; 0 for slaves, and for fog
+  RunWeight Weight;
+  float Error; ///< bound of their distance from where all trains would have them [m]
 
-  /// Adds the particles from begin up to end in the order of the groups, moved by so many trains, with weight 1 and
-  /// without an error. All runs of a level have the same number of trains.
-  void AddRun(std::size_t begin, std::size_t end, int trains);
-
-  std::size_t Size() const { return this->Listed.size() + this->InRuns; }
-
-  /// Calls `whole(begin, end, place, trains)` for each run and `one(particle, place)` for each other particle, with
-  /// their places in the level.
-  template <typename Whole, typename One>
-  void ForEach(const Whole& whole, const One& one) const
-  {
-    std::size_t place = 0;
-    auto next = this->Listed.begin();
-    const auto list = [&](std::size_t end) {
-      for (; next != this->Listed.begin() + static_cast<std::ptrdiff_t>(end); ++next)
-      {
-        one(*next, place++);
-      }
-    };
-    for (const Run& run : this->Runs)
-    {
-      list(run.Before);
-      whole(run.Begin, run.End, place, this->TrainsOfRuns);
-      place += run.End - run.Begin;
-    }
-    list(this->Listed.size());
-  }
-
-  bool operator==(const ShownLevel& other) const;
-
-private:
-  struct Run
-  {
-    std::size_t Begin;
-    std::size_t End;
-    std::size_t Before; ///< listed particles before it
-  };
-
-  std::vector<ShownParticle> Listed;
-  std::vector<Run> Runs;
-  std::size_t InRuns = 0;
-  int TrainsOfRuns = 0;
+  std::size_t Size() const { return this->End - this->Begin; }
 };
+
+bool operator==(const ShownRun& a, const ShownRun& b);
+
+using ShownRuns = std::vector<ShownRun>;
 
 /// Numbers of a selection.
 struct ParticleCounts
 {
   long long CellsShown = 0;
   long long Near = 0;
-  long long Masters = 0; ///< of Middle, and those that follow none
+  long long Masters = 0; ///< of Middle, with those that follow none
   long long Slaves = 0;  ///< of Middle
   long long Far = 0;
   long long TrainSum = 0;         ///< number of trains, summed over orbits: the work
-  long long Shown = 0;            ///< particles with a weight in Near or Middle
+  long long Shown = 0;            ///< particles in Near or Middle, but for masters that slaves alone need
   double MaximumSlaveError = 0.0; ///< largest error of a slave [m]
 };
 
-/// Particles of some cells. The level Middle are the masters of all parts, and those that follow none, then all slaves.
+/// Particles that a view needs of a cluster. The level Middle are the orbits of all parts, then all slaves.
 struct ParticlePart
 {
-  ShownLevel Near;
-  std::vector<ShownParticle> Masters;
-  std::vector<ShownParticle> Slaves;
-  std::vector<double> OffsetErrors; ///< of the slaves, by their offsets alone [m]
-  ShownLevel Far;
+  std::size_t Cluster = 0;
+  ShownRuns Near;
+  ShownRuns Orbits; ///< of Middle: masters, and particles that follow none
+  ShownRuns Slaves; ///< of Middle
+  ShownRuns Far;
   ParticleCounts Before; ///< of the parts before
 };
 
@@ -140,18 +99,33 @@ struct ParticleSelection : ParticleCounts
   long long Orbits() const { return this->Near + this->Masters; } ///< that are to be computed
 };
 
+/// Levels as they weigh particles.
+enum class ParticleLevel
+{
+  Near,
+  Middle,
+  Far
+};
+
+/// The weight in a level at the distance of a master [m], of itself or of its slaves: a master is in Near and Middle at
+/// the same place, so it is whole in the one that shows it.
+double WeightIn(ParticleLevel level, bool isSlave, double distance, const ParticleLevelOptions& options);
+
 /**
- * Particles that a view needs, of the cells from firstCell up to endCell. Cells are tested first, particles then: with
- * the ball that holds the orbit, so that what may be seen is never lost. A cell that is in the view and in one level as
- * a whole is not looked at by particles. Particles that are left out keep their places; the selection depends on the
- * view of the moment alone.
+ * Particles that a view needs, of the cells from firstCell up to endCell. A cluster that is in the view and in one
+ * level as a whole is taken at once, else each of its cells that is; in the others the distance of a master tells the
+ * levels of its group, and the ball that holds all orbits of the group whether it may be seen. So what may be seen is
+ * never lost, and none of a group is without its master. Trains and errors are those of the nearest and highest place
+ * of what is taken at once. Far cells are taken as a whole where the view needs a part of them.
  *
- * A master is at the same place in Near and Middle, and changes between them without a band. Masters outside of the
- * view are in Middle, with weight 0, where slaves need them. Particles may have moved since they were grouped: shift
- * holds the ways of all.
+ * Particles may have gone some way from their places: shift holds the ways of all, and the selection is that of all
+ * ways in it. So it stays as it is from frame to frame as long as they are in the same shift; where levels change,
+ * weights go by distance. Particles that are left out keep their places; the selection depends on the view of the
+ * moment alone. A master changes at once between Near and Middle. Masters in Near are in Middle, too, where slaves need
+ * them.
  */
-ParticleSelection SelectParticles(const PlaceList& places, const ParticleGroups& groups, const TrainTable& table,
-  const ViewFrustum& frustum, const ParticleLevelOptions& options, std::size_t firstCell, std::size_t endCell,
+ParticleSelection SelectParticles(const ParticleGroups& groups, const TrainTable& table, const ViewFrustum& frustum,
+  const ParticleLevelOptions& options, std::size_t firstCell, std::size_t endCell,
   const ParallelFor& parallelFor = SerialFor, const Box& shift = {});
 
 }

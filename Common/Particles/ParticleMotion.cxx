@@ -18,7 +18,7 @@ namespace
 {
 
 /// Particles that a thread compares at a time.
-constexpr std::size_t ParticlesAtOnce = 1 << 14;
+constexpr std::size_t ParticlesAtOnce = 1 << 18;
 /// Numbers that are compared side by side: eight particles.
 constexpr std::size_t Lanes = 24;
 
@@ -135,6 +135,21 @@ ParticleMotion MotionOf(const PlaceList& from, const PlaceList& to, const Parall
   }
   motion.IsFinite = checks == 0.0;
   return motion;
+}
+
+ParticleMotion Shifted(const ParticleMotion& motion, const Vector3& way, const Box& box)
+{
+  ParticleMotion shifted = motion;
+  shifted.MeanHeight += way.z;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // A sum of single precision is rounded by at most 2^-24 of itself.
+    const double largest = std::max(std::abs(box.Low[axis]), std::abs(box.High[axis])) + std::abs(way[axis]);
+    const double rounding = way[axis] == 0.0 ? 0.0 : 0x1p-24 * largest;
+    shifted.Shift.Low[axis] += way[axis] - rounding;
+    shifted.Shift.High[axis] += way[axis] + rounding;
+  }
+  return shifted;
 }
 
 }

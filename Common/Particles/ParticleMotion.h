@@ -24,6 +24,9 @@ struct ParticleMotion
 /// The motion of particles, at least one, from some places to others. Sums are those of any number of threads.
 ParticleMotion MotionOf(const PlaceList& from, const PlaceList& to, const ParallelFor& parallelFor = SerialFor);
 
+/// The motion of all by one way [m] after another motion, of places in single precision that were in a box.
+ParticleMotion Shifted(const ParticleMotion& motion, const Vector3& way, const Box& box);
+
 }
 
 #endif

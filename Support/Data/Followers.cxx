@@ -9,6 +9,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointSet.h"
 
@@ -38,7 +39,9 @@ void ReadMasters(const At& at, Slaves& slaves)
 
 double Slaves::OffsetAt(vtkIdType id, int axis) const
 {
-  return this->Offsets ? this->Offsets[3 * id + axis] : this->Offset->GetComponent(id, axis);
+  return this->Offsets    ? this->Offsets[3 * id + axis]
+    : this->SingleOffsets ? static_cast<double>(this->SingleOffsets[3 * id + axis])
+                          : this->Offset->GetComponent(id, axis);
 }
 
 Slaves ReadSlaves(vtkPointSet* input)
@@ -47,7 +50,6 @@ Slaves ReadSlaves(vtkPointSet* input)
   const ArrayReader arrays = ArrayReader::OfPoints(input, "a set of particles");
   vtkDataArray* master = arrays.Find(sea::MasterId, 1);
   slaves.Offset = master ? arrays.Need(sea::Offset, 3) : nullptr;
-  arrays.NeedFinite(slaves.Offset);
   if (!master)
   {
     return slaves;
@@ -55,7 +57,10 @@ Slaves ReadSlaves(vtkPointSet* input)
   const vtkIdType points = input->GetNumberOfPoints();
   SetSize(slaves.Master, points);
   auto* doubles = vtkDoubleArray::SafeDownCast(slaves.Offset);
+  auto* singles = vtkFloatArray::SafeDownCast(slaves.Offset);
   slaves.Offsets = doubles ? doubles->GetPointer(0) : nullptr;
+  slaves.SingleOffsets = singles ? singles->GetPointer(0) : nullptr;
+  arrays.NeedFinite(slaves.Offset);
   if (auto* ids = vtkIdTypeArray::SafeDownCast(master))
   {
     const vtkIdType* values = ids->GetPointer(0);

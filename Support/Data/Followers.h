@@ -20,7 +20,8 @@ struct Slaves
 {
   std::vector<vtkIdType> Master; ///< of each point; negative: it is its own
   vtkDataArray* Offset = nullptr;
-  const double* Offsets = nullptr; ///< the same as numbers, where they lie in memory as such
+  const double* Offsets = nullptr;      ///< the same as numbers, where they lie in memory as such
+  const float* SingleOffsets = nullptr; ///< the same in single precision
 
   /// One coordinate of an offset [m].
   double OffsetAt(vtkIdType id, int axis) const;

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/Mistakes.h"
 
+#include "Pipeline/SharedKey.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationIdTypeKey.h"
 #include "vtkInformationIntegerKey.h"
-#include "vtkInformationKeyLookup.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkInformationStringKey.h"
 #include "vtkInformationVector.h"
@@ -23,14 +24,6 @@ namespace littoral
 
 namespace
 {
-
-// The libraries of sources and of filters each have a copy of this file, but one key.
-template <typename Key>
-Key* SharedKey(const char* name)
-{
-  vtkInformationKey* key = vtkInformationKeyLookup::Find(name, "littoral");
-  return key ? static_cast<Key*>(key) : Key::MakeKey(name, "littoral");
-}
 
 /// The messages that an algorithm has printed, a line each, without their numbers and types of data.
 vtkInformationStringKey* Mistakes()

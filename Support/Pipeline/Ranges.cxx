@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/Ranges.h"
 
+#include "Pipeline/SharedKey.h"
+
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleVectorKey.h"
+#include "vtkInformationIdTypeKey.h"
 #include "vtkInformationInformationVectorKey.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -28,8 +31,9 @@ template <typename T>
 TupleRanges RangesOf(const T* values, vtkIdType tuples, int components)
 {
   constexpr vtkIdType atOnce = 65536;
+  constexpr vtkIdType few = 8 * atOnce; // some 0.3 ms: threads would take as long
   TupleRanges all;
-  if (tuples <= atOnce) // VTK would start a thread for them
+  if (tuples <= few)
   {
     all.AddTuples(values, values + tuples * components, components);
     return all;
@@ -49,6 +53,20 @@ void SetRange(vtkInformation* info, vtkInformationDoubleVectorKey* key, double l
 {
   const double range[2] = { low, high };
   info->Set(key, range, 2);
+}
+
+/// The modification time of an array when ranges of finite values were kept with it: VTK's own may leave some out.
+vtkInformationIdTypeKey* FiniteTime()
+{
+  static auto* key = SharedKey<vtkInformationIdTypeKey>("FINITE_TIME");
+  return key;
+}
+
+bool HasFiniteRanges(vtkDataArray* array)
+{
+  vtkInformation* info = array->HasInformation() ? array->GetInformation() : nullptr;
+  return info && info->Has(vtkDataArray::PER_FINITE_COMPONENT()) && info->Has(FiniteTime()) &&
+    info->Get(FiniteTime()) == static_cast<vtkIdType>(array->GetMTime());
 }
 
 /// Points whose bounds are the ranges of their array.
@@ -147,6 +165,26 @@ void KeepRanges(vtkDataArray* array, const TupleRanges& ranges)
       SetRange(info, key, std::sqrt(squared.Low), std::sqrt(squared.High));
     }
   }
+  info->Set(FiniteTime(), static_cast<vtkIdType>(array->GetMTime()));
+}
+
+void ShareRanges(vtkDataArray* from, vtkDataArray* to)
+{
+  if (!HasFiniteRanges(from))
+  {
+    return;
+  }
+  vtkInformation* info = to->GetInformation();
+  for (vtkInformationInformationVectorKey* each :
+    { vtkDataArray::PER_COMPONENT(), vtkDataArray::PER_FINITE_COMPONENT() })
+  {
+    info->Set(each, from->GetInformation()->Get(each));
+  }
+  for (vtkInformationDoubleVectorKey* key : { vtkDataArray::L2_NORM_RANGE(), vtkDataArray::L2_NORM_FINITE_RANGE() })
+  {
+    info->CopyEntry(from->GetInformation(), key);
+  }
+  info->Set(FiniteTime(), static_cast<vtkIdType>(to->GetMTime()));
 }
 
 void KeepRanges(vtkDataArray* array)
@@ -171,6 +209,10 @@ void KeepRanges(vtkDataArray* array)
 
 bool KeepFiniteRanges(vtkDataArray* array)
 {
+  if (HasFiniteRanges(array))
+  {
+    return true;
+  }
   const auto find = [array](const auto* values) {
     return RangesOf(values, array->GetNumberOfTuples(), array->GetNumberOfComponents());
   };

@@ -153,10 +153,14 @@ struct TupleRanges
 /// Keeps the ranges of an array that is complete. Those of arrays with values that are not finite are left to VTK.
 void KeepRanges(vtkDataArray* array, const TupleRanges& ranges);
 
+/// Lets an array have the ranges that were kept with another one of the same values.
+void ShareRanges(vtkDataArray* from, vtkDataArray* to);
+
 /// Finds the ranges of an array that is complete, unless they are there.
 void KeepRanges(vtkDataArray* array);
 
-/// Finds and keeps the ranges of an array of numbers in single or double precision; whether all of them are finite.
+/// Finds and keeps the ranges of an array of numbers in single or double precision, unless they are there; whether all
+/// of them are finite.
 bool KeepFiniteRanges(vtkDataArray* array);
 
 /// Points with these positions, whose ranges it finds unless they are there. They are the bounds of the points, for

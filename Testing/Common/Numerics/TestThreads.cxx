@@ -177,7 +177,7 @@ TEST(Threads, ParticlesThatAViewNeeds)
   const ParticleGroups groups(places, {}, 64);
   const TrainTable table(sea, -12.0, 0.0, view, TrainRule::TailSum, 1.0);
   const auto select = [&](const ParallelFor& parallel) {
-    return SelectParticles(places, groups, table, ViewFrustum(view), {}, 0, groups.GetCells().size(), parallel);
+    return SelectParticles(groups, table, ViewFrustum(view), {}, 0, groups.GetCells().size(), parallel);
   };
   const ParticleSelection one = select(SerialFor);
   const ParticleSelection three = select(OnThreads(3));
@@ -186,7 +186,7 @@ TEST(Threads, ParticlesThatAViewNeeds)
   for (std::size_t part = 0; part < one.Parts.size(); ++part)
   {
     ASSERT_TRUE(one.Parts[part].Near == three.Parts[part].Near && one.Parts[part].Far == three.Parts[part].Far);
-    ASSERT_TRUE(one.Parts[part].Masters == three.Parts[part].Masters);
+    ASSERT_TRUE(one.Parts[part].Orbits == three.Parts[part].Orbits);
     ASSERT_TRUE(one.Parts[part].Slaves == three.Parts[part].Slaves);
   }
   EXPECT_EQ(one.TrainSum, three.TrainSum);

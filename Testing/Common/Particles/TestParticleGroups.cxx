@@ -16,6 +16,21 @@
 using namespace littoral;
 using namespace littoral::testing;
 
+namespace
+{
+
+/// Places in the order of the groups of the particles of a region.
+std::vector<std::size_t> PlacesOf(const ParticleRegion& region)
+{
+  std::vector<std::size_t> places(region.Size());
+  const auto slaves = places.begin() + static_cast<std::ptrdiff_t>(region.Orbits.Size());
+  std::iota(places.begin(), slaves, region.Orbits.Begin);
+  std::iota(slaves, places.end(), region.Slaves.Begin);
+  return places;
+}
+
+}
+
 TEST(ParticleGroups, GroupsAreCompleteAndOffsetsInRange)
 {
   const std::vector<Vector3> places = Places(4001, { { 0.0, 0.0, -8.5 }, { 10.0, 10.0, -7.5 } });
@@ -29,12 +44,11 @@ TEST(ParticleGroups, GroupsAreCompleteAndOffsetsInRange)
     std::vector<int> seen(places.size(), 0);
     std::size_t end = 0;
     int slaves = 0;
-    for (const ParticleGroups::Cell& cell : groups.GetCells())
+    for (const ParticleRegion& cell : groups.GetCells())
     {
-      EXPECT_EQ(cell.Begin, end);
-      end = cell.End;
-      EXPECT_LE(cell.End - cell.Begin, 64u);
-      for (std::size_t n = cell.Begin; n < cell.End; ++n)
+      end += cell.Size();
+      EXPECT_LE(cell.Size(), 64u);
+      for (const std::size_t n : PlacesOf(cell))
       {
         const int particle = groups.GetOrder()[n];
         ++seen[particle];
@@ -63,6 +77,54 @@ TEST(ParticleGroups, GroupsAreCompleteAndOffsetsInRange)
     const ParticleGroups again(places, options, 64, OnThreads(2));
     EXPECT_EQ(again.GetOrder(), groups.GetOrder());
   }
+}
+
+/// In each cluster all that have orbits lie before the slaves, and each slave is found by its master and finds it.
+TEST(ParticleGroups, MastersAndSlavesFindEachOther)
+{
+  GroupOptions options;
+  options.MaximumOffset = 0.4;
+  const std::vector<Vector3> places = Places(7003, { { 0.0, 0.0, -8.5 }, { 10.0, 10.0, -7.5 } });
+  const ParticleGroups groups(places, options, 64);
+  const std::vector<int>& order = groups.GetOrder();
+  ASSERT_GT(groups.GetClusters().size(), 3u);
+  std::size_t end = 0;
+  for (std::size_t n = 0; n < groups.GetCells().size(); ++n)
+  {
+    const ParticleRegion& cell = groups.GetCells()[n];
+    const ParticleRegion& cluster = groups.GetClusters()[n / ParticleGroups::CellsOfCluster];
+    if (n % ParticleGroups::CellsOfCluster == 0)
+    {
+      EXPECT_EQ(cluster.Orbits.Begin, end);
+      EXPECT_EQ(cluster.Orbits.End, cluster.Slaves.Begin);
+      end = cluster.Slaves.End;
+    }
+    EXPECT_TRUE(cell.Orbits.Begin >= cluster.Orbits.Begin && cell.Orbits.End <= cluster.Orbits.End);
+    EXPECT_TRUE(cell.Slaves.Begin >= cluster.Slaves.Begin && cell.Slaves.End <= cluster.Slaves.End);
+    double farthest = 0.0;
+    std::size_t next = cell.Slaves.Begin;
+    for (std::size_t place = cell.Orbits.Begin; place < cell.Orbits.End; ++place)
+    {
+      EXPECT_EQ(groups.MasterOf(order[place]), order[place]);
+      const PlaceRange slaves = groups.SlavesAt(cell, place);
+      EXPECT_EQ(slaves.Begin, next);
+      next = slaves.End;
+      double reach = 0.0;
+      for (std::size_t slave = slaves.Begin; slave < slaves.End; ++slave)
+      {
+        EXPECT_EQ(groups.MasterOf(order[slave]), order[place]);
+        EXPECT_EQ(groups.MasterAt(slave), place);
+        reach = std::max(reach, glm::distance(places[order[slave]], places[order[place]]));
+      }
+      EXPECT_NEAR(groups.ReachOf(order[place]), reach, 1e-6);
+      EXPECT_GE(groups.ReachOf(order[place]), reach);
+      farthest = std::max(farthest, reach);
+    }
+    EXPECT_EQ(next, cell.Slaves.End);
+    EXPECT_NEAR(cell.Reach, farthest, 1e-6);
+    EXPECT_GE(cluster.Reach, cell.Reach);
+  }
+  EXPECT_EQ(end, places.size());
 }
 
 /// Halves of the particles by a full sort along the longest side, down to groups: each as the set of its numbers.
@@ -109,9 +171,11 @@ TEST(ParticleGroups, AreThoseOfASort)
     ASSERT_EQ(groups.GetCells().size(), sets.size());
     for (std::size_t n = 0; n < sets.size(); ++n)
     {
-      const ParticleGroups::Cell& cell = groups.GetCells()[n];
-      const auto first = groups.GetOrder().begin() + static_cast<std::ptrdiff_t>(cell.Begin);
-      std::vector<int> found(first, first + static_cast<std::ptrdiff_t>(cell.End - cell.Begin));
+      std::vector<int> found;
+      for (const std::size_t place : PlacesOf(groups.GetCells()[n]))
+      {
+        found.push_back(groups.GetOrder()[place]);
+      }
       std::sort(found.begin(), found.end());
       EXPECT_EQ(found, sets[n]) << n;
     }
@@ -133,7 +197,8 @@ TEST(ParticleGroups, AreTheSameWhateverWasBefore)
     ASSERT_EQ(later.GetCells().size(), fresh.GetCells().size());
     for (std::size_t n = 0; n < fresh.GetCells().size(); ++n)
     {
-      EXPECT_EQ(later.GetCells()[n].Begin, fresh.GetCells()[n].Begin);
+      EXPECT_EQ(later.GetCells()[n].Orbits.Begin, fresh.GetCells()[n].Orbits.Begin);
+      EXPECT_EQ(later.GetCells()[n].Slaves.Begin, fresh.GetCells()[n].Slaves.Begin);
       EXPECT_EQ(later.GetCells()[n].Bounds.Low, fresh.GetCells()[n].Bounds.Low);
       EXPECT_EQ(later.GetCells()[n].Bounds.High, fresh.GetCells()[n].Bounds.High);
     }
@@ -163,7 +228,7 @@ TEST(ParticleGroups, OddSets)
   {
     const ParticleGroups alike(std::vector<Vector3>(count, Vector3(1.0, 2.0, -3.0)), options, 64);
     EXPECT_EQ(alike.GetOrder().size(), static_cast<std::size_t>(count));
-    EXPECT_EQ(alike.GetCells().back().End, static_cast<std::size_t>(count));
+    EXPECT_EQ(alike.GetCells().back().Slaves.End, static_cast<std::size_t>(count));
   }
   GroupOptions alone;
   alone.Slaves = 0;

@@ -30,13 +30,23 @@ TrainTable Table(
 {
   double low = groups.GetCells().front().Bounds.Low.z;
   double high = groups.GetCells().front().Bounds.High.z;
-  for (const ParticleGroups::Cell& cell : groups.GetCells())
+  for (const ParticleRegion& cell : groups.GetCells())
   {
     low = std::min(low, cell.Bounds.Low.z);
     high = std::max(high, cell.Bounds.High.z);
   }
   return TrainTable(sea, low, high, view, rule, error);
 }
+
+/// A particle that a level shows.
+struct ShownParticle
+{
+  int Particle;
+  int Master; ///< its index in the level; -1 for a particle with an orbit of its own
+  int Trains;
+  float Weight;
+  float Error; ///< [m]
+};
 
 /// A selection particle by particle.
 struct Listed : ParticleCounts
@@ -46,45 +56,56 @@ struct Listed : ParticleCounts
   std::vector<ShownParticle> Far;
 };
 
-std::vector<ShownParticle> ListOf(const ShownLevel& level, const ParticleGroups& groups)
+/// Particles of a level with their weights at some places.
+struct Lister
 {
-  std::vector<ShownParticle> list;
-  level.ForEach(
-    [&](std::size_t begin, std::size_t end, std::size_t place, int trains) {
-      EXPECT_EQ(place, list.size());
-      for (std::size_t n = begin; n < end; ++n)
-      {
-        list.push_back({ groups.GetOrder()[n], static_cast<int>(n), -1, trains, 1.0f, 0.0f });
-      }
-    },
-    [&](const ShownParticle& particle, std::size_t place) {
-      EXPECT_EQ(place, list.size());
-      EXPECT_EQ(groups.GetOrder()[particle.Place], particle.Particle);
-      list.push_back(particle);
-    });
-  return list;
-}
+  const ParticleGroups& Groups;
+  const std::vector<Vector3>& Places;
+  const View& Seen;
+  const ParticleLevelOptions& Options;
 
-Listed ListOf(const ParticleSelection& selection, const ParticleGroups& groups)
+  void Append(const ShownRuns& runs, ParticleLevel level, std::vector<ShownParticle>& list) const
+  {
+    for (const ShownRun& run : runs)
+    {
+      for (std::size_t n = run.Begin; n < run.End; ++n)
+      {
+        const int particle = this->Groups.GetOrder()[n];
+        const int master = this->Groups.MasterOf(particle);
+        const double own =
+          WeightIn(level, master != particle, LevelDistance(this->Seen, this->Places[master]), this->Options);
+        const double weight = run.Weight == RunWeight::None ? 0.0 : run.Weight == RunWeight::One ? 1.0 : own;
+        list.push_back({ particle, -1, run.Trains, static_cast<float>(weight), run.Error });
+      }
+    }
+  }
+};
+
+Listed ListOf(const ParticleSelection& selection, const Lister& lister)
 {
+  const ParticleGroups& groups = lister.Groups;
   Listed all;
   static_cast<ParticleCounts&>(all) = selection;
-  const auto append = [](std::vector<ShownParticle>& to, const std::vector<ShownParticle>& from) {
-    to.insert(to.end(), from.begin(), from.end());
-  };
   for (const ParticlePart& part : selection.Parts)
   {
-    append(all.Near, ListOf(part.Near, groups));
-    append(all.Far, ListOf(part.Far, groups));
-    append(all.Middle, part.Masters);
+    lister.Append(part.Near, ParticleLevel::Near, all.Near);
+    lister.Append(part.Far, ParticleLevel::Far, all.Far);
+    lister.Append(part.Orbits, ParticleLevel::Middle, all.Middle);
+  }
+  const std::size_t orbits = all.Middle.size();
+  std::vector<int> places(groups.GetOrder().size(), -1);
+  for (std::size_t n = 0; n < orbits; ++n)
+  {
+    places[all.Middle[n].Particle] = static_cast<int>(n);
   }
   for (const ParticlePart& part : selection.Parts)
   {
-    for (ShownParticle slave : part.Slaves)
-    {
-      slave.Master += static_cast<int>(part.Before.Masters);
-      all.Middle.push_back(slave);
-    }
+    lister.Append(part.Slaves, ParticleLevel::Middle, all.Middle);
+  }
+  for (std::size_t n = orbits; n < all.Middle.size(); ++n)
+  {
+    all.Middle[n].Master = places[groups.MasterOf(all.Middle[n].Particle)];
+    EXPECT_GE(all.Middle[n].Master, 0);
   }
   return all;
 }
@@ -92,9 +113,9 @@ Listed ListOf(const ParticleSelection& selection, const ParticleGroups& groups)
 Listed Select(const SeaState& sea, const std::vector<Vector3>& places, const ParticleGroups& groups, const View& view,
   const ParticleLevelOptions& options, TrainRule rule)
 {
-  return ListOf(SelectParticles(places, groups, Table(sea, groups, view, rule), ViewFrustum(view), options, 0,
-                  groups.GetCells().size()),
-    groups);
+  return ListOf(
+    SelectParticles(groups, Table(sea, groups, view, rule), ViewFrustum(view), options, 0, groups.GetCells().size()),
+    { groups, places, view, options });
 }
 
 }
@@ -291,35 +312,65 @@ TEST(ParticleLevels, WeightsOfLevelsSumToOne)
   }
 }
 
-/// Cells of one particle are hardly ever in a level as a whole with what is about them: they are looked at one by one.
-TEST(ParticleLevels, WholeCellsAreAsTheirParticles)
+/// Clusters, cells and groups that are taken at once: each particle in the levels that the distance of its master
+/// tells, with as many trains as its own place needs.
+TEST(ParticleLevels, LevelsAreThoseOfTheMaster)
 {
   const SeaState sea = Sea(30.0);
-  const std::vector<Vector3> places = Places(20000, { { -15.0, -15.0, -9.0 }, { 15.0, 15.0, -1.0 } });
-  const ParticleGroups groups(places, {}, 64);
+  const std::vector<Vector3> places = Places(60000, { { -15.0, -15.0, -9.0 }, { 15.0, 15.0, -1.0 } });
+  GroupOptions scattered;
+  scattered.Scatter = true;
+  scattered.MaximumOffset = 0.2;
+  const ParticleGroups ofBoth[] = { ParticleGroups(places, {}, 64), ParticleGroups(places, scattered, 64) };
+  long long shown = 0;
   for (int frame = 0; frame < 12; ++frame)
   {
+    const ParticleGroups& groups = ofBoth[frame / 6];
     View view = FrameView(11 * frame);
     view.IsParallel = frame % 4 == 3;
     view.ParallelScale = 3.0;
     ParticleLevelOptions options;
     options.UseCulling = frame % 3 > 0;
+    options.UseLevels = frame != 7;
     options.VisibleDistance = 20.0;
     const TrainRule rule = frame % 2 == 0 ? TrainRule::All : TrainRule::TailSum;
-    const Listed whole = Select(sea, places, groups, view, options, rule);
-    // A shift that says nothing of where particles are makes no cell a whole one.
-    const Box anywhere{ Vector3(-100.0), Vector3(100.0) };
     const TrainTable table = Table(sea, groups, view, rule);
-    const Listed each = ListOf(SelectParticles(places, groups, table, ViewFrustum(view), options, 0,
-                                 groups.GetCells().size(), SerialFor, anywhere),
-      groups);
-    EXPECT_EQ(whole.Near, each.Near);
-    EXPECT_EQ(whole.Middle, each.Middle);
-    EXPECT_EQ(whole.Far, each.Far);
-    EXPECT_EQ(whole.TrainSum, each.TrainSum);
-    EXPECT_EQ(whole.Shown, each.Shown);
-    EXPECT_EQ(whole.MaximumSlaveError, each.MaximumSlaveError);
+    const Listed selection = Select(sea, places, groups, view, options, rule);
+    std::vector<std::array<double, 3>> weights(places.size(), { 0.0, 0.0, 0.0 });
+    const auto add = [&](const std::vector<ShownParticle>& level, int index) {
+      for (const ShownParticle& particle : level)
+      {
+        const Vector3& place = places[particle.Particle];
+        weights[particle.Particle][index] += particle.Weight;
+        EXPECT_TRUE(
+          index == 2 || particle.Master >= 0 || particle.Trains >= table.CountAt(LevelDistance(view, place), place.z));
+      }
+    };
+    add(selection.Near, 0);
+    add(selection.Middle, 1);
+    add(selection.Far, 2);
+    for (std::size_t n = 0; n < places.size(); ++n)
+    {
+      const int master = groups.MasterOf(static_cast<int>(n));
+      const double distance = LevelDistance(view, places[master]);
+      const LevelWeights wanted = WeightsAt(distance, options);
+      const std::array<double, 3>& own = weights[n];
+      const bool isOrbit = master == static_cast<int>(n);
+      const bool isNear = distance < options.MiddleDistance || !options.UseLevels;
+      const double near = !isOrbit ? wanted.Near : isNear ? 1.0 - wanted.Far : 0.0;
+      const bool isHidden = SightDistance(view, places[master]) > options.VisibleDistance;
+      EXPECT_FALSE(isHidden && own[0] + own[1] + own[2] > 0.0);
+      const bool isSeen = !isHidden && (!options.UseCulling || own[0] + own[1] > 0.0);
+      if (isSeen)
+      {
+        ++shown;
+        EXPECT_NEAR(own[0], near, 1e-6);
+        EXPECT_NEAR(own[1], 1.0 - wanted.Far - near, 1e-6);
+      }
+      EXPECT_TRUE(own[2] == 0.0 || std::abs(own[2] - wanted.Far) < 1e-6);
+    }
   }
+  EXPECT_GT(shown, 100000);
 }
 
 TEST(ParticleMotion, WaysOfAll)
@@ -340,6 +391,91 @@ TEST(ParticleMotion, WaysOfAll)
   EXPECT_TRUE(motion.IsFinite);
   to[40000].y = std::nan("");
   EXPECT_FALSE(MotionOf(from, to).IsFinite);
+}
+
+TEST(ParticleMotion, ShiftHoldsRoundedSums)
+{
+  const std::vector<Vector3> places = Places(5000, { { -500.0, 0.0, -8.5 }, { 800.0, 10.0, -7.5 } });
+  std::vector<float> from(3 * places.size());
+  for (std::size_t n = 0; n < from.size(); ++n)
+  {
+    from[n] = static_cast<float>(places[n / 3][static_cast<int>(n % 3)]);
+  }
+  const PlaceList start(from.data(), places.size());
+  for (const Vector3& way : { Vector3(0.0), Vector3(0.37, 0.0, -0.011), Vector3(-73.1, 4e-5, 0.2) })
+  {
+    std::vector<float> to(from.size());
+    for (std::size_t n = 0; n < from.size(); ++n)
+    {
+      to[n] = static_cast<float>(static_cast<double>(from[n]) + way[static_cast<int>(n % 3)]);
+    }
+    const ParticleMotion found = MotionOf(start, PlaceList(to.data(), places.size()));
+    const Box box{ { -500.0, 0.0, -8.5 }, { 800.0, 10.0, -7.5 } };
+    const ParticleMotion shifted = Shifted(MotionOf(start, start), way, box);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_LE(shifted.Shift.Low[axis], found.Shift.Low[axis]);
+      EXPECT_GE(shifted.Shift.High[axis], found.Shift.High[axis]);
+    }
+    EXPECT_LT(shifted.Spread(), 2.5e-4);
+    EXPECT_NEAR(shifted.MeanHeight, found.MeanHeight, 1e-6);
+  }
+  EXPECT_EQ(Shifted(MotionOf(start, start), Vector3(0.0), {}).Spread(), 0.0);
+}
+
+/// Particles that have gone any of the ways for which they were chosen: all that the distance of their master asks for
+/// is there, and what is whole is so.
+TEST(ParticleLevels, ASelectionHoldsForAllItsWays)
+{
+  const SeaState sea = Sea(30.0);
+  const std::vector<Vector3> places = Places(40000, { { -15.0, -15.0, -9.0 }, { 15.0, 15.0, -1.0 } });
+  const ParticleGroups groups(places, {}, 64);
+  const View view = Look({ 0.0, -4.0, -5.0 }, { 0.2, 1.0, 0.1 }, 60.0);
+  ParticleLevelOptions options;
+  options.UseCulling = false;
+  const Box shift{ { 0.2, -0.1, 0.0 }, { 0.6, 0.0, 0.1 } };
+  const TrainTable table = Table(sea, groups, view, TrainRule::TailSum);
+  const ParticleSelection selection =
+    SelectParticles(groups, table, ViewFrustum(view), options, 0, groups.GetCells().size(), SerialFor, shift);
+  using Weights = std::vector<std::array<int, 3>>; // 0 none, 1 by distance, 2 whole
+  Weights found(places.size(), { 0, 0, 0 });
+  const auto add = [&](const ShownRuns& runs, int level) {
+    for (const ShownRun& run : runs)
+    {
+      for (std::size_t n = run.Begin; n < run.End && run.Weight != RunWeight::None; ++n)
+      {
+        found[groups.GetOrder()[n]][level] = run.Weight == RunWeight::One ? 2 : 1;
+      }
+    }
+  };
+  for (const ParticlePart& part : selection.Parts)
+  {
+    add(part.Near, 0);
+    add(part.Orbits, 1);
+    add(part.Slaves, 1);
+    add(part.Far, 2);
+  }
+  int whole = 0;
+  for (const Vector3& share : { Vector3(0.0), Vector3(1.0), Vector3(0.5), Vector3(1.0, 0.0, 0.3) })
+  {
+    const Vector3 way = shift.Low + share * (shift.High - shift.Low);
+    for (std::size_t n = 0; n < places.size(); ++n)
+    {
+      const int master = groups.MasterOf(static_cast<int>(n));
+      const LevelWeights weights = WeightsAt(LevelDistance(view, places[master] + way), options);
+      const std::array<int, 3>& own = found[n];
+      const bool isOrbit = master == static_cast<int>(n);
+      const bool isThere = isOrbit ? weights.Far >= 1.0 || own[0] + own[1] > 0
+                                   : (weights.Near <= 0.0 || own[0] > 0) && (weights.Middle <= 0.0 || own[1] > 0);
+      EXPECT_TRUE(isThere && (weights.Far <= 0.0 || own[2] > 0)) << n;
+      EXPECT_TRUE(own[2] != 2 || weights.Far >= 1.0) << n;
+      EXPECT_TRUE(isOrbit || own[0] != 2 || weights.Near >= 1.0) << n;
+      EXPECT_TRUE(isOrbit || own[1] != 2 || weights.Middle >= 1.0) << n;
+      EXPECT_TRUE(!isOrbit || own[0] + own[1] < 2 || weights.Far <= 0.0) << n;
+      whole += own[0] == 2 || own[1] == 2 || own[2] == 2;
+    }
+  }
+  EXPECT_GT(whole, 100000);
 }
 
 TEST(ParticleLevels, WorkOfTheTableOfThePaper)
