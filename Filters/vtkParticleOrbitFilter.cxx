@@ -189,6 +189,7 @@ struct RestingPoints
   vtkMTimeType Time = 0;
   vtkSmartPointer<vtkDataArray> Centers;
   std::vector<littoral::ArrayStamp> Read;
+  vtkIdType Points = 0; ///< when it was read
   Following Followed;
 };
 
@@ -400,11 +401,12 @@ public:
     {
       read.push_back(littoral::StampOf(arrays.Any(name)));
     }
-    if (rest.Read != read)
+    if (rest.Read != read || rest.Points != leaf->GetNumberOfPoints())
     {
       rest.Read.clear();
       rest.Followed = ReadFollowers(leaf);
       rest.Read = std::move(read);
+      rest.Points = leaf->GetNumberOfPoints();
     }
     return rest.Followed;
   }
