@@ -613,7 +613,7 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::Group(const littoral::ArraySt
   std::vector<int> former = this->Groups ? this->Groups->GetTree() : std::vector<int>();
   this->Groups = nullptr;
   this->ForgetFrames();
-  this->CarriedKey.clear();
+  this->Carried = nullptr;
   this->Sorted = nullptr;
   this->Groups =
     std::make_unique<littoral::ParticleGroups>(ListOf(places), options, static_cast<std::size_t>(numbers.back()),

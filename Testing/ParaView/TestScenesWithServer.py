@@ -18,7 +18,7 @@ PORT = 11517
 #: Parts, and what changes a picture.
 SCENES = {
     "Sea": (["Light", "Sea1", "Surface"], ("Sea1", "PeakPeriod", 10.0)),
-    "Forest": (["Birch", "Forest1", "Ground", "Hills", "Light", "Oak", "Pine", "Shrub", "Sites", "Trees", "Valleys"],
+    "Forest": (["Birch", "Brooks", "Forest1", "Ground", "Hills", "Light", "Oak", "Pine", "Shrub", "Sites", "Trees", "Valleys"],
                ("Hills", "StandardDeviation", 30.0)),
 }
 
