@@ -43,6 +43,7 @@
 #include <initializer_list>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -757,12 +758,46 @@ int Picture(int argc, char* argv[])
   return vtkRegressionTestImage(window);
 }
 
+/// Particles without arrays, then fewer of them: they have their numbers.
+bool CheckFewerParticles()
+{
+  vtkNew<Levels> levels;
+  vtkNew<Sea> sea;
+  levels->SetInputConnection(1, sea->GetOutputPort());
+  LookAlongY(levels);
+  bool good = true;
+  for (const int count : { 3000, 500 })
+  {
+    const auto particles = Particles(count);
+    particles->GetPointData()->Initialize();
+    levels->SetInputData(particles);
+    levels->Update();
+    std::vector<int> times(count, 0);
+    bool areKnown = true;
+    for (int block = 0; block < 3; ++block)
+    {
+      vtkDataArray* ids = BlockOf(levels, block)->GetPointData()->GetArray("ParticleId");
+      for (vtkIdType row = 0; ids && row < ids->GetNumberOfTuples(); ++row)
+      {
+        const auto id = static_cast<int>(ids->GetTuple1(row));
+        areKnown &= id >= 0 && id < count;
+        times[std::clamp(id, 0, count - 1)] = 1;
+      }
+    }
+    const auto shown = std::accumulate(times.begin(), times.end(), 0);
+    good &=
+      Check(areKnown && shown > count / 10, std::to_string(shown) + " of " + std::to_string(count) + " particles");
+  }
+  return good;
+}
+
 }
 
 int TestParticleLevels(int argc, char* argv[])
 {
   bool good = CheckArrays();
   good &= CheckDriftedFrames();
+  good &= CheckFewerParticles();
   good &= CheckMotion();
   good &= CheckPixelPromise();
   good &= CheckSameBytes();
