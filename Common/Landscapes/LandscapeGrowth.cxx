@@ -63,8 +63,8 @@ constexpr double FirstRoughness = 0.1;
 
 /// Larger terrain takes the law that was fitted on the middle part of it, and has few iterations of its own.
 constexpr std::size_t MaximumCellsToFit = std::size_t{ 1 } << 18;
-constexpr int LargestPart = 384;
-constexpr int LargeIterations = 3;
+constexpr int LargestPart = 288;
+constexpr int LargeIterations = 2;
 constexpr double PartWork = 0.3;
 
 GridSamples MiddleOf(const GridSamples& terrain)
