@@ -98,10 +98,11 @@ for seed in SEEDS:
     ratios = semivariances(grown) / semivariances(heights)
     integral = [(ground.mean() - ground.min()) / np.ptp(ground) for ground in (grown, heights)]
     sunk = np.mean(drainage.GetOutput().GetPointData().GetArray("DepressionDepth").GetRange())
-    print(f"seed {seed}: aspects {shares[0]:.3f} {shares[1]:.3f}, slopes {far[0]:.3f} (Gaussian {far[1]:.3f}), gentle "
-          f"{gentle[0]:.3f} ({gentle[1]:.3f}), blocks {blocks:.2f}, curvature {curved:.2f}, semivariance "
-          f"{ratios.min():.2f} to {ratios.max():.2f}, integral {integral[0]:.3f} ({integral[1]:.3f}), skew "
-          f"{skew(grown):.2f} ({skew(heights):.2f})")
+    print(f"seed {seed}: aspects {shares[0]:.3f} {shares[1]:.3f} ({aspect_share(slopes, 4):.3f} "
+          f"{aspect_share(slopes, 8):.3f}), slopes {far[0]:.3f} (Gaussian {far[1]:.3f}), gentle {gentle[0]:.3f} "
+          f"({gentle[1]:.3f}), blocks {blocks:.2f}, curvature {curved:.2f}, semivariance {ratios.min():.2f} to "
+          f"{ratios.max():.2f}, integral {integral[0]:.3f} ({integral[1]:.3f}), skew {skew(grown):.2f} "
+          f"({skew(heights):.2f})")
     assert sunk == 0.0
     assert shares[0] < 1.5 * aspect_share(slopes, 4) + 0.01 and shares[1] < 1.5 * aspect_share(slopes, 8) + 0.01
     assert far[0] < (1.0 if WINDOW else 0.5) * far[1]
