@@ -39,18 +39,23 @@ constexpr int StepsAnIteration = 8;
 constexpr double LeastExponent = 0.35;
 constexpr double GreatestExponent = 0.75;
 constexpr double UsualExponent = 0.45;
+constexpr double ExponentStep = 0.4; ///< correction over what is missing
 
 /// Diffusivity at the start: that under which ridges have ten times the place's curvature of one cell, some 1.8 times
 /// that of two.
 constexpr double CurvatureFactor = 18.0;
 
-/// Threshold slope over the steepest of the place, and least slope of rivers over its mean.
+/// Threshold slope over the place's steep ones, a quantile in thousandths, and least slope of rivers over its mean.
 constexpr double ThresholdFactor = 1.1;
+constexpr std::size_t SteepQuantile = 999;
 constexpr double LeastSlopeFactor = 0.002;
 
 /// Least uplift, over that of the start.
 constexpr double SmallestMinimum = 0.05;
 constexpr double LargestMinimum = 0.8;
+
+/// Tolerance of Kolmogorov's distance of slopes.
+constexpr double SlopeTolerance = 0.045;
 
 /// Height of the rim below the long waves, and the first roughness, over the deviation of short waves.
 constexpr double RimDepth = 0.5;
@@ -58,8 +63,8 @@ constexpr double FirstRoughness = 0.1;
 
 /// Larger terrain takes the law that was fitted on the middle part of it, and has few iterations of its own.
 constexpr std::size_t MaximumCellsToFit = std::size_t{ 1 } << 18;
-constexpr int LargestPart = 384;
-constexpr int LargeIterations = 3;
+constexpr int LargestPart = 288;
+constexpr int LargeIterations = 2;
 constexpr double PartWork = 0.3;
 
 GridSamples MiddleOf(const GridSamples& terrain)
@@ -168,7 +173,8 @@ private:
     const double concavity = std::isnan(this->Wanted.Concavity) ? UsualExponent : this->Wanted.Concavity;
     this->Law.AreaExponent = std::clamp(concavity, LeastExponent, GreatestExponent);
     this->Law.Diffusivity = 1.0 / (CurvatureFactor * this->Wanted.CurvatureDeviation);
-    this->Law.ThresholdSlope = ThresholdFactor * this->Wanted.SteepestSlope;
+    this->Law.ThresholdSlope =
+      ThresholdFactor * this->Wanted.Slopes[SteepQuantile * (this->Wanted.Slopes.size() - 1) / 1000];
     this->Law.MinimumSlope = LeastSlopeFactor * this->Wanted.MeanSlope;
     this->SetErodibility();
   }
@@ -257,10 +263,10 @@ private:
     const auto relative = [](double value, double wanted, double tolerance) {
       return wanted > 0.0 ? std::abs(value / wanted - 1.0) / tolerance : 0.0;
     };
-    double most = std::max(
-      { relative(is.MeanSlope, shall.MeanSlope, 0.1), relative(is.CurvatureDeviation, shall.CurvatureDeviation, 0.2),
-        relative(is.BlockVariation, shall.BlockVariation, 0.3),
-        std::abs(is.GentleFraction - shall.GentleFraction) / 0.05 });
+    double most = std::max({ relative(is.MeanSlope, shall.MeanSlope, 0.1),
+      relative(is.CurvatureDeviation, shall.CurvatureDeviation, 0.2),
+      relative(is.BlockVariation, shall.BlockVariation, 0.3), std::abs(is.GentleFraction - shall.GentleFraction) / 0.05,
+      KolmogorovDistance(is.Slopes, shall.Slopes) / SlopeTolerance });
     const double concavity = std::abs(is.Concavity - shall.Concavity) / 0.15;
     most = std::isnan(concavity) ? most : std::max(most, concavity);
     const std::vector<int> lags = SemivarianceLags(ground.Width, ground.Height);
@@ -281,12 +287,12 @@ private:
     // steeper and sharper ground than the place's needs more creep
     const double steep = is.MeanSlope / shall.MeanSlope;
     const double sharp = is.CurvatureDeviation / shall.CurvatureDeviation;
-    this->Law.Diffusivity *= std::clamp(std::pow(steep * sharp, 0.6), 0.7, 1.4);
+    this->Law.Diffusivity *= std::clamp(std::pow(steep * sharp, 0.4), 0.7, 1.4);
     const double missing = shall.Concavity - is.Concavity;
     if (!std::isnan(missing))
     {
-      this->Law.AreaExponent =
-        std::clamp(this->Law.AreaExponent + 0.4 * std::clamp(missing, -0.15, 0.15), LeastExponent, GreatestExponent);
+      this->Law.AreaExponent = std::clamp(
+        this->Law.AreaExponent + ExponentStep * std::clamp(missing, -0.15, 0.15), LeastExponent, GreatestExponent);
     }
     this->SetErodibility();
     // uplift that differs more from place to place makes more gentle ground

@@ -43,7 +43,7 @@ double GrowthMemory(int width, int height);
  * 4. The first that is within its tolerances, or else the best, is brought to the grid, breached where the grid lost
  * its way, and its heights are matched.
  *
- * On more than 2^18 cells the law is fitted on the middle 384 x 384 first. The result does not depend on the threads.
+ * On more than 2^18 cells the law is fitted on the middle 288 x 288 first. The result does not depend on the threads.
  */
 CarvingReport GrowLandscape(GridSamples& terrain, const GridSamples& place, const GrowthParameters& parameters,
   const ParallelFor& parallel = SerialFor, const CarvingProgress& progress = NoProgress);

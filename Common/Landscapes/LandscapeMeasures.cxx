@@ -21,6 +21,7 @@ namespace
 
 constexpr int BlocksAlong = 10; ///< along the shorter side
 constexpr double CurvatureCells = 2.0;
+constexpr int SlopeQuantiles = 1001;
 
 /// Deviation over mean of the mean slopes of square blocks, without what is left over at the far sides.
 double BlockVariationOf(const std::vector<double>& slopes, int width, int height)
@@ -60,7 +61,7 @@ LandscapeMeasures MeasureLandscape(const GridSamples& heights, const ParallelFor
   LandscapeMeasures measures;
   const std::vector<double> slopes = GradientsOf(heights);
   measures.MeanSlope = ShapeOf(slopes).Mean;
-  measures.SteepestSlope = EvenQuantiles(slopes, 1001)[999];
+  measures.Slopes = EvenQuantiles(slopes, SlopeQuantiles);
   const auto gentle =
     std::count_if(slopes.begin(), slopes.end(), [&](double slope) { return slope < 0.25 * measures.MeanSlope; });
   measures.GentleFraction = static_cast<double>(gentle) / static_cast<double>(slopes.size());
@@ -75,6 +76,21 @@ LandscapeMeasures MeasureLandscape(const GridSamples& heights, const ParallelFor
   measures.Concavity = ground.Concavity;
   measures.ChannelSlope = ReferenceSlope(ground);
   return measures;
+}
+
+double KolmogorovDistance(const std::vector<double>& one, const std::vector<double>& other)
+{
+  // max |F(x) - G(x)| at the quantiles of F: F is the share of those up to x
+  const auto last = static_cast<double>(one.size() - 1);
+  double most = 0.0;
+  for (std::size_t n = 0; n < one.size(); ++n)
+  {
+    const auto low = std::lower_bound(other.begin(), other.end(), one[n]) - other.begin();
+    const auto high = std::upper_bound(other.begin(), other.end(), one[n]) - other.begin();
+    const double share = static_cast<double>(n);
+    most = std::max({ most, (static_cast<double>(low) - share) / last, (share - static_cast<double>(high)) / last });
+  }
+  return most;
 }
 
 double AspectShare(const GridSamples& heights, int folds)

@@ -6,7 +6,7 @@
 #include "Numerics/Parallel.h"
 #include "Terrain/GridSamples.h"
 
-#include <array>
+#include <vector>
 
 namespace littoral
 {
@@ -15,7 +15,7 @@ namespace littoral
 struct LandscapeMeasures
 {
   double MeanSlope = 0.0;          ///< by central differences [m/m]
-  double SteepestSlope = 0.0;      ///< quantile 0.999 of the slopes [m/m]
+  std::vector<double> Slopes;      ///< even quantiles of the slopes, from the least to the greatest [m/m]
   double GentleFraction = 0.0;     ///< cells with slopes under a quarter of the mean
   double BlockVariation = 0.0;     ///< deviation over mean of the mean slopes of blocks, a tenth of the shorter side
   double CurvatureDeviation = 0.0; ///< standard deviation of the Laplacian after a Gauss filter of two cells [1/m]
@@ -27,6 +27,9 @@ struct LandscapeMeasures
 
 /// Statistics of a grid without missing values, of three rows and columns or more.
 LandscapeMeasures MeasureLandscape(const GridSamples& heights, const ParallelFor& parallel = SerialFor);
+
+/// Kolmogorov's distance of two samples by as many even quantiles of each: the largest difference of their shares.
+double KolmogorovDistance(const std::vector<double>& one, const std::vector<double>& other);
 
 /// Share of n-fold symmetry in the directions of slope, |sum s exp(i n a)| / sum s, with the slopes s and the aspects a
 /// of the inner cells: 0 on ground that prefers no direction, much of it in eight of ground shaped along a grid.

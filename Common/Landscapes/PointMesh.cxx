@@ -42,10 +42,12 @@ std::vector<IntegerPoint> JitteredPoints(const PointMesh& mesh, double unit, int
   for (CellIndex n = 0; n < count; ++n)
   {
     const std::array<double, 2> u = random.UniformPair(n, 0);
+    const int column = n % mesh.Width;
+    const int row = n / mesh.Width;
     const double jitter = mesh.IsRim(n) ? 0.0 : InnerPart;
     // x = (i + j (u - 1/2)) dx
-    const double x = (n % mesh.Width + jitter * (u[0] - 0.5)) * mesh.Spacing[0];
-    const double y = (n / mesh.Width + jitter * (u[1] - 0.5)) * mesh.Spacing[1];
+    const double x = (column + jitter * (u[0] - 0.5)) * mesh.Spacing[0];
+    const double y = (row + jitter * (u[1] - 0.5)) * mesh.Spacing[1];
     points.emplace_back(
       static_cast<std::int32_t>(std::lround(x / unit)), static_cast<std::int32_t>(std::lround(y / unit)));
   }

@@ -16,7 +16,7 @@ struct UpliftSteering
 {
   double Smoothing = 5.0; ///< standard deviation of the Gauss filter that leaves the long waves [cells], positive
   double Gain = 0.2;      ///< growth of ln U at an error of one standard deviation, positive
-  double Minimum = 0.15;  ///< least uplift over that of the start, positive
+  double Minimum = 0.08;  ///< least uplift over that of the start, positive
   double Maximum = 10.0;  ///< greatest uplift over that of the start
 };
 

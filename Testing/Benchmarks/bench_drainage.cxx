@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Cost of carving valleys, and of its steps, by the number of cells: time, rounds, memory a cell.
+// Cost of carving valleys, of growing landscapes, and of its steps, by the number of cells: time, rounds, memory a
+// cell.
 #include "Drainage/DepressionBreaching.h"
 #include "Drainage/DepressionFilling.h"
 #include "Drainage/DrainageCarving.h"
 #include "Drainage/FlowRouting.h"
+#include "Landscapes/LandscapeGrowth.h"
 #include "Terrain/TurningBands.h"
 
 #include <benchmark/benchmark.h>
@@ -119,6 +121,25 @@ void CarveAlone(benchmark::State& state)
   Carve(state, hills, TargetOf(hills, TargetStatistics(), {}, OnTwoThreads));
 }
 
+/// Landscapes of the kind of ground into which valleys were carved.
+void GrowLikePlace(benchmark::State& state)
+{
+  GridSamples place = Hills(256, 7);
+  CarveDrainage(place, TargetOf(place, TargetStatistics(), {}, OnTwoThreads), {}, OnTwoThreads);
+  const GridSamples hills = Hills(WidthOf(state), 1);
+  CarvingReport report;
+  for (auto _ : state)
+  {
+    GridSamples ground = hills;
+    ForgetMostMemory();
+    const double before = MostMemory();
+    report = GrowLandscape(ground, place, {}, OnTwoThreads);
+    state.counters["bytes_a_cell"] = (MostMemory() - before) / static_cast<double>(state.range(0));
+  }
+  state.counters["rounds"] = report.Iterations;
+  state.SetLabel(report.UnmetTargets);
+}
+
 void Flood(benchmark::State& state)
 {
   const GridSamples hills = Hills(WidthOf(state), 1);
@@ -162,6 +183,15 @@ void Sizes(benchmark::internal::Benchmark* bench)
 
 BENCHMARK(CarveLikePlace)->Apply(Sizes);
 BENCHMARK(CarveAlone)->Apply(Sizes);
+BENCHMARK(GrowLikePlace)
+  ->ArgName("size")
+  ->Arg(1 << 16)
+  ->Arg(1 << 18)
+  ->Arg(1 << 20)
+  ->Iterations(1)
+  ->UseRealTime()
+  ->MeasureProcessCPUTime()
+  ->Unit(benchmark::kSecond);
 BENCHMARK(Flood)->ArgName("size")->Arg(1 << 18)->Arg(1 << 20)->Arg(1 << 22)->Unit(benchmark::kMillisecond);
 BENCHMARK(Breach)
   ->ArgNames({ "size", "least cost" })

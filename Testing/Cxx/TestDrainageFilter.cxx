@@ -264,6 +264,34 @@ bool TargetIsTaken()
       "measures of ground that has not changed");
 }
 
+/// A grown landscape drains, is none of the terrain, and has the target's heights; seeds differ.
+bool GrownGroundDrains()
+{
+  const auto terrain = Terrain(70, 3);
+  const auto place = Terrain(60, 7);
+  place->Update();
+  vtkNew<vtkDrainageFilter> drainage;
+  drainage->SetInputConnection(terrain->GetOutputPort());
+  drainage->SetTargetConnection(place->GetOutputPort());
+  drainage->GrowOn();
+  drainage->SetStreamThreshold(40);
+  drainage->SetMaximumNumberOfIterations(2);
+  drainage->Update();
+  vtkNew<vtkImageData> first;
+  first->DeepCopy(drainage->GetOutput());
+  bool good = Drains(first) && RiversFall(drainage, 40);
+  double wanted[2];
+  double got[2];
+  place->GetOutput()->GetPointData()->GetScalars()->GetRange(wanted);
+  first->GetPointData()->GetScalars()->GetRange(got);
+  good &= Check(std::abs(got[0] - wanted[0]) + std::abs(got[1] - wanted[1]) < 0.01 * (wanted[1] - wanted[0]),
+    "another range of heights");
+  good &= Check(FieldOf(first, "Iterations", 0) <= 2.0, "too many iterations");
+  drainage->SetSeed(2);
+  drainage->Update();
+  return good && Check(Value(first, "Elevation", 999) != Value(drainage->GetOutput(), "Elevation", 999), "one seed");
+}
+
 /// A table of statistics hands over heights and concavity, as the same numbers set one by one do.
 bool StatisticsAreTaken()
 {
@@ -410,6 +438,20 @@ bool BadInput()
   good &= Fails("MaximumNumberOfIterations", fine, [](Filter* filter) { filter->SetMaximumNumberOfIterations(0); });
   good &= Fails("ChannelThreshold", fine, [](Filter* filter) { filter->SetChannelThreshold(0.0); });
   good &= Fails("ValleyWidth", fine, [](Filter* filter) { filter->SetValleyWidth(-1.0); });
+  good &= Fails("no Target", fine, [](Filter* filter) { filter->GrowOn(); });
+  const auto grow = [](const vtkNew<vtkImageData>& place, int outlets) {
+    return [&place, outlets](Filter* filter) {
+      filter->GrowOn();
+      filter->SetOutlets(outlets);
+      filter->SetInputData(1, place);
+    };
+  };
+  good &= Fails("Outlets is not Border", fine, grow(fine, Filter::LowestOfBorder));
+  good &= Fails("The target is a plane", fine, grow(Image(24, 20, 1, Ramp), Filter::Border));
+  good &= Fails("The target has fewer than 16", fine, grow(Image(24, 9, 1, rough), Filter::Border));
+  good &= Fails("The terrain has fewer than 16", Image(9, 24, 1, rough), grow(fine, Filter::Border));
+  good &= Fails("Heights are missing",
+    Image(24, 20, 1, [&](int i, int j) { return i == 3 && j == 4 ? NaN : rough(i, j); }), grow(fine, Filter::Border));
   // targets that contradict each other: most of the ground low, and a long tail downwards
   good &= Fails("ElevationSkewness", fine, [](Filter* filter) {
     filter->KeepHypsometryOff();
@@ -526,7 +568,7 @@ bool MemoryIsAsked()
 
 int TestDrainageFilter(int, char*[])
 {
-  return CarvedGroundDrains() && TargetIsTaken() && StatisticsAreTaken() && OutletsAreChosen() &&
+  return CarvedGroundDrains() && TargetIsTaken() && GrownGroundDrains() && StatisticsAreTaken() && OutletsAreChosen() &&
       PartsAreOfOneWhole() && HolesAreOutside() && BadInput() && MemoryIsAsked()
     ? EXIT_SUCCESS
     : EXIT_FAILURE;

@@ -7,7 +7,7 @@
     python3 TestGrownTwins.py [window | SEED...]
 
 Place: the Jacksboro fault, or its middle with `window`. All is measured here by NumPy: shares of four- and eight-fold
-symmetry in the aspects, Kolmogorov's distance of slopes against half that of the Gaussian twin, gentle slopes, means of
+symmetry in the aspects, Kolmogorov's distance of slopes against that of the Gaussian twin, gentle slopes, means of
 blocks, curvature at two cells, semivariance, heights.
 """
 
@@ -98,14 +98,15 @@ for seed in SEEDS:
     ratios = semivariances(grown) / semivariances(heights)
     integral = [(ground.mean() - ground.min()) / np.ptp(ground) for ground in (grown, heights)]
     sunk = np.mean(drainage.GetOutput().GetPointData().GetArray("DepressionDepth").GetRange())
-    print(f"seed {seed}: aspects {shares[0]:.3f} {shares[1]:.3f}, slopes {far[0]:.3f} (Gaussian {far[1]:.3f}), gentle "
-          f"{gentle[0]:.3f} ({gentle[1]:.3f}), blocks {blocks:.2f}, curvature {curved:.2f}, semivariance "
-          f"{ratios.min():.2f} to {ratios.max():.2f}, integral {integral[0]:.3f} ({integral[1]:.3f}), skew "
-          f"{skew(grown):.2f} ({skew(heights):.2f})")
+    print(f"seed {seed}: aspects {shares[0]:.3f} {shares[1]:.3f} ({aspect_share(slopes, 4):.3f} "
+          f"{aspect_share(slopes, 8):.3f}), slopes {far[0]:.3f} (Gaussian {far[1]:.3f}), gentle {gentle[0]:.3f} "
+          f"({gentle[1]:.3f}), blocks {blocks:.2f}, curvature {curved:.2f}, semivariance {ratios.min():.2f} to "
+          f"{ratios.max():.2f}, integral {integral[0]:.3f} ({integral[1]:.3f}), skew {skew(grown):.2f} "
+          f"({skew(heights):.2f})")
     assert sunk == 0.0
     assert shares[0] < 1.5 * aspect_share(slopes, 4) + 0.01 and shares[1] < 1.5 * aspect_share(slopes, 8) + 0.01
-    assert far[0] < (1.0 if WINDOW else 0.8) * far[1]
+    assert far[0] < (1.0 if WINDOW else 0.75) * far[1]
     assert abs(gentle[0] - gentle[1]) < 0.05
     assert abs(blocks - 1.0) < 0.3 and abs(curved - 1.0) < 0.2
-    assert 0.85 < ratios.min() and ratios.max() < 1.15
+    assert 0.88 < ratios.min() and ratios.max() < 1.15
     assert abs(integral[0] - integral[1]) < 0.03 and abs(skew(grown) - skew(heights)) < 0.15

@@ -63,6 +63,21 @@ TEST(LandscapeMeasures, KnowTheAspectsOfWaves)
   EXPECT_LT(AspectShare(hill, 8), 0.01);
 }
 
+TEST(LandscapeMeasures, KolmogorovsDistanceIsThatOfShares)
+{
+  // even numbers from 0 to 1 and from 0.25 to 1.25: a quarter of each has no like
+  std::vector<double> one;
+  std::vector<double> other;
+  for (int n = 0; n <= 100; ++n)
+  {
+    one.push_back(0.01 * n);
+    other.push_back(0.01 * n + 0.25);
+  }
+  EXPECT_NEAR(KolmogorovDistance(one, other), 0.25, 0.011);
+  EXPECT_NEAR(KolmogorovDistance(other, one), 0.25, 0.011);
+  EXPECT_NEAR(KolmogorovDistance(one, one), 0.0, 0.011);
+}
+
 TEST(LandscapeMeasures, FollowClosedForms)
 {
   // z = a sin kx over whole waves: mean slope 2 a k / pi but for differences, curvature a k^2 e^(-k^2 s^2 / 2) / sqrt 2
