@@ -130,9 +130,10 @@ def grow_fractal(place, fits, dimension):
     return source.GetOutput()
 
 
-def carve(twin, place):
-    """The twin with valleys that drain, with the statistics of a place."""
+def erode(twin, place):
+    """The twin with valleys: a landscape grown on its long waves, with the statistics of a place."""
     drainage = vtkDrainageFilter()
+    drainage.GrowOn()
     drainage.SetInputData(twin)
     drainage.SetInputData(1, place)
     drainage.Update()
@@ -179,7 +180,7 @@ def draw_grounds(filename, grounds, note, size):
     lags = np.unique(np.geomspace(1, 100, 20).astype(int))
     ratios = [semivariances(ground, lags) / semivariances(grounds[0], lags) for ground in grounds]
     names = "Jacksboro fault", "Gaussian twin", "Twin with valleys"
-    notes = f"measured \u00b7 {note}", "of the fitted model: water stands", "carved: water runs"
+    notes = f"measured \u00b7 {note}", "of the fitted model: water stands", "grown: water runs"
     table = table_renderer(names, (
         ("Semivariance over the place's", "1", *(f"{ratio.min():.2f} to {ratio.max():.2f}" for ratio in ratios[1:])),
         row("Depression fraction", "DepressionFraction", "{:.1f} %", 100.0, 5.0),
@@ -268,8 +269,8 @@ def stills(folder, quick=False):
     save_variogram_chart(file("variogram.png"), variogram, models, sized(1200, 750))
 
     forest_process = None if quick else begin_forest(folder)
-    progress.begin("carving valleys into the twin, and drawing forest.png beside it")
-    valleys = carve(twin, place)
+    progress.begin("growing its valleys, and drawing forest.png beside it")
+    valleys = erode(twin, place)
 
     progress.begin("drawing twin-terrain.png")
     draw_grounds(file("twin-terrain.png"), (place, twin, valleys), note, sized(1600, 960))
