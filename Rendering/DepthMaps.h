@@ -84,6 +84,8 @@ public:
   int GetSize() const { return this->Size; }
   /// Lowest height of all that is shown [m]; 0 without anything.
   double GetLowest() const { return this->Lowest; }
+  /// Radius of the sphere around it [m].
+  double GetRadius() const { return this->Radius; }
   /// Greatest height of it [m].
   double GetHighest() const { return this->Highest; }
 
@@ -124,6 +126,7 @@ private:
   vtkNew<vtkOpenGLFramebufferObject> Frame;
   vtkNew<vtkCamera> Camera;
   int Size = 0;
+  double Radius = 0.0;
   double Lowest = 0.0;
   double Highest = 0.0;
 };
