@@ -144,7 +144,8 @@ public:
 
   ///@{
   /**
-   * Displacement of the camera that triggers a new execution [m], not negative; default 0, any displacement.
+   * Displacement of the camera that triggers a new execution [m], over DetailFactor, not negative; default 0, any
+   * displacement.
    */
   vtkSetMacro(MoveTolerance, double);
   vtkGetMacro(MoveTolerance, double);

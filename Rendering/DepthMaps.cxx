@@ -207,13 +207,14 @@ bool DepthMaps::Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& shown, 
   const vtkBoundingBox box = Joint(BoundsOf(shown), processes);
   const bool isShown = box.IsValid() && box.GetDiagonalLength() > 0.0;
   Whole whole;
+  this->Radius = isShown ? 0.5 * box.GetDiagonalLength() : 0.0;
   this->Lowest = isShown ? box.GetMinPoint()[2] : 0.0;
   this->Highest = isShown ? box.GetMaxPoint()[2] : 0.0;
   if (isShown)
   {
     this->Allocate(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), wish.Size);
     box.GetCenter(&whole.Center.x);
-    whole.Radius = 0.5 * box.GetDiagonalLength();
+    whole.Radius = this->Radius;
     whole.State = StateOf(casters, false);
     whole.CoarseState = StateOf(casters, true);
   }

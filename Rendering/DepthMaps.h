@@ -81,6 +81,8 @@ public:
   int GetSize() const { return this->Size; }
   /// Lowest height of all that is shown [m]; 0 without anything.
   double GetLowest() const { return this->Lowest; }
+  /// Radius of the sphere around it [m].
+  double GetRadius() const { return this->Radius; }
   /// Greatest height of it [m].
   double GetHighest() const { return this->Highest; }
 
@@ -121,6 +123,7 @@ private:
   vtkNew<vtkOpenGLFramebufferObject> Frame;
   vtkNew<vtkCamera> Camera;
   int Size = 0;
+  double Radius = 0.0;
   double Lowest = 0.0;
   double Highest = 0.0;
 };

@@ -18,6 +18,8 @@ uniform vec4 landscapeTexel;            // side of a texel of each map [m]; 0: t
 uniform float landscapeMapSize;         // texels along a side
 uniform float landscapeOcclusion;       // distance of what hides the sky [m]; 0: nothing does
 uniform float landscapeEyeHeight;       // above the earth around what is shown [m]
+uniform float landscapeBareExtinction;  // of the haze before that earth [1/m]
+uniform vec3 landscapeBare;             // luminance of that earth, if it is a ground; below 0: that of the sky's earth
 uniform vec3 landscapeCloudEye;         // place of the eye below the drifting clouds, modulo their noise's period [m]
 uniform vec2 landscapeClouds;           // part of the sky that they cover, and their height above the eye [m]
 
@@ -203,8 +205,9 @@ vec3 landscapeBeyond(vec3 d)
   {
     return landscapeSkyAt(d);
   }
-  float through = exp(-landscapeExtinction * landscapeEyeHeight / max(-d.z, 1e-6));
-  return mix(landscapeSkyAt(normalize(vec3(d.xy, 1e-3))), landscapeSkyAt(d), through);
+  float through = exp(-landscapeBareExtinction * landscapeEyeHeight / max(-d.z, 1e-6));
+  vec3 earth = landscapeBare.x < 0.0 ? landscapeSkyAt(d) : landscapeBare;
+  return mix(landscapeSkyAt(normalize(vec3(d.xy, 1e-3))), earth, through);
 }
 
 // Part of the light that clouds hold back at a place of their layer, relative to the eye; soft: as rough water mirrors

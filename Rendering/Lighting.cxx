@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lighting.h"
 
+#include "Numerics/Constants.h"
 #include "Uniforms.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -98,6 +99,13 @@ void Lighting::SetUniforms(vtkShaderProgram* program) const
   SetUniform(program, "landscapeMapSize", static_cast<double>(std::max(this->Maps.GetSize(), 1)));
   SetUniform(program, "landscapeOcclusion", this->OcclusionRadius);
   SetUniform(program, "landscapeEyeHeight", std::max(this->Eye.z - this->Maps.GetLowest(), 1.0));
+  // Where nothing is shown the earth is lost in haze within twice the size of what is.
+  const double near = this->Maps.GetRadius() > 0.0 ? 0.25 / this->Maps.GetRadius() : 0.0;
+  SetUniform(program, "landscapeBareExtinction", this->Extinction > 0.0 ? std::max(this->Extinction, near) : 0.0);
+  // A meadow around a ground: albedo / pi times the light of sky and sun
+  const glm::dvec3 up(0.0, 0.0, 1.0);
+  const Vector3 light = sky.LightOn(up) + std::max(sky.Sun.z, 0.0) * sky.SunLight;
+  SetUniform(program, "landscapeBare", this->HasGround ? this->CoverColor / Pi * light : glm::dvec3(-1.0));
   constexpr double period = 32768.0;
   const glm::dvec3 below = this->Eye - glm::dvec3(this->CloudDrift, 0.0);
   SetUniform(program, "landscapeCloudEye", below - period * glm::floor(below / period));

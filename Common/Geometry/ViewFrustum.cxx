@@ -58,8 +58,9 @@ bool AreTheSame(const View& a, const View& b)
 View Rounded(const View& view, double lengthStep, double angleStep)
 {
   View rounded = view;
-  rounded.Point = RoundedTo(view.Point, lengthStep);
-  rounded.Margin += 0.5 * std::sqrt(3.0) * lengthStep;
+  const double length = lengthStep / view.DetailFactor;
+  rounded.Point = RoundedTo(view.Point, length);
+  rounded.Margin += 0.5 * std::sqrt(3.0) * length;
   const double step = std::min(angleStep, LargestAngleStep);
   rounded.Direction = RoundedTo(glm::normalize(view.Direction), step);
   // Only the part of Up across the direction counts, so that is what is rounded.

@@ -37,7 +37,7 @@ bool AreTheSame(const View& a, const View& b);
  * The view that stands for all views near it: point and directions rounded to a grid of a length [m] and an angle
  * [rad], and the volume widened so that it holds the volume of the view itself. What is chosen with it changes only
  * when the view has moved by a step, yet depends on nothing but the view. A step of 0 keeps that part as it is. The
- * view must be valid.
+ * length is divided by the view's DetailFactor: coarser levels may change at larger steps. The view must be valid.
  */
 View Rounded(const View& view, double lengthStep, double angleStep);
 

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython together=waters
-"""Save Animation of a swaying tree and of a sea: its frames differ, and are those that are drawn one by one. Frames with
-motion blur are the means of the light of pictures at their times."""
+"""Save Animation of a swaying tree and of a sea: its frames differ, and are those that are drawn one by one. Frames
+with motion blur are the means of the light of pictures at their times."""
 
 import os
 import tempfile

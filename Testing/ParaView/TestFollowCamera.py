@@ -109,6 +109,20 @@ def check_screenshot(forest, view, where):
         stand(view, 20.0)
 
 
+def check_turn(forest, view, where):
+    """A turn is nothing new to a forest of instances that is not culled; it is to one that is."""
+    forest.OutputForm, forest.UseCulling = "Instances", 0
+    stand(view, 20.0)
+    before = list(forest.ViewDirection)
+    view.GetActiveCamera().Yaw(25.0)
+    simple.Render(view)
+    assert list(forest.ViewDirection) == before, f"{where}: it takes another direction"
+    forest.UseCulling = 1
+    simple.Render(view)
+    assert list(forest.ViewDirection) != before, f"{where}: a culled forest does not follow a turn"
+    forest.OutputForm = "Merged"
+
+
 def check_beside(forest, view, other, where):
     """The active view, which shows nothing of the forest, leaves its levels to the camera of the other view."""
     simple.SetActiveView(other)
@@ -146,6 +160,7 @@ def check_here(where):
     check_parallel(forest, view, where)
     check_horizontal(forest, view, where)
     check_screenshot(forest, view, where)
+    check_turn(forest, view, where)
 
     forest.FollowCamera = 0
     stand(view, 20.0)

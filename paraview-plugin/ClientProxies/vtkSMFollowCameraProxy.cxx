@@ -53,6 +53,16 @@ littoral::View ViewOf(vtkSMProxy* filter)
   return view;
 }
 
+/// Whether what a filter shows depends on where the camera looks (vtkPlantScatterFilter::DependsOnDirection()).
+bool DependsOnDirection(vtkSMProxy* filter, const littoral::View& view)
+{
+  const auto is = [filter](const char* name, int value) {
+    return filter->GetProperty(name) && vtkSMPropertyHelper(filter, name).GetAsInt() == value;
+  };
+  const bool showsAllAround = is("UseCulling", 0) && (is("OutputForm", 1) || is("FaceCamera", 0));
+  return !showsAllAround || view.IsParallel;
+}
+
 /// View of the camera of a render view; one that has no size yet leaves that of another. A screenshot larger than the
 /// view is drawn in tiles, each with a camera of its own: all of them leave the other view, at the height of the whole.
 littoral::View ViewOf(vtkSMRenderViewProxy* shown, const littoral::View& other)
@@ -192,9 +202,16 @@ bool vtkSMFollowCameraProxy::Shows(const littoral::View& view)
   {
     return false; // the filter says why
   }
+  littoral::View now = view;
+  if (!DependsOnDirection(this, view))
+  {
+    now.Direction = before.Direction;
+    now.Up = before.Up;
+    now.AspectRatio = before.AspectRatio;
+  }
   const double length = std::max(0.0, vtkSMPropertyHelper(this, "MoveTolerance").GetAsDouble());
   const double angle = std::max(0.0, vtkSMPropertyHelper(this, "TurnTolerance").GetAsDouble()) * Degree;
-  return littoral::AreTheSame(littoral::Rounded(view, length, angle), littoral::Rounded(before, length, angle));
+  return littoral::AreTheSame(littoral::Rounded(now, length, angle), littoral::Rounded(before, length, angle));
 }
 
 //----------------------------------------------------------------------------

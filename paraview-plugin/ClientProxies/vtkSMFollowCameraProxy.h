@@ -7,9 +7,9 @@
  * While the property FollowCamera of the proxy is on, the properties ViewPoint, ViewDirection, ViewUp, ViewAngle,
  * ParallelProjection, ParallelScale, AspectRatio and ViewHeight take the values of the active render view, or of
  * another one where that shows nothing of it, before each of its pictures, and DetailFactor that of InteractiveDetail
- * while the camera is dragged, if these differ by more than MoveTolerance and TurnTolerance: else nothing downstream
- * would change, yet be drawn anew. It lives in the client, with or without a window: in ParaView, in pvpython, and in
- * front of a server; a state file keeps it.
+ * while the camera is dragged, if these differ by more than MoveTolerance and TurnTolerance, directions only where they
+ * count: else nothing downstream would change, yet be drawn anew. It lives in the client, with or without a window: in
+ * ParaView, in pvpython, and in front of a server; a state file keeps it.
  */
 #ifndef vtkSMFollowCameraProxy_h
 #define vtkSMFollowCameraProxy_h

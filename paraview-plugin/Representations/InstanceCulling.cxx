@@ -34,7 +34,7 @@ std::array<Plane, 6> PlanesOf(const vtkMatrix4x4* toClip)
   return planes;
 }
 
-/// Reach of a box along the normal of a plane from its middle: the sum of |n . h| over its half edges h
+/// Reach of a box along a plane's normal from its middle: the sum of |n . h| over its half edges h
 double ReachOf(const InstanceBox& box, const Plane& plane)
 {
   double reach = 0.0;

@@ -138,6 +138,16 @@ TEST(ViewFrustum, ARoundedViewHoldsWhatTheViewShows)
   EXPECT_GT(shown, 1000);
 }
 
+TEST(ViewFrustum, LessDetailIsRoundedToLongerSteps)
+{
+  View view;
+  view.Point = { 4.9, -7.1, 12.1 };
+  view.DetailFactor = 0.4;
+  const View rounded = Rounded(view, 4.0, 0.0); // to 10 m
+  EXPECT_EQ(rounded.Point, Vector3(0.0, -10.0, 10.0));
+  EXPECT_DOUBLE_EQ(rounded.Margin, view.Margin + 5.0 * std::sqrt(3.0));
+}
+
 // Views of all kinds by other matrices: what is on the picture is in the volume, and nothing else.
 TEST(ViewFrustum, HoldsThePictureInPerspectiveAndInParallel)
 {
@@ -326,8 +336,8 @@ TEST(ViewFrustum, DistancesInParallelProjection)
     const double distance = LevelDistance(view, place);
     view.IsParallel = false;
     const Vector3 middle = view.Point + distance * view.Direction;
-    EXPECT_NEAR(PictureOf(view).PixelsBetween(middle - 25.0 * view.Up, middle + 25.0 * view.Up), view.Height,
-      1e-9 * view.Height);
+    EXPECT_NEAR(
+      PictureOf(view).PixelsBetween(middle - 25.0 * view.Up, middle + 25.0 * view.Up), view.Height, 1e-9 * view.Height);
   }
 }
 
