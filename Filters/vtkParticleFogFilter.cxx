@@ -95,7 +95,10 @@ public:
     const littoral::ArrayReader points = littoral::ArrayReader::OfPoints(set, "a set of particles");
     this->Radius = { points.Find(littoral::sea::Radius, 1), radius };
     this->Alpha = { points.Find(littoral::sea::Alpha, 1), 1.0 };
-    points.NeedFinite(this->Places);
+    if (!(this->SinglePlaces && littoral::KeepFiniteRanges(this->Places)))
+    {
+      points.NeedFinite(this->Places);
+    }
   }
 
   std::size_t End() const { return this->First + this->Count; }
@@ -118,19 +121,10 @@ public:
   {
     const std::size_t from = std::max(begin, this->First);
     const std::size_t to = std::min(end, this->End());
-    for (std::size_t n = from; n < to; ++n)
+    if (from < to)
     {
-      const auto id = static_cast<vtkIdType>(n - this->First);
-      littoral::FogParticle& particle = particles[n - begin];
-      this->SinglePlaces ? static_cast<void>(std::copy_n(this->SinglePlaces + 3 * id, 3, &particle.Place.x))
-                         : this->Places->GetTuple(id, &particle.Place.x);
-      const double radius = this->Radius.At(id);
-      const double alpha = this->Alpha.At(id);
-      particle.CrossSection = alpha * this->Efficiency * littoral::Pi * radius * radius;
-      if (!(radius >= 0.0 && radius <= std::numeric_limits<double>::max() && alpha >= 0.0 && alpha <= 1.0))
-      {
-        this->AddMistake(id);
-      }
+      this->ReadPlaces(from - this->First, to - from, particles + (from - begin));
+      this->ReadSections(from - this->First, to - from, particles + (from - begin));
     }
   }
 
@@ -145,6 +139,42 @@ public:
   }
 
 private:
+  void ReadPlaces(std::size_t first, std::size_t count, littoral::FogParticle* particles) const
+  {
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      littoral::Vector3& place = particles[n].Place;
+      if (!this->SinglePlaces)
+      {
+        this->Places->GetTuple(static_cast<vtkIdType>(first + n), &place.x);
+        continue;
+      }
+      const float* own = this->SinglePlaces + 3 * (first + n);
+      place = { own[0], own[1], own[2] };
+    }
+  }
+
+  void ReadSections(std::size_t first, std::size_t count, littoral::FogParticle* particles)
+  {
+    if (!this->Radius.Array && !this->Alpha.Array)
+    {
+      const double section = this->Efficiency * littoral::Pi * this->Radius.All * this->Radius.All;
+      std::for_each(particles, particles + count, [=](littoral::FogParticle& one) { one.CrossSection = section; });
+      return;
+    }
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      const auto id = static_cast<vtkIdType>(first + n);
+      const double radius = this->Radius.At(id);
+      const double alpha = this->Alpha.At(id);
+      particles[n].CrossSection = alpha * this->Efficiency * littoral::Pi * radius * radius;
+      if (!(radius >= 0.0 && radius <= std::numeric_limits<double>::max() && alpha >= 0.0 && alpha <= 1.0))
+      {
+        this->AddMistake(id);
+      }
+    }
+  }
+
   /// Numbers of points, or one of all.
   struct Numbers
   {
