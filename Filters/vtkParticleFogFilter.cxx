@@ -3,6 +3,7 @@
 #include "vtkParticleFogFilter.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/ArrayStamp.h"
 #include "Data/Arrays.h"
 #include "Data/Blocks.h"
 #include "Data/Inputs.h"
@@ -35,8 +36,10 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkParticleFogFilter);
@@ -95,10 +98,22 @@ public:
     const littoral::ArrayReader points = littoral::ArrayReader::OfPoints(set, "a set of particles");
     this->Radius = { points.Find(littoral::sea::Radius, 1), radius };
     this->Alpha = { points.Find(littoral::sea::Alpha, 1), 1.0 };
-    points.NeedFinite(this->Places);
+    if (!(this->SinglePlaces && littoral::KeepFiniteRanges(this->Places)))
+    {
+      points.NeedFinite(this->Places);
+    }
   }
 
   std::size_t End() const { return this->First + this->Count; }
+
+  /// Adds what tells whether they are those of the last time.
+  void AddStamps(std::vector<littoral::ArrayStamp>& stamps) const
+  {
+    for (vtkDataArray* array : { this->Places, this->Radius.Array, this->Alpha.Array })
+    {
+      stamps.push_back(littoral::StampOf(array));
+    }
+  }
 
   /// Adds to bounds.
   void AddBounds(std::array<double, 6>& bounds) const
@@ -118,19 +133,10 @@ public:
   {
     const std::size_t from = std::max(begin, this->First);
     const std::size_t to = std::min(end, this->End());
-    for (std::size_t n = from; n < to; ++n)
+    if (from < to)
     {
-      const auto id = static_cast<vtkIdType>(n - this->First);
-      littoral::FogParticle& particle = particles[n - begin];
-      this->SinglePlaces ? static_cast<void>(std::copy_n(this->SinglePlaces + 3 * id, 3, &particle.Place.x))
-                         : this->Places->GetTuple(id, &particle.Place.x);
-      const double radius = this->Radius.At(id);
-      const double alpha = this->Alpha.At(id);
-      particle.CrossSection = alpha * this->Efficiency * littoral::Pi * radius * radius;
-      if (!(radius >= 0.0 && radius <= std::numeric_limits<double>::max() && alpha >= 0.0 && alpha <= 1.0))
-      {
-        this->AddMistake(id);
-      }
+      this->ReadPlaces(from - this->First, to - from, particles + (from - begin));
+      this->ReadSections(from - this->First, to - from, particles + (from - begin));
     }
   }
 
@@ -145,6 +151,42 @@ public:
   }
 
 private:
+  void ReadPlaces(std::size_t first, std::size_t count, littoral::FogParticle* particles) const
+  {
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      littoral::Vector3& place = particles[n].Place;
+      if (!this->SinglePlaces)
+      {
+        this->Places->GetTuple(static_cast<vtkIdType>(first + n), &place.x);
+        continue;
+      }
+      const float* own = this->SinglePlaces + 3 * (first + n);
+      place = { own[0], own[1], own[2] };
+    }
+  }
+
+  void ReadSections(std::size_t first, std::size_t count, littoral::FogParticle* particles)
+  {
+    if (!this->Radius.Array && !this->Alpha.Array)
+    {
+      const double section = this->Efficiency * littoral::Pi * this->Radius.All * this->Radius.All;
+      std::for_each(particles, particles + count, [=](littoral::FogParticle& one) { one.CrossSection = section; });
+      return;
+    }
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      const auto id = static_cast<vtkIdType>(first + n);
+      const double radius = this->Radius.At(id);
+      const double alpha = this->Alpha.At(id);
+      particles[n].CrossSection = alpha * this->Efficiency * littoral::Pi * radius * radius;
+      if (!(radius >= 0.0 && radius <= std::numeric_limits<double>::max() && alpha >= 0.0 && alpha <= 1.0))
+      {
+        this->AddMistake(id);
+      }
+    }
+  }
+
   /// Numbers of points, or one of all.
   struct Numbers
   {
@@ -230,6 +272,10 @@ class vtkParticleFogFilter::vtkInternals
 {
 public:
   littoral::FogMemory Memory;
+  vtkMTimeType Time = 0; ///< modification time of the filter for the fog at hand
+  std::vector<littoral::ArrayStamp> Read;
+  littoral::FogGrid Grid;
+  std::unique_ptr<littoral::ParticleFog> Fog; ///< null: none is at hand
 };
 
 //----------------------------------------------------------------------------
@@ -354,6 +400,33 @@ int vtkParticleFogFilter::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
+/// Makes the fog of particles, which stays until they change.
+template <typename Readers>
+void vtkParticleFogFilter::MakeFog(Readers& readers)
+{
+  vtkInternals& internals = *this->Internals;
+  const std::size_t number = readers.empty() ? 0 : readers.back().End();
+  const auto read = [&readers](std::size_t begin, std::size_t end, littoral::FogParticle* particles) {
+    for (ParticleReader& reader : readers)
+    {
+      reader.Read(begin, end, particles);
+    }
+  };
+  this->UpdateProgress(0.1);
+  const std::array<double, 6> bounds = littoral::Thickened(BoundsOf(readers), 2.0 * this->ParticleRadius);
+  const littoral::FogGrid grid = this->MakeGrid(this->UseBounds ? this->Bounds : bounds.data());
+  auto fog = std::make_unique<littoral::ParticleFog>(
+    grid, number, read, internals.Memory, littoral::AbortableFor(this), littoral::PollOf(this));
+  internals.Memory.Limit(MostKept);
+  for (const ParticleReader& reader : readers)
+  {
+    reader.RequireParticles();
+  }
+  internals.Grid = grid;
+  internals.Fog = std::move(fog);
+}
+
+//----------------------------------------------------------------------------
 int vtkParticleFogFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -377,25 +450,20 @@ int vtkParticleFogFilter::RequestData(
     readers.emplace_back(
       set, readers.empty() ? 0 : readers.back().End(), this->ParticleRadius, this->ExtinctionEfficiency);
   }
-  const std::size_t number = readers.empty() ? 0 : readers.back().End();
-  const auto read = [&readers](std::size_t begin, std::size_t end, littoral::FogParticle* particles) {
-    for (ParticleReader& reader : readers)
-    {
-      reader.Read(begin, end, particles);
-    }
-  };
-  this->UpdateProgress(0.1);
-  const std::array<double, 6> bounds = littoral::Thickened(BoundsOf(readers), 2.0 * this->ParticleRadius);
-  const littoral::FogGrid grid = this->MakeGrid(this->UseBounds ? this->Bounds : bounds.data());
-  littoral::FogMemory& memory = this->Internals->Memory;
-  const littoral::ParticleFog fog(grid, number, read, memory, littoral::AbortableFor(this), littoral::PollOf(this));
-  memory.Limit(MostKept);
-  for (const ParticleReader& reader : readers)
+  vtkInternals& internals = *this->Internals;
+  std::vector<littoral::ArrayStamp> arrays;
+  std::for_each(readers.begin(), readers.end(), [&](const ParticleReader& reader) { reader.AddStamps(arrays); });
+  if (!internals.Fog || internals.Time != this->GetMTime() || internals.Read != arrays)
   {
-    reader.RequireParticles();
+    internals.Fog = nullptr;
+    this->MakeFog(readers);
+    internals.Time = this->GetMTime();
+    internals.Read = std::move(arrays);
   }
   this->UpdateProgress(0.8);
 
+  const littoral::FogGrid& grid = internals.Grid;
+  const littoral::ParticleFog& fog = *internals.Fog;
   vtkImageData* output = vtkImageData::GetData(info);
   const std::array<int, 6> extent = littoral::RequestedExtent(info);
   CopyExtinction(grid, fog, static_cast<float>(this->WaterExtinction), extent.data(), output, littoral::PollOf(this));

@@ -147,6 +147,8 @@ private:
 
   void CheckProperties() const;
   littoral::FogGrid MakeGrid(const double box[6]) const;
+  template <typename Readers>
+  void MakeFog(Readers& readers);
 };
 
 #endif

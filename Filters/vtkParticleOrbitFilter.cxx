@@ -276,15 +276,21 @@ struct MovedArrays
     }
   }
 
-  /// Leaves points where they are on which no train acts.
-  void Rest(std::size_t begin, std::size_t end)
+  /// Leaves points where they are on which no train acts, but for slaves.
+  void Rest(const littoral::Slaves& slaves, std::size_t begin, std::size_t end)
   {
-    for (Real* values : this->Vectors)
+    for (std::size_t id = begin; id < end; ++id)
     {
-      std::fill(values + 3 * begin, values + 3 * end, Real(0.0));
+      if (!slaves.Master.empty() && slaves.Master[id] >= 0)
+      {
+        continue;
+      }
+      for (Real* values : this->Vectors)
+      {
+        std::fill_n(values + 3 * id, 3, Real(0.0));
+      }
+      std::copy_n(this->Request.Centers + 3 * id, 3, this->Request.Displacement + 3 * id);
     }
-    std::copy(
-      this->Request.Centers + 3 * begin, this->Request.Centers + 3 * end, this->Request.Displacement + 3 * begin);
   }
 
   /// Takes slaves along. Masters are no slaves: what is read here is not written here.
@@ -307,18 +313,22 @@ private:
   template <typename OffsetAt>
   void FollowBy(const vtkIdType* masters, const OffsetAt& offsetAt, std::size_t begin, std::size_t end)
   {
-    for (Real* values : this->Vectors)
+    Real* places = this->Request.Displacement;
+    for (std::size_t id = begin; id < end; ++id)
     {
-      const bool isPlace = values == this->Request.Displacement;
-      for (std::size_t id = begin; id < end; ++id)
+      const auto master = static_cast<std::size_t>(masters[id]);
+      for (std::size_t axis = 0; masters[id] >= 0 && axis < 3; ++axis)
       {
-        for (std::size_t axis = 0; masters[id] >= 0 && axis < 3; ++axis)
-        {
-          const double own = static_cast<double>(values[3 * masters[id] + axis]);
-          values[3 * id + axis] = static_cast<Real>(isPlace ? own + static_cast<double>(offsetAt(3 * id + axis)) : own);
-        }
+        const double own = static_cast<double>(places[3 * master + axis]);
+        places[3 * id + axis] = static_cast<Real>(own + static_cast<double>(offsetAt(3 * id + axis)));
       }
     }
+    std::for_each(this->Vectors.begin() + 1, this->Vectors.end(), [=](Real* values) {
+      for (std::size_t id = begin; id < end; ++id)
+      {
+        std::copy_n(values + 3 * std::max<vtkIdType>(0, masters[id]), masters[id] >= 0 ? 3 : 0, values + 3 * id);
+      }
+    });
   }
 };
 
@@ -579,10 +589,10 @@ void vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
     moved.FinishSurface(begin, end);
     moved.AddRanges(slaves.Master.empty() && evaluated == static_cast<std::size_t>(count), begin, end);
   });
-  moved.Rest(evaluated, static_cast<std::size_t>(count));
   if (done && !(slaves.Master.empty() && evaluated == static_cast<std::size_t>(count)))
   {
     done = forAll(0.8, 1.0, static_cast<std::size_t>(count), FollowersAtOnce, [&](std::size_t begin, std::size_t end) {
+      moved.Rest(slaves, std::max(begin, evaluated), end);
       if (!slaves.Master.empty())
       {
         moved.Follow(slaves, begin, end);

@@ -27,7 +27,7 @@ class Locator
 public:
   LITTORAL_INLINE explicit Locator(const FogGrid& grid)
     : Origin(grid.Origin.x, grid.Origin.y, grid.Origin.z, 0.0)
-    , Spacing(grid.Spacing.x, grid.Spacing.y, grid.Spacing.z, 1.0)
+    , Inverse(1.0 / grid.Spacing.x, 1.0 / grid.Spacing.y, 1.0 / grid.Spacing.z, 1.0)
     , Last(grid.Count[0] - 1, grid.Count[1] - 1, grid.Count[2] - 1, 1.0)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -39,11 +39,11 @@ public:
   }
 
   /// False for places outside of the grid; else the cell, and where in it.
-  LITTORAL_INLINE bool Locate(const FogParticle& particle, Wholes& cell, double part[4]) const
+  LITTORAL_INLINE bool Locate(const FogParticle& particle, Wholes& cell, float part[4]) const
   {
     const FourInMemory four = *reinterpret_cast<const FourInMemory*>(&particle);
     const SimdDouble4 place(four[0], four[1], four[2], four[3]);
-    const SimdDouble4 x = (place - this->Origin) / this->Spacing;
+    const SimdDouble4 x = (place - this->Origin) * this->Inverse;
     const auto isInside = (x.Values >= this->Low.Values) & (x.Values <= this->High.Values);
     if (!(isInside[0] & isInside[1] & isInside[2]))
     {
@@ -54,13 +54,14 @@ public:
     const SimdDouble4 within = Min(Max(x, none), this->Last - SimdDouble4(1.0));
     cell = __builtin_convertvector(within.Values, Wholes);
     const SimdDouble4 own(__builtin_convertvector(cell, SimdDouble4::Register));
-    *reinterpret_cast<FourInMemory*>(part) = Min(Max(x - own, none), this->Most).Values;
+    const SimdFloat4 singles = __builtin_convertvector(Min(Max(x - own, none), this->Most).Values, SimdFloat4);
+    std::memcpy(part, &singles, sizeof singles);
     return true;
   }
 
 private:
   SimdDouble4 Origin;
-  SimdDouble4 Spacing;
+  SimdDouble4 Inverse; ///< of the spacing
   SimdDouble4 Last;
   SimdDouble4 Low;
   SimdDouble4 High;
@@ -208,15 +209,25 @@ LITTORAL_INLINE void AddTo(double* samples, const Pair& part)
   std::memcpy(samples, &sum, sizeof sum);
 }
 
-/// Adds to the samples below (side 0) or above (side 1) a layer of cells what a particle gives to them.
-LITTORAL_INLINE void AddParticle(const Located& particle, int side, std::size_t width, double* layer)
+/// Adds what particles give to the samples below and above their layer of cells.
+LITTORAL_SIMD_CLONES void AddParticles(
+  const Located* begin, const Located* end, std::size_t width, double* below, double* above)
 {
-  const double* part = particle.Values;
-  const double up = side == 0 ? 1.0 - part[2] : part[2];
-  // Trilinear weight of a particle at a sample: by x, y and z
-  const Pair alongX = { 1.0 - part[0], part[0] };
-  AddTo(layer + particle.Sample, alongX * (1.0 - part[1]) * up * part[3]);
-  AddTo(layer + particle.Sample + width, alongX * part[1] * up * part[3]);
+  for (const Located* particle = begin; particle != end; ++particle)
+  {
+    const double x = particle->Values[0];
+    const double y = particle->Values[1];
+    const double z = particle->Values[2];
+    // Trilinear weight of a particle at a sample, times its cross section: by x, y and z
+    const Pair alongX = { 1.0 - x, x };
+    const Pair all = alongX * static_cast<double>(particle->Values[3]);
+    const Pair far = all * y;
+    const Pair near = all - far;
+    AddTo(below + particle->Sample, near * (1.0 - z));
+    AddTo(below + particle->Sample + width, far * (1.0 - z));
+    AddTo(above + particle->Sample, near * z);
+    AddTo(above + particle->Sample + width, far * z);
+  }
 }
 
 /// Sums of two layers of samples, the one below the cells at hand and the one above.
@@ -235,11 +246,7 @@ public:
   void Add(const LocatedParticles& particles, std::size_t layer)
   {
     particles.ForLayer(layer, [this](const Located* begin, const Located* end) {
-      for (const Located* particle = begin; particle != end; ++particle)
-      {
-        AddParticle(*particle, 0, this->Width, this->Below.data());
-        AddParticle(*particle, 1, this->Width, this->Above.data());
-      }
+      AddParticles(begin, end, this->Width, this->Below.data(), this->Above.data());
     });
   }
 

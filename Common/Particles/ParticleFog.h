@@ -39,10 +39,11 @@ struct FogParticle
 /// Writes the particles [begin, end) to a list; called by several threads.
 using FogParticles = std::function<void(std::size_t begin, std::size_t end, FogParticle* particles)>;
 
-/// A particle in a cell of its layer of cells.
+/// A particle in a cell of its layer of cells. In single precision, since to write and to read it takes most of the
+/// time.
 struct LocatedFogParticle
 {
-  double Values[4];     ///< where in the cell, 0 to 1 along each axis, and the cross section [m2]
+  float Values[4];      ///< where in the cell, 0 to 1 along each axis, and the cross section [m2]
   std::uint32_t Sample; ///< the cell's first one in the layer of samples below
 };
 

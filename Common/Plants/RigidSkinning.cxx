@@ -133,13 +133,14 @@ int MainJointOf(const SkinBinding& binding, const SkinBinding::Run& run, std::si
 }
 
 //----------------------------------------------------------------------------
-RigidBinding::RigidBinding(const SkinBinding& binding)
+RigidBinding::RigidBinding(const SkinBinding& binding, const std::vector<int>& carriers)
 {
   for (const SkinBinding::Run* run = binding.RunOf(0); run != binding.EndOfRuns(); ++run)
   {
     for (std::size_t vertex = run->Begin; vertex < run->End; ++vertex)
     {
-      const int joint = MainJointOf(binding, *run, vertex);
+      const int main = MainJointOf(binding, *run, vertex);
+      const int joint = carriers.empty() ? main : carriers[static_cast<std::size_t>(main)];
       if (this->Runs.empty() || this->Runs.back().Joint != joint)
       {
         this->Runs.push_back({ vertex, joint });

@@ -23,7 +23,8 @@ public:
     int Joint = 0;
   };
 
-  explicit RigidBinding(const SkinBinding& binding);
+  /// With `carriers` each vertex follows the carrier of its joint instead, by joint: runs are longer still.
+  explicit RigidBinding(const SkinBinding& binding, const std::vector<int>& carriers = {});
 
   /// The run of a vertex.
   const Run* RunOf(std::size_t vertex) const;

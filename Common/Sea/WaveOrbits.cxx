@@ -539,11 +539,17 @@ void WaveOrbits::StartBlock(Block& block, const OrbitRequest<float>& request, st
 {
   ReadCenters(request.Centers + 3 * begin, this->Sea.SeaLevel, this->Sea.Depth, count, block.X, block.Y, block.Z,
     block.HeightOverBed);
-  std::memset(block.Displacement, 0, sizeof block.Displacement);
-  const auto clear = [](const float* requested, auto& sums) {
+  const auto zero = [count](auto& sums) {
+    for (auto& row : sums)
+    {
+      std::fill_n(row, count, 0.0f);
+    }
+  };
+  zero(block.Displacement);
+  const auto clear = [&zero](const float* requested, auto& sums) {
     if (requested)
     {
-      std::memset(sums, 0, sizeof sums);
+      zero(sums);
     }
   };
   clear(request.Velocity, block.Velocity);

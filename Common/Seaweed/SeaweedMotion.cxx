@@ -164,6 +164,24 @@ void SeaweedMotion::PoseOne(const LinkState& state, std::size_t index, LinkPose*
     stands ? nullptr : &poses[link.Parent], poses[index]);
 }
 
+void SeaweedMotion::PoseAtRest(std::size_t index, LinkPose* poses) const
+{
+  const SeaweedLink& link = this->Links[index];
+  if (link.Parent < 0)
+  {
+    this->PoseOne(this->RestOf(index), index, poses);
+    return;
+  }
+  // The pose of PoseLink() without a turn at the joint
+  const LinkPose& parent = poses[link.Parent];
+  LinkPose& pose = poses[index];
+  pose.Foot = link.Foot + (parent.Foot - this->Links[link.Parent].Foot) + RotationOffset(parent.Rotation, link.Arm);
+  pose.Rotation = parent.Rotation;
+  pose.Axis = Rotated(parent.Rotation, link.Axis);
+  pose.Spin = parent.Spin;
+  pose.Velocity = parent.Velocity + glm::cross(parent.Spin, pose.Foot - parent.Foot);
+}
+
 void SeaweedMotion::Pose(const LinkState* states, std::size_t begin, std::size_t end, LinkPose* poses) const
 {
   for (std::size_t i = begin; i < end; ++i)

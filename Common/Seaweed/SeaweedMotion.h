@@ -55,6 +55,9 @@ public:
   /// The pose of one link whose parent's is known.
   void PoseOne(const LinkState& state, std::size_t link, LinkPose* poses) const;
 
+  /// The same of a link whose joint is at rest.
+  void PoseAtRest(std::size_t link, LinkPose* poses) const;
+
   /// The middles of the links of a batch [m], lane by lane within a link, `ahead` [s] of the poses at their
   /// velocities: where the water is to be known.
   void Middles(const LinkBatch& batch, const LinkPose* poses, Vector3* middles, double ahead = 0.0) const;

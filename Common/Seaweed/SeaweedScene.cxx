@@ -288,7 +288,9 @@ void SeaweedScene::ShowLink(std::size_t link, const WaterAtLink& water, const Se
   if (std::count(isUsed.begin(), isUsed.end(), true) == 1)
   {
     const auto level = static_cast<int>(std::find(isUsed.begin(), isUsed.end(), true) - isUsed.begin());
-    this->Motion->PoseOne(this->ProceduralIn(level, link, water, shown), link, shown);
+    level <= this->Stand.LastLevelOf(link)
+      ? this->Motion->PoseOne(this->Motion->Procedural(water, link, shown), link, shown)
+      : this->Motion->PoseAtRest(link, shown);
     return;
   }
   std::array<LinkState, 3> states;
@@ -356,7 +358,7 @@ void SeaweedScene::ShowAtRest(const StandPlant& plant)
 {
   for (std::size_t link = plant.FirstLink; link < plant.EndLink; ++link)
   {
-    this->Motion->PoseOne(this->Motion->RestOf(link), link, this->Shown.data());
+    this->Motion->PoseAtRest(link, this->Shown.data());
   }
 }
 
@@ -370,6 +372,7 @@ SeaweedCounters SeaweedScene::ShowPlant(std::size_t index, const Picture& pictur
     shares = LevelSharesAt(picture.Levels, LevelDistance(picture.Levels.Seen, plant.Middle), plant.Reach);
   }
   this->Rigidities[index] = static_cast<float>(1.0 - shares.Near);
+  this->AreFar[index] = shares.Near <= 0.0 && shares.Far <= 0.0;
   const bool isSeen = !picture.View || picture.View->MayShow(plant.Middle, plant.Reach);
   if (!isSeen)
   {
@@ -424,6 +427,7 @@ SeaweedCounters SeaweedScene::Show(const SeaweedLevels& levels)
   this->Velocities.clear();
   this->Accelerations.clear();
   this->Rigidities.resize(this->Stand.GetPlants().size());
+  this->AreFar.resize(this->Stand.GetPlants().size());
   this->Shown.resize(this->GetNumberOfLinks());
   for (std::vector<LinkPose>& poses : this->LevelPoses)
   {
@@ -553,11 +557,15 @@ std::vector<glm::dquat> SeaweedScene::SkinRotations() const
 
 //----------------------------------------------------------------------------
 void SeaweedScene::FindChanges(
-  std::size_t plant, const std::vector<glm::dquat>& rotations, std::vector<JointChange>& changes) const
+  std::size_t plant, const std::vector<glm::dquat>& rotations, std::vector<JointChange>& changes, bool ofCarriers) const
 {
   const StandPlant& extent = this->Stand.GetPlants()[plant];
   for (std::size_t link = extent.FirstLink; link < extent.EndLink; ++link)
   {
+    if (ofCarriers && this->Stand.LastLevelOf(link) < 2)
+    {
+      continue;
+    }
     const SeaweedLink& own = this->Motion->GetLinks()[link];
     LinkPose pose = this->Shown[link];
     pose.Rotation = rotations.empty() ? pose.Rotation : rotations[link];

@@ -104,12 +104,16 @@ public:
   /// Rigidity of the skin of a plant in its level, 0 to 1; see MoveSkin.
   float RigidityOf(std::size_t plant) const { return this->Rigidities[plant]; }
 
+  /// Whether only links of the level 2 move in a plant: its skin may follow the carriers of its joints.
+  bool IsFar(std::size_t plant) const { return this->AreFar[plant] != 0; }
+
   /// Rotations of the links as skins show them; empty: those of their poses.
   std::vector<glm::dquat> SkinRotations() const;
 
-  /// Finds the changes of the nodes of a plant, by which its skin moves. `rotations` are SkinRotations().
-  void FindChanges(
-    std::size_t plant, const std::vector<glm::dquat>& rotations, std::vector<JointChange>& changes) const;
+  /// Finds the changes of the nodes of a plant, by which its skin moves, or of the carriers among them alone.
+  /// `rotations` are SkinRotations().
+  void FindChanges(std::size_t plant, const std::vector<glm::dquat>& rotations, std::vector<JointChange>& changes,
+    bool ofCarriers = false) const;
 
 private:
   /// Batches of trees that one thread moves at a time, First <= batch < End.
@@ -180,6 +184,7 @@ private:
 
   std::vector<LinkPose> Shown;
   std::vector<float> Rigidities; ///< of plants, as shown
+  std::vector<char> AreFar;      ///< plants, as shown
   /// Procedural plants as they are near by, in the middle and far away, where two of these are mixed.
   std::array<std::vector<LinkPose>, 3> LevelPoses;
   std::vector<Vector3> Velocities;    ///< of nodes

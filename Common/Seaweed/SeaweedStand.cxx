@@ -95,4 +95,19 @@ int SeaweedStand::LastLevelOf(std::size_t link) const
   return order == 0 ? 2 : (order < (this->LinksOfBranch[link] + 1) / 2 ? 1 : 0);
 }
 
+std::vector<int> SeaweedStand::CarriersOf(const std::vector<SeaweedLink>& links) const
+{
+  std::vector<int> carriers(this->LinkOfNode.size());
+  for (std::size_t node = 0; node < carriers.size(); ++node)
+  {
+    int link = this->LinkOfNode[node];
+    while (link >= 0 && this->LastLevelOf(static_cast<std::size_t>(link)) < 2 && links[link].Parent >= 0)
+    {
+      link = links[link].Parent;
+    }
+    carriers[node] = link < 0 ? static_cast<int>(node) : links[link].Node;
+  }
+  return carriers;
+}
+
 }

@@ -43,6 +43,9 @@ public:
   /// The least detailed level in which a link moves, of 0 near, 1 middle, 2 far.
   int LastLevelOf(std::size_t link) const;
 
+  /// Nodes by whose links nodes move where only links of the level 2 do; nodes without a link are their own.
+  std::vector<int> CarriersOf(const std::vector<SeaweedLink>& links) const;
+
 private:
   void FindLinks(const std::vector<SeaweedLink>& links);
   void FindPlants(const int* plantIds);

@@ -47,8 +47,8 @@ public:
       this->Block.FixedRanges = {};
       SmpFor(runs.size(), [&](std::size_t begin, std::size_t end) {
         Ranges ranges;
-        std::for_each(
-          runs.data() + begin, runs.data() + end, [&](const SkinRun& run) { this->Move(run, changes, 0.0f, ranges); });
+        std::for_each(runs.data() + begin, runs.data() + end,
+          [&](const SkinRun& run) { this->Move(run, changes, 0.0f, this->Block.Rigid, ranges); });
         this->Add(ranges, this->Block.FixedRanges);
       });
     }
@@ -56,11 +56,13 @@ public:
   }
 
   /// Moves all of a plant; adds to the ranges.
-  void MovePlant(std::size_t plant, const std::vector<JointChange>& changes, float rigidity, Ranges& ranges) const
+  void MovePlant(
+    std::size_t plant, const std::vector<JointChange>& changes, float rigidity, bool isFar, Ranges& ranges) const
   {
     const SeaweedSkin& own = this->Block.Skin;
+    const RigidBinding& rigid = isFar ? this->Block.Far : this->Block.Rigid;
     std::for_each(own.RunsOf(plant), own.RunsOf(plant + 1),
-      [&](const SkinRun& run) { this->Move(run, changes, rigidity, ranges); });
+      [&](const SkinRun& run) { this->Move(run, changes, rigidity, rigid, ranges); });
   }
 
   void AddRanges(const Ranges& ranges) { this->Add(ranges, this->Found); }
@@ -85,7 +87,8 @@ private:
   Ranges Found;
   std::mutex Adding;
 
-  void Move(const SkinRun& run, const std::vector<JointChange>& changes, float rigidity, Ranges& ranges) const
+  void Move(const SkinRun& run, const std::vector<JointChange>& changes, float rigidity, const RigidBinding& rigid,
+    Ranges& ranges) const
   {
     float* p = this->Points->GetPointer(0);
     float* n = this->Normals->GetPointer(0);
@@ -95,7 +98,7 @@ private:
     }
     else
     {
-      MoveRigidly(this->Rest, this->Block.Rigid, changes.data(), run.First, run.End, p, n);
+      MoveRigidly(this->Rest, rigid, changes.data(), run.First, run.End, p, n);
     }
     ranges[0].AddTuples(p + 3 * run.First, p + 3 * run.End, 3);
     ranges[1].AddTuples(n + 3 * run.First, n + 3 * run.End, 3);
@@ -129,10 +132,11 @@ void WriteSkins(
     std::vector<MovedSkin::Ranges> parts(moved.size());
     for (std::size_t plant = begin; plant < end; ++plant)
     {
-      scene.FindChanges(plant, rotations, changes);
+      const bool isFar = scene.IsFar(plant);
+      scene.FindChanges(plant, rotations, changes, isFar);
       for (std::size_t skin = 0; skin < moved.size(); ++skin)
       {
-        moved[skin].MovePlant(plant, changes, scene.RigidityOf(plant), parts[skin]);
+        moved[skin].MovePlant(plant, changes, scene.RigidityOf(plant), isFar, parts[skin]);
       }
     }
     for (std::size_t skin = 0; skin < moved.size(); ++skin)
@@ -189,8 +193,10 @@ void WriteSkeleton(const SeaweedScene& scene, vtkPolyData* bones, FrameArrays& a
   ReplaceBlock(blocks, plant::Skeleton, bent);
 }
 
-std::vector<SeaweedSkinBlock> ReadSkins(vtkMultiBlockDataSet* plants, const SeaweedStand& stand)
+std::vector<SeaweedSkinBlock> ReadSkins(vtkMultiBlockDataSet* plants, const SeaweedScene& scene)
 {
+  const SeaweedStand& stand = scene.GetStand();
+  const std::vector<int> carriers = stand.CarriersOf(scene.GetLinks());
   std::vector<SeaweedSkinBlock> skins;
   for (const char* name : { plant::Skin, plant::Leaves })
   {
@@ -202,8 +208,8 @@ std::vector<SeaweedSkinBlock> ReadSkins(vtkMultiBlockDataSet* plants, const Seaw
     RequireSkin(block, name, stand.GetSkeleton().Nodes.size());
     const auto vertices = static_cast<std::size_t>(block->GetNumberOfPoints());
     const SkinBinding binding = ReadBinding(block);
-    skins.push_back(
-      { name, block, SeaweedSkin(ReadJointIds(block), vertices, stand), binding, RigidBinding(binding), {} });
+    skins.push_back({ name, block, SeaweedSkin(ReadJointIds(block), vertices, stand), binding, RigidBinding(binding),
+      RigidBinding(binding, carriers), {} });
   }
   return skins;
 }
@@ -235,7 +241,7 @@ void ReadSeaweeds(vtkMultiBlockDataSet* plants, const SeaweedOptions& options, c
   RequireMemory(
     2000.0 * static_cast<double>(bones->GetNumberOfPoints()), "the motion of the plants", "take fewer plants");
   ReadBones(bones, options, sea, scene);
-  skins = ReadSkins(plants, scene.GetStand());
+  skins = ReadSkins(plants, scene);
 }
 
 //----------------------------------------------------------------------------

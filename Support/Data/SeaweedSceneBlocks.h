@@ -30,6 +30,7 @@ struct SeaweedSkinBlock
   SeaweedSkin Skin;
   SkinBinding Binding;
   RigidBinding Rigid;
+  RigidBinding Far;                       ///< to the carriers of joints
   std::array<TupleRanges, 2> FixedRanges; ///< of points and normals that never move, once they were written
 };
 

@@ -145,18 +145,16 @@ void KeepRanges(vtkDataArray* array, const TupleRanges& ranges)
   }
   const int components = array->GetNumberOfComponents();
   vtkInformation* info = array->GetInformation();
-  for (vtkInformationInformationVectorKey* each :
-    { vtkDataArray::PER_COMPONENT(), vtkDataArray::PER_FINITE_COMPONENT() })
+  // Those of all values are those of the finite ones: one list for both, which nobody changes.
+  auto all = vtkSmartPointer<vtkInformationVector>::New();
+  all->SetNumberOfInformationObjects(components);
+  for (int c = 0; c < components; ++c)
   {
-    auto all = vtkSmartPointer<vtkInformationVector>::New();
-    all->SetNumberOfInformationObjects(components);
-    for (int c = 0; c < components; ++c)
-    {
-      const ValueRange& range = ranges.Components[c];
-      SetRange(all->GetInformationObject(c), vtkDataArray::COMPONENT_RANGE(), range.Low, range.High);
-    }
-    info->Set(each, all);
+    const ValueRange& range = ranges.Components[c];
+    SetRange(all->GetInformationObject(c), vtkDataArray::COMPONENT_RANGE(), range.Low, range.High);
   }
+  info->Set(vtkDataArray::PER_COMPONENT(), all);
+  info->Set(vtkDataArray::PER_FINITE_COMPONENT(), all);
   if (components > 1)
   {
     const ValueRange& squared = ranges.SquaredLength;

@@ -73,6 +73,38 @@ bool CheckFog()
   return good;
 }
 
+/// Fog that is kept is that of the particles as they are.
+bool CheckFogOfChangedParticles()
+{
+  double section = 0.0;
+  const auto particles = ParticlesOfTwoSizes(section);
+  vtkNew<Fog> fog;
+  fog->SetInputData(particles);
+  fog->SetDimensions(20, 24, 11);
+  fog->Update();
+  vtkNew<vtkImageData> before;
+  before->DeepCopy(fog->GetOutput());
+  particles->Modified();
+  fog->Update();
+  bool good = true;
+  for (vtkIdType n = 0; n < before->GetNumberOfPoints(); ++n)
+  {
+    good &= before->GetPointData()->GetScalars()->GetTuple1(n) ==
+      fog->GetOutput()->GetPointData()->GetScalars()->GetTuple1(n);
+  }
+  good = Check(good, "the same particles have another fog");
+  auto* radius = vtkFloatArray::SafeDownCast(particles->GetPointData()->GetArray("Radius"));
+  for (vtkIdType n = 0; n < radius->GetNumberOfTuples(); ++n)
+  {
+    radius->SetValue(n, 2.0f * radius->GetValue(n));
+  }
+  radius->Modified();
+  particles->Modified();
+  fog->Update();
+  return good &
+    Check(std::abs(Counter(fog, "CrossSection") / section - 4.0) < 1e-4, "larger particles have the same fog");
+}
+
 /// Water has an extinction of its own, and a part of the image is the same on any threads.
 bool CheckFogInWater(Fog* far)
 {
@@ -204,6 +236,7 @@ bool CheckBadInput()
 int TestParticleFog(int, char*[])
 {
   bool good = CheckFog();
+  good &= CheckFogOfChangedParticles();
   good &= CheckFogOfLevels();
   good &= CheckFogOfNothing();
   good &= CheckBadInput();

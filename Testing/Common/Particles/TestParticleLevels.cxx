@@ -279,6 +279,45 @@ TEST(ParticleLevels, NothingVisibleIsLost)
   EXPECT_GT(culled, 25 * 3000);
 }
 
+/// In calm water the reach of a group alone tells which of its particles may be seen.
+TEST(ParticleLevels, NothingVisibleIsLostInCalmWater)
+{
+  const SeaState sea{ { { 1e-9, std::sqrt(Gravity * 2.0), 2.0, 0.3, 0.0 } }, 1e9, 0.0 };
+  const std::vector<Vector3> places = Places(4000, { { -10.0, -10.0, -9.0 }, { 10.0, 10.0, -1.0 } });
+  GroupOptions scattered;
+  scattered.Scatter = true;
+  scattered.MaximumOffset = 0.05;
+  const ParticleGroups ofBoth[] = { ParticleGroups(places, {}, 64), ParticleGroups(places, scattered, 64) };
+  ParticleLevelOptions options;
+  options.Margin = 0.0;
+  options.FogMargin = 0.0;
+  int visible = 0;
+  for (int frame = 0; frame < 20; ++frame)
+  {
+    const ParticleGroups& groups = ofBoth[frame % 2];
+    const View view = FrameView(8 * frame);
+    const ViewFrustum frustum(view);
+    const Listed selection = Select(sea, places, groups, view, options, TrainRule::All);
+    std::vector<char> isShown(places.size(), 0);
+    for (const auto* level : { &selection.Near, &selection.Middle, &selection.Far })
+    {
+      std::for_each(
+        level->begin(), level->end(), [&](const ShownParticle& one) { isShown[one.Particle] |= one.Weight > 0.0f; });
+    }
+    for (std::size_t n = 0; n < places.size(); ++n)
+    {
+      const int master = groups.MasterOf(static_cast<int>(n));
+      const LevelWeights weights = WeightsAt(LevelDistance(view, places[master]), options);
+      const bool isOwn = weights.Near + weights.Far > 0.0 && frustum.MayShow(places[n], 0.0);
+      const Vector3 kept = places[master] + groups.OffsetOf(static_cast<int>(n));
+      const bool isVisible = isOwn || (weights.Middle > 0.0 && frustum.MayShow(kept, 0.0));
+      visible += isVisible;
+      EXPECT_TRUE(isShown[n] || !isVisible) << "particle " << n << " in frame " << frame;
+    }
+  }
+  EXPECT_GT(visible, 5000);
+}
+
 TEST(ParticleLevels, WeightsOfLevelsSumToOne)
 {
   const SeaState sea = Sea(1e9);
