@@ -41,7 +41,7 @@ SeaState FromCenter(SeaState sea, const double center[2])
 /// Foam of a particle by the gradients of its past (OrbitRequest).
 double FoamLeft(const float* gradients)
 {
-  double jacobians[MostAges];
+  double jacobians[MostAges] = {};
   for (int age = 0; age < MostAges; ++age)
   {
     double gradient[3];

@@ -332,7 +332,7 @@ Vector3 SurfaceNormal(const double g[5])
   return Normalised(glm::cross(alongX, alongY));
 }
 
-double SurfaceJacobian(const double g[5])
+double SurfaceJacobian(const double g[3])
 {
   return (1.0 + g[0]) * (1.0 + g[2]) - g[1] * g[1];
 }

@@ -61,9 +61,9 @@ struct OrbitRequest
 /// The unit normal of a surface that was level, from the five numbers of OrbitRequest::Gradient.
 Vector3 SurfaceNormal(const double gradient[5]);
 
-/// Jacobian of the horizontal motion of the surface, 1 at rest; where it is 0 or less, the surface folds over itself
-/// and foams.
-double SurfaceJacobian(const double gradient[5]);
+/// Jacobian of the horizontal motion of the surface, from the first three of these numbers, 1 at rest; where it is 0 or
+/// less, the surface folds over itself and foams.
+double SurfaceJacobian(const double gradient[3]);
 
 /**
  * A sea at a moment. A particle whose orbit is centered at x0, z0 is at x0 + sum a sin(phi) d, z0 - sum b cos(phi) with
