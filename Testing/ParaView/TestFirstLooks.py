@@ -27,6 +27,15 @@ def check_lit(_):
     assert [(one.ShowSky, one.SunElevation) for one in lights()] == [(0, 25.0)], "no Landscape Light"
 
 
+def check_other_light(terrain):
+    """A Landscape Light that someone adds takes the place of that of the first look."""
+    view = small_view(SIZE)
+    simple.Show(terrain, view)
+    shown = simple.Show(simple.LandscapeLight(), view)
+    assert [one.Visibility for one in lights()] == [0, 1] and shown.ShowSky == 1, "two lights"
+    simple.Delete(view)
+
+
 def check_own_light(terrain):
     """A view that has a user's background keeps its light."""
     view = small_view(SIZE)

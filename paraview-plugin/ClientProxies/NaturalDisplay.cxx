@@ -252,6 +252,11 @@ void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
     return;
   }
   vtkSMProxy* representation = registered->Proxy;
+  if (IsLandscapeLight(representation))
+  {
+    this->HideOtherLights(representation);
+    return;
+  }
   if (!representation->GetProperty("Input") || !representation->GetProperty("MapScalars"))
   {
     return;
@@ -293,6 +298,27 @@ void NaturalDisplay::TakeView()
   if (type && std::strcmp(type, "RenderView") == 0 && !IsLoadingState(this->Manager))
   {
     ActivateViewOfScene(this->Manager);
+  }
+}
+
+//----------------------------------------------------------------------------
+/// A view has the light of one Landscape Light, the last that is shown.
+void NaturalDisplay::HideOtherLights(vtkSMProxy* light)
+{
+  vtkSMRenderViewProxy* view = this->ActiveView();
+  if (!view || vtkSMPropertyHelper(light, "Input").GetAsProxy() != this->Owner || IsLoadingState(this->Manager))
+  {
+    return;
+  }
+  const vtkSMPropertyHelper shown(view, "Representations");
+  for (unsigned int k = 0; k < shown.GetNumberOfElements(); ++k)
+  {
+    vtkSMProxy* other = shown.GetAsProxy(k);
+    if (other && other != light && IsLandscapeLight(other))
+    {
+      vtkSMPropertyHelper(other, "Visibility").Set(0);
+      other->UpdateVTKObjects();
+    }
   }
 }
 

@@ -92,6 +92,7 @@ private:
   void OnRegister(vtkObject*, unsigned long, void* information);
   void TakeView();
   void HideReplaced();
+  void HideOtherLights(vtkSMProxy* light);
   void MakeSceneOf(vtkSMProxy* representation);
   void LookAtInput();
   void Show(vtkSMProxy* representation, int port);
