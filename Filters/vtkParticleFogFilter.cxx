@@ -98,7 +98,7 @@ public:
     const littoral::ArrayReader points = littoral::ArrayReader::OfPoints(set, "a set of particles");
     this->Radius = { points.Find(littoral::sea::Radius, 1), radius };
     this->Alpha = { points.Find(littoral::sea::Alpha, 1), 1.0 };
-    if (!(this->SinglePlaces && littoral::KeepFiniteRanges(this->Places)))
+    if (!(this->SinglePlaces && littoral::AreWithin(this->Places, littoral::MaximumMagnitude)))
     {
       points.NeedFinite(this->Places);
     }

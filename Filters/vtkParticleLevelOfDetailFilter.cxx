@@ -42,6 +42,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -546,6 +547,7 @@ struct LevelBlock
 {
   vtkSmartPointer<vtkPolyData> Data;       ///< null: to be made
   vtkSmartPointer<vtkIdTypeArray> Masters; ///< of Middle
+  bool IsAsBefore = true;                  ///< with trains and weights as when it was made
   PlacesKey Key;
 };
 
@@ -725,17 +727,33 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::MakeTable(
   }
 }
 
-/// Whether a level has other particles than in the block that is there.
-bool IsOther(
-  const littoral::ParticleSelection& selection, const littoral::ParticleSelection& former, littoral::ParticleLevel kind)
+/// Whether runs hold the same particles, whatever is told of them.
+bool HoldTheSame(const littoral::ShownRuns& some, const littoral::ShownRuns& others)
 {
-  const auto areSame = [kind](const littoral::ParticlePart& a, const littoral::ParticlePart& b) {
-    return a.Cluster == b.Cluster &&
-      (kind == littoral::ParticleLevel::Near     ? a.Near == b.Near
-          : kind == littoral::ParticleLevel::Far ? a.Far == b.Far
-                                                 : a.Orbits == b.Orbits && a.Slaves == b.Slaves);
+  const auto joined = [](const littoral::ShownRuns& runs) {
+    std::vector<std::pair<std::size_t, std::size_t>> ranges;
+    for (const littoral::ShownRun& run : runs)
+    {
+      const bool goesOn = !ranges.empty() && ranges.back().second == run.Begin;
+      goesOn ? static_cast<void>(ranges.back().second = run.End) : ranges.push_back({ run.Begin, run.End });
+    }
+    return ranges;
   };
-  return !std::equal(selection.Parts.begin(), selection.Parts.end(), former.Parts.begin(), former.Parts.end(), areSame);
+  return joined(some) == joined(others);
+}
+
+/// Whether all parts of two selections have runs in a level of which a condition is true.
+template <typename Condition>
+bool AreAll(const littoral::ParticleSelection& some, const littoral::ParticleSelection& others,
+  littoral::ParticleLevel kind, const Condition& condition)
+{
+  const auto areGood = [&](const littoral::ParticlePart& a, const littoral::ParticlePart& b) {
+    return a.Cluster == b.Cluster &&
+      (kind == littoral::ParticleLevel::Near     ? condition(a.Near, b.Near)
+          : kind == littoral::ParticleLevel::Far ? condition(a.Far, b.Far)
+                                                 : condition(a.Orbits, b.Orbits) && condition(a.Slaves, b.Slaves));
+  };
+  return std::equal(some.Parts.begin(), some.Parts.end(), others.Parts.begin(), others.Parts.end(), areGood);
 }
 
 /// Chooses the particles that a view needs, unless that has been done; levels in which they are others lose their
@@ -761,9 +779,15 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::Select(const littoral::View& 
     littoral::AbortableFor(owner), this->Ways));
   for (const littoral::ParticleLevel kind : Levels)
   {
-    if (!this->Selection || IsOther(*selection, *this->Selection, kind))
+    LevelBlock& block = this->Blocks[static_cast<int>(kind)];
+    if (!this->Selection || !AreAll(*selection, *this->Selection, kind, HoldTheSame))
     {
-      this->Blocks[static_cast<int>(kind)] = {};
+      block = {};
+    }
+    else
+    {
+      block.IsAsBefore =
+        block.IsAsBefore && AreAll(*selection, *this->Selection, kind, std::equal_to<littoral::ShownRuns>());
     }
   }
   this->Selection = std::move(selection);
@@ -791,7 +815,6 @@ vtkPolyData* vtkParticleLevelOfDetailFilter::vtkInternals::Block(const Shown& sh
   {
     data->SetVerts(this->Counting.Vertices(static_cast<vtkIdType>(SizeOf(shown.Selection, kind))));
     CarryArrays(shown, kind, this->Carried, this->Memory, arrays);
-    AddLevelArrays(shown, kind, this->Memory, arrays);
     if (kind == littoral::ParticleLevel::Middle)
     {
       block.Masters = MastersOf(shown, this->Memory);
@@ -805,7 +828,13 @@ vtkPolyData* vtkParticleLevelOfDetailFilter::vtkInternals::Block(const Shown& sh
     data->GetFieldData()->ShallowCopy(block.Data->GetFieldData());
     arrays->ShallowCopy(block.Data->GetPointData());
   }
-  if (isNew || IsBlended(shown, kind))
+  const bool isOther = isNew || !block.IsAsBefore;
+  if (isOther)
+  {
+    AddLevelArrays(shown, kind, this->Memory, arrays);
+    block.IsAsBefore = true;
+  }
+  if (isOther || IsBlended(shown, kind))
   {
     arrays->AddArray(AlphasOf<Array>(shown, kind, this->Memory));
   }

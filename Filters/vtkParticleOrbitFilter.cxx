@@ -168,14 +168,7 @@ vtkSmartPointer<Array> CentersOf(vtkPointSet* input)
   centers->Share(littoral::WithType<Array>(input->GetPoints()->GetData()));
   centers->SetName("Center");
   littoral::ShareRanges(input->GetPoints()->GetData(), centers);
-  const bool areFinite = littoral::KeepFiniteRanges(centers);
-  bool areSmall = areFinite;
-  for (int axis = 0; axis < 3 && areSmall; ++axis)
-  {
-    const double* range = centers->GetRange(axis);
-    areSmall = range[0] >= -littoral::MaximumMagnitude && range[1] <= littoral::MaximumMagnitude;
-  }
-  if (!areSmall)
+  if (!littoral::AreWithin(centers, littoral::MaximumMagnitude))
   {
     littoral::ArrayReader::OfPoints(input, "a set of particles").NeedFinite(input->GetPoints()->GetData());
   }

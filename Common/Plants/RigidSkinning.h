@@ -23,7 +23,7 @@ public:
     int Joint = 0;
   };
 
-  /// Each vertex follows, with `carriers`, the carrier of its joint instead, by joint: runs are longer still.
+  /// Joints of the vertices, or, where `carriers` has one for each joint, the carriers of these: runs are longer still.
   explicit RigidBinding(const SkinBinding& binding, const std::vector<int>& carriers = {});
 
   /// The run of a vertex.

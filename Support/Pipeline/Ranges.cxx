@@ -221,6 +221,17 @@ bool KeepFiniteRanges(vtkDataArray* array)
   return ranges.AreFinite;
 }
 
+bool AreWithin(vtkDataArray* array, double magnitude)
+{
+  bool isWithin = KeepFiniteRanges(array);
+  for (int axis = 0; isWithin && axis < array->GetNumberOfComponents(); ++axis)
+  {
+    const double* range = array->GetRange(axis);
+    isWithin = range[0] >= -magnitude && range[1] <= magnitude;
+  }
+  return isWithin;
+}
+
 vtkSmartPointer<vtkPoints> PointsWithRanges(vtkDataArray* positions)
 {
   KeepRanges(positions);

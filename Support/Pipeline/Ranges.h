@@ -163,6 +163,10 @@ void KeepRanges(vtkDataArray* array);
 /// of them are finite.
 bool KeepFiniteRanges(vtkDataArray* array);
 
+/// Whether the ranges of an array of numbers in single or double precision, which it finds and keeps, are within a
+/// magnitude.
+bool AreWithin(vtkDataArray* array, double magnitude);
+
 /// Points with these positions, whose ranges it finds unless they are there. They are the bounds of the points, for
 /// which VTK would look through them again.
 vtkSmartPointer<vtkPoints> PointsWithRanges(vtkDataArray* positions);

@@ -286,6 +286,46 @@ TEST(SeaweedScene, LevelsDoNotTouchTheState)
   EXPECT_EQ(none.Segments, 0);
 }
 
+/// Far away each node is where the carrier of its joint takes it, of which alone the change is found.
+TEST(SeaweedScene, FarPlantsMoveByTheirCarriers)
+{
+  const Bed bed = TwoPlants();
+  SeaweedLevels levels;
+  levels.UseLevels = true;
+  levels.Seen = ViewFrom({ 0.0, -100.0, -5.7 });
+  for (const bool isPhysical : { false, true })
+  {
+    SeaweedScene scene = SceneOf(bed, isPhysical);
+    const std::vector<Vector3> nodes = NodesAt(scene, 1.3, levels);
+    EXPECT_GT(MaximumDistance(nodes, NodesAtRest(bed)), 0.02);
+    const std::vector<int> carriers = scene.GetStand().CarriersOf(scene.GetLinks());
+    std::vector<JointChange> changes(nodes.size());
+    int carried = 0;
+    for (std::size_t plant = 0; plant < 2; ++plant)
+    {
+      ASSERT_TRUE(scene.IsFar(plant));
+      scene.FindChanges(plant, scene.SkinRotations(), changes, true);
+    }
+    for (std::size_t node = 0; node < nodes.size(); ++node)
+    {
+      const auto& c = changes[static_cast<std::size_t>(carriers[node])].Columns;
+      const Vector3 rest = bed.Rest.Nodes[node].Position;
+      // p + (R - 1) (p - r) + s
+      Vector3 place = rest + Vector3(c[3][0], c[3][1], c[3][2]);
+      for (int k = 0; k < 3; ++k)
+      {
+        place += (rest[k] - static_cast<double>(c[k][3])) * Vector3(c[k][0], c[k][1], c[k][2]);
+      }
+      EXPECT_LT(glm::distance(place, nodes[node]), 1e-5) << node;
+      carried += carriers[node] != static_cast<int>(node);
+    }
+    EXPECT_GT(carried, 10);
+    MoveTo(scene, 1.4);
+    scene.Show({});
+    EXPECT_FALSE(scene.IsFar(0));
+  }
+}
+
 TEST(SeaweedScene, VelocitiesAreThoseOfThePositions)
 {
   const Bed bed = TwoPlants();
