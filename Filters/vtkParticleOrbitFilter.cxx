@@ -558,9 +558,11 @@ void vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
   this->Internals->RequireRoom(17.0 * sizeof(typename Array::ValueType), count);
   RestingPoints& rest = this->Internals->RestOf<Array>(input);
   auto* centers = Array::SafeDownCast(rest.Centers);
-  const auto& [counts, slaves, moving] = this->Internals->FollowingOf(input, rest);
+  const Following& following = this->Internals->FollowingOf(input, rest);
+  const littoral::Slaves& slaves = following.Slaves;
   const bool surface = this->GenerateSurface && IsAtSeaLevel(centers, sea.State.SeaLevel);
-  if (moving == 0 && slaves.Master.empty() && !this->GenerateVelocity && !this->GenerateAcceleration && !surface)
+  if (following.Moving == 0 && slaves.Master.empty() && !this->GenerateVelocity && !this->GenerateAcceleration &&
+    !surface)
   {
     output->GetPointData()->AddArray(centers);
     auto* places = Array::SafeDownCast(input->GetPoints()->GetData());
@@ -569,14 +571,14 @@ void vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
   }
   MovedArrays<Array> moved(this->Internals->Arrays, centers, this->GenerateVelocity, this->GenerateAcceleration,
     surface, output->GetPointData());
-  moved.Request.TrainCounts = counts.Values;
+  moved.Request.TrainCounts = following.Counts.Values;
   const auto forAll = [&](double first, double last, std::size_t points, std::size_t atOnce, const auto& task) {
     const std::size_t batches = (points + atOnce - 1) / atOnce;
     return littoral::RunWithProgress(this, batches, first, last,
       [&](std::size_t batch) { task(batch * atOnce, std::min((batch + 1) * atOnce, points)); });
   };
   // Slaves come last, as written by vtkParticleLevelOfDetailFilter: their orbits are not evaluated.
-  const std::size_t evaluated = surface ? static_cast<std::size_t>(count) : moving;
+  const std::size_t evaluated = surface ? static_cast<std::size_t>(count) : following.Moving;
   bool done = forAll(0.0, 0.8, evaluated, PointsAtOnce, [&](std::size_t begin, std::size_t end) {
     sea.Orbits.Evaluate(moved.Request, begin, end);
     moved.FinishSurface(begin, end);

@@ -17,6 +17,13 @@
 namespace littoral
 {
 
+namespace
+{
+
+constexpr double SmallestLandscape = 250.0; // radius [m]
+
+}
+
 //----------------------------------------------------------------------------
 void Lighting::Activate(vtkOpenGLRenderWindow* window)
 {
@@ -99,8 +106,9 @@ void Lighting::SetUniforms(vtkShaderProgram* program) const
   SetUniform(program, "landscapeMapSize", static_cast<double>(std::max(this->Maps.GetSize(), 1)));
   SetUniform(program, "landscapeOcclusion", this->OcclusionRadius);
   SetUniform(program, "landscapeEyeHeight", std::max(this->Eye.z - this->Maps.GetLowest(), 1.0));
-  // Where nothing is shown the earth is lost in haze within twice the size of what is.
-  const double near = this->Maps.GetRadius() > 0.0 ? 0.25 / this->Maps.GetRadius() : 0.0;
+  // Where nothing is shown the earth is lost in haze within twice the size of what is, but not within 1 km: haze is
+  // not seen before what stands there.
+  const double near = this->Maps.GetRadius() > 0.0 ? 0.25 / std::max(this->Maps.GetRadius(), SmallestLandscape) : 0.0;
   SetUniform(program, "landscapeBareExtinction", this->Extinction > 0.0 ? std::max(this->Extinction, near) : 0.0);
   // A meadow around a ground: albedo / pi times the light of sky and sun
   const glm::dvec3 up(0.0, 0.0, 1.0);

@@ -4,6 +4,7 @@
 // around a ground, and the sky's earth around other things.
 #include "LandscapePicture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -40,7 +41,7 @@ struct Afar : Picture
   Color Expected(const Color& earth)
   {
     const double sine = std::sin(vtkMath::RadiansFromDegrees(this->Down));
-    const double radius = std::sqrt(2.0) * Half;
+    const double radius = std::max(250.0, std::sqrt(2.0) * Half);
     const double through = std::exp(-Eye / sine / (4.0 * radius));
     Color horizon;
     this->Pass->GetSkyLuminance(0.0, 1.0, 1e-3, horizon.data());
