@@ -78,7 +78,7 @@ constexpr double LargestSpread = 0.25;
 constexpr double WayStep = 0.1;
 
 /// Particles that are fog go by steps of this length where all go the same way: much less than the cells of fog [m].
-constexpr double FogStep = 0.02;
+constexpr double FogStep = 0.005;
 
 /// The ways between multiples of WayStep about some ways.
 littoral::Box RoundedWays(const littoral::Box& ways)
