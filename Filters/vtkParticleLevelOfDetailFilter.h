@@ -23,11 +23,11 @@
  * `CellsShown`, `Orbits` to be computed, `TrainSums`, the number of trains of all orbits, `TrainSumsInAll`, the same
  * for all particles with all trains, and `MaximumSlaveError` [m].
  *
- * A group of a master and its slaves is in the levels that the distance of its master tells. The view determines what is
- * shown, never the position of a particle: centers, groups and orders are functions of the input and are kept until it
- * changes. Particles in Far that vtkCurrentDriftFilter carries all the same way are there by steps of 5 mm. Each piece
- * holds its share of the groups of the whole input. Defaults of inherited properties: NearDistance 2 m, FarDistance
- * 12 m. A property out of range or a table that is no sea state is reported as one error.
+ * A group of a master and its slaves is in the levels that the distance of its master tells. The view determines what
+ * is shown, never the position of a particle: centers, groups and orders are functions of the input and are kept until
+ * it changes. Particles in Far that vtkCurrentDriftFilter carries all the same way are there by steps of 5 mm. Each
+ * piece holds its share of the groups of the whole input. Defaults of inherited properties: NearDistance 2 m,
+ * FarDistance 12 m. A property out of range or a table that is no sea state is reported as one error.
  *
  * Coulais et al., section 3.3; see Documentation/design/particles.md.
  *

@@ -98,8 +98,7 @@ bool TestView(const littoral::InstanceBatch& batch, vtkMatrix4x4* toClip)
   }
   const auto count = static_cast<int>(kept.size() / littoral::InstanceBatch::Numbers);
   good = Check(good && next == kept.end(), "An instance in the view is left out, or the order is another.");
-  return good &
-    Check(count <= 1.3 * seen + 6, std::to_string(count) + " are kept, " + std::to_string(seen) + " seen.");
+  return good & Check(count <= 1.3 * seen + 6, std::to_string(count) + " are kept, " + std::to_string(seen) + " seen.");
 }
 
 }
