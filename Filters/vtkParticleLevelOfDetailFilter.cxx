@@ -9,12 +9,12 @@
 #include "Data/CommonWay.h"
 #include "Data/FrameArrays.h"
 #include "Data/Inputs.h"
+#include "Data/ParticleBlocks.h"
 #include "Data/PickedTuples.h"
 #include "Data/SeaStateTable.h"
 #include "Data/Tables.h"
 #include "Geometry/ViewFrustum.h"
 #include "Numerics/ParameterCheck.h"
-#include "Numerics/ShiftedTriples.h"
 #include "Particles/ParticleGroups.h"
 #include "Particles/ParticleLevels.h"
 #include "Particles/ParticleMotion.h"
@@ -41,14 +41,12 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
-#include <cstring>
 #include <functional>
 #include <iterator>
 #include <limits>
 #include <numeric>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -99,359 +97,6 @@ littoral::PlaceList ListOf(vtkDataArray* places)
 
 constexpr littoral::ParticleLevel Levels[] = { littoral::ParticleLevel::Near, littoral::ParticleLevel::Middle,
   littoral::ParticleLevel::Far };
-
-/// Parts of a selection that are written at once by a thread: half a million particles.
-constexpr std::size_t PartsAtOnce = 512;
-
-/// A selection with what tells where its particles are.
-struct Shown
-{
-  const littoral::ParticleSelection& Selection;
-  const littoral::ParticleGroups& Groups;
-  const littoral::PlaceList& Places;
-  vtkDataArray* Sorted;  ///< places in the order of the groups; null where they are not at hand
-  littoral::Vector3 Way; ///< from these to the places [m]
-  bool AreScattered;     ///< slaves
-  const littoral::View& View;
-  const littoral::ParticleLevelOptions& Options;
-};
-
-std::size_t SizeOf(const littoral::ParticleSelection& selection, littoral::ParticleLevel kind)
-{
-  const long long middle = selection.Masters + selection.Slaves;
-  return static_cast<std::size_t>(kind == littoral::ParticleLevel::Near ? selection.Near
-      : kind == littoral::ParticleLevel::Far                            ? selection.Far
-                                                                        : middle);
-}
-
-/// Calls a task with each of some runs and the place of its first particle in a block.
-template <typename Task>
-std::size_t ForRuns(const littoral::ShownRuns& runs, std::size_t place, const Task& task)
-{
-  for (const littoral::ShownRun& run : runs)
-  {
-    task(run, place);
-    place += run.Size();
-  }
-  return place;
-}
-
-/// Calls a task with the runs of a part in a level, in their places in the block.
-template <typename Task>
-void VisitPart(const littoral::ParticleSelection& selection, const littoral::ParticlePart& part,
-  littoral::ParticleLevel kind, const Task& task)
-{
-  const littoral::ParticleCounts& before = part.Before;
-  if (kind == littoral::ParticleLevel::Middle)
-  {
-    ForRuns(part.Orbits, static_cast<std::size_t>(before.Masters), task);
-    ForRuns(part.Slaves, static_cast<std::size_t>(selection.Masters + before.Slaves), task);
-    return;
-  }
-  const bool isNear = kind == littoral::ParticleLevel::Near;
-  ForRuns(isNear ? part.Near : part.Far, static_cast<std::size_t>(isNear ? before.Near : before.Far), task);
-}
-
-/// Calls a task with all parts, on all threads where they are worth calling.
-template <typename Task>
-void ForParts(const littoral::ParticleSelection& selection, const Task& task)
-{
-  littoral::ForRanges(littoral::SmpFor, selection.Parts.size(), PartsAtOnce, [&](std::size_t begin, std::size_t end) {
-    std::for_each(selection.Parts.data() + begin, selection.Parts.data() + end, task);
-  });
-}
-
-/// Calls a task with the runs of a level.
-template <typename Task>
-void Visit(const Shown& shown, littoral::ParticleLevel kind, const Task& task)
-{
-  ForParts(shown.Selection, [&](const littoral::ParticlePart& part) { VisitPart(shown.Selection, part, kind, task); });
-}
-
-/// Copies tuples that lie in the order of the groups to a level.
-void CopyTuples(const Shown& shown, littoral::ParticleLevel kind, vtkAbstractArray* ordered, vtkAbstractArray* level)
-{
-  const auto* from = static_cast<const unsigned char*>(ordered->GetVoidPointer(0));
-  auto* to = static_cast<unsigned char*>(level->GetVoidPointer(0));
-  const std::size_t bytes = static_cast<std::size_t>(ordered->GetNumberOfComponents()) * ordered->GetDataTypeSize();
-  Visit(shown, kind, [=](const littoral::ShownRun& run, std::size_t place) {
-    std::memcpy(to + place * bytes, from + run.Begin * bytes, run.Size() * bytes);
-  });
-}
-
-/// Copies what are no numbers, or lie otherwise in memory, one after the other.
-void CopyOthers(const Shown& shown, littoral::ParticleLevel kind, vtkAbstractArray* ordered, vtkAbstractArray* level)
-{
-  for (const littoral::ParticlePart& part : shown.Selection.Parts)
-  {
-    VisitPart(shown.Selection, part, kind, [=](const littoral::ShownRun& run, std::size_t place) {
-      for (std::size_t n = 0; n < run.Size(); ++n)
-      {
-        level->SetTuple(static_cast<vtkIdType>(place + n), static_cast<vtkIdType>(run.Begin + n), ordered);
-      }
-    });
-  }
-}
-
-/// The arrays of the input, in the order of the groups, at the particles of a level.
-void CarryArrays(const Shown& shown, littoral::ParticleLevel kind, vtkPointData* ordered, littoral::FrameArrays& memory,
-  vtkPointData* to)
-{
-  const auto count = static_cast<vtkIdType>(SizeOf(shown.Selection, kind));
-  for (int index = 0; index < ordered->GetNumberOfArrays(); ++index)
-  {
-    vtkAbstractArray* whole = ordered->GetAbstractArray(index);
-    auto* numbers = vtkDataArray::SafeDownCast(whole);
-    const bool isPlain = numbers && numbers->HasStandardMemoryLayout() && numbers->GetDataType() != VTK_BIT;
-    vtkSmartPointer<vtkAbstractArray> array;
-    if (isPlain)
-    {
-      array = memory.Like(numbers, count);
-      CopyTuples(shown, kind, whole, array);
-    }
-    else
-    {
-      array = vtkSmartPointer<vtkAbstractArray>::Take(whole->NewInstance());
-      array->SetName(whole->GetName());
-      array->SetNumberOfComponents(whole->GetNumberOfComponents());
-      littoral::SetTuples(array, count);
-      CopyOthers(shown, kind, whole, array);
-    }
-    array->CopyComponentNames(whole);
-    const int attribute = ordered->IsArrayAnAttribute(index);
-    const int added = to->AddArray(array);
-    if (attribute >= 0)
-    {
-      to->SetActiveAttribute(added, attribute);
-    }
-  }
-}
-
-/// Copies places by their numbers.
-template <typename Real>
-void PickPlaces(const Real* from, const int* numbers, std::size_t count, Real* to)
-{
-  for (std::size_t n = 0; n < count; ++n)
-  {
-    const Real* place = from + 3 * static_cast<std::size_t>(numbers[n]);
-    to[3 * n] = place[0];
-    to[3 * n + 1] = place[1];
-    to[3 * n + 2] = place[2];
-  }
-}
-
-template <typename Real>
-const Real* NumbersOf(const littoral::PlaceList& places)
-{
-  if constexpr (std::is_same_v<Real, float>)
-  {
-    return places.GetSingles();
-  }
-  else
-  {
-    return places.GetDoubles();
-  }
-}
-
-/// All places in the order of the groups.
-template <typename Array>
-vtkSmartPointer<vtkDataArray> SortedPlaces(const littoral::PlaceList& places, const littoral::ParticleGroups& groups)
-{
-  const auto sorted = littoral::NewArray<Array>("", 3, static_cast<vtkIdType>(places.Size()));
-  PickPlaces(
-    NumbersOf<typename Array::ValueType>(places), groups.GetOrder().data(), places.Size(), sorted->GetPointer(0));
-  return sorted;
-}
-
-/// Puts scattered slaves about their masters.
-template <typename Real>
-void ScatterSlaves(const Shown& shown, Real* values)
-{
-  const std::vector<int>& order = shown.Groups.GetOrder();
-  for (const littoral::ParticlePart& part : shown.Selection.Parts)
-  {
-    const auto first = static_cast<std::size_t>(shown.Selection.Masters + part.Before.Slaves);
-    ForRuns(part.Slaves, first, [&](const littoral::ShownRun& run, std::size_t place) {
-      for (std::size_t n = run.Begin; n < run.End; ++n, ++place)
-      {
-        const littoral::Vector3 at = shown.Places[order[shown.Groups.MasterAt(n)]] + shown.Groups.OffsetOf(order[n]);
-        std::transform(&at.x, &at.x + 3, values + 3 * place, [](double x) { return static_cast<Real>(x); });
-      }
-    });
-  }
-}
-
-/// The points of a level; those of scattered slaves about their masters.
-template <typename Array>
-vtkSmartPointer<vtkPoints> PointsOf(const Shown& shown, littoral::ParticleLevel kind, littoral::FrameArrays& memory)
-{
-  using Real = typename Array::ValueType;
-  const auto points = memory.New<Array>("Points", 3, static_cast<vtkIdType>(SizeOf(shown.Selection, kind)));
-  Real* values = points->GetPointer(0);
-  if (shown.Sorted)
-  {
-    const Real* from = Array::SafeDownCast(shown.Sorted)->GetPointer(0);
-    Visit(shown, kind, [=, &shown](const littoral::ShownRun& run, std::size_t place) {
-      littoral::ShiftTriples(from + 3 * run.Begin, run.Size(), shown.Way, values + 3 * place);
-    });
-  }
-  else
-  {
-    const int* order = shown.Groups.GetOrder().data();
-    const auto* from = NumbersOf<Real>(shown.Places);
-    Visit(shown, kind, [=](const littoral::ShownRun& run, std::size_t place) {
-      PickPlaces(from, order + run.Begin, run.Size(), values + 3 * place);
-    });
-  }
-  if (shown.AreScattered && kind == littoral::ParticleLevel::Middle)
-  {
-    ScatterSlaves(shown, values);
-  }
-  auto all = vtkSmartPointer<vtkPoints>::New();
-  all->SetData(points);
-  return all;
-}
-
-/// Places of the masters of all in the level Middle in its block; -1 for those with orbits.
-vtkSmartPointer<vtkIdTypeArray> MastersOf(const Shown& shown, littoral::FrameArrays& memory)
-{
-  auto array = memory.New<vtkIdTypeArray>(
-    littoral::sea::MasterId, 1, static_cast<vtkIdType>(SizeOf(shown.Selection, littoral::ParticleLevel::Middle)));
-  vtkIdType* masters = array->GetPointer(0);
-  std::fill_n(masters, shown.Selection.Masters, -1);
-  ForParts(shown.Selection, [&](const littoral::ParticlePart& part) {
-    const littoral::ParticleRegion& cluster = shown.Groups.GetClusters()[part.Cluster];
-    std::vector<vtkIdType> places(cluster.Orbits.Size());
-    ForRuns(
-      part.Orbits, static_cast<std::size_t>(part.Before.Masters), [&](const littoral::ShownRun& run, std::size_t at) {
-        std::iota(&places[run.Begin - cluster.Orbits.Begin], &places[run.Begin - cluster.Orbits.Begin] + run.Size(),
-          static_cast<vtkIdType>(at));
-      });
-    vtkIdType* next = masters + shown.Selection.Masters + part.Before.Slaves;
-    for (const littoral::ShownRun& run : part.Slaves)
-    {
-      for (std::size_t n = run.Begin; n < run.End; ++n)
-      {
-        *next++ = places[shown.Groups.MasterAt(n) - cluster.Orbits.Begin];
-      }
-    }
-  });
-  return array;
-}
-
-/// Calls a task with the runs of a level whose weights go by distance; whether there are any.
-template <typename Task>
-bool VisitBlended(const Shown& shown, littoral::ParticleLevel kind, const Task& task)
-{
-  bool areAny = false;
-  for (const littoral::ParticlePart& part : shown.Selection.Parts)
-  {
-    VisitPart(shown.Selection, part, kind, [&](const littoral::ShownRun& run, std::size_t place) {
-      if (run.Weight == littoral::RunWeight::ByDistance)
-      {
-        areAny = true;
-        task(run, place, shown.Groups.GetClusters()[part.Cluster]);
-      }
-    });
-  }
-  return areAny;
-}
-
-/// Weights of some particles of a cluster, by the distances of their masters.
-template <typename Real>
-void Blend(const Shown& shown, littoral::ParticleLevel kind, const littoral::ShownRun& run,
-  const littoral::ParticleRegion& cluster, const Real* sorted, float* alpha)
-{
-  std::size_t former = shown.Groups.GetOrder().size();
-  float weight = 0.0f;
-  for (std::size_t n = run.Begin; n < run.End; ++n)
-  {
-    const bool isSlave = n >= cluster.Slaves.Begin;
-    const std::size_t master = isSlave ? shown.Groups.MasterAt(n) : n;
-    if (master != former)
-    {
-      const Real* own = sorted + 3 * master;
-      const littoral::Vector3 place =
-        sorted ? shown.Way + littoral::Vector3(own[0], own[1], own[2]) : shown.Places[shown.Groups.GetOrder()[master]];
-      weight = static_cast<float>(littoral::WeightIn(kind, isSlave, LevelDistance(shown.View, place), shown.Options));
-      former = master;
-    }
-    *alpha++ = weight;
-  }
-}
-
-bool IsBlended(const Shown& shown, littoral::ParticleLevel kind)
-{
-  return VisitBlended(shown, kind, [](const auto&, std::size_t, const auto&) {});
-}
-
-/// The opacities of a level.
-template <typename Array>
-vtkSmartPointer<vtkFloatArray> AlphasOf(const Shown& shown, littoral::ParticleLevel kind, littoral::FrameArrays& memory)
-{
-  auto array =
-    memory.New<vtkFloatArray>(littoral::sea::Alpha, 1, static_cast<vtkIdType>(SizeOf(shown.Selection, kind)));
-  float* alpha = array->GetPointer(0);
-  Visit(shown, kind, [=](const littoral::ShownRun& run, std::size_t place) {
-    std::fill_n(alpha + place, run.Size(), run.Weight == littoral::RunWeight::None ? 0.0f : 1.0f);
-  });
-  const auto* sorted = shown.Sorted ? Array::SafeDownCast(shown.Sorted)->GetPointer(0) : nullptr;
-  VisitBlended(shown, kind, [&](const littoral::ShownRun& run, std::size_t place, const auto& cluster) {
-    Blend(shown, kind, run, cluster, sorted, alpha + place);
-  });
-  return array;
-}
-
-/// The arrays that tell how a level is moved.
-void AddLevelArrays(
-  const Shown& shown, littoral::ParticleLevel kind, littoral::FrameArrays& memory, vtkPointData* arrays)
-{
-  const auto count = static_cast<vtkIdType>(SizeOf(shown.Selection, kind));
-  const auto add = [&](auto* type, const char* name) {
-    const auto array = memory.New<std::decay_t<decltype(*type)>>(name, 1, count);
-    arrays->AddArray(array);
-    return array->GetPointer(0);
-  };
-  auto* trains = add(static_cast<vtkIntArray*>(nullptr), littoral::sea::TrainCount);
-  auto* error = kind == littoral::ParticleLevel::Far
-    ? nullptr
-    : add(static_cast<vtkFloatArray*>(nullptr), littoral::sea::ErrorBound);
-  Visit(shown, kind, [=](const littoral::ShownRun& run, std::size_t place) {
-    std::fill_n(trains + place, run.Size(), run.Trains);
-    std::fill_n(error ? error + place : nullptr, error ? run.Size() : 0, run.Error);
-  });
-}
-
-/// The offsets of slaves from their masters, in the type of the points. They are those at rest where these are at hand,
-/// so that they stay from frame to frame.
-template <typename Array>
-vtkSmartPointer<Array> OffsetsOf(
-  const Shown& shown, vtkPoints* places, vtkIdTypeArray* masterIds, littoral::FrameArrays& memory)
-{
-  using Real = typename Array::ValueType;
-  const Real* points = Array::SafeDownCast(places->GetData())->GetPointer(0);
-  const Real* resting =
-    shown.Sorted && !shown.AreScattered ? Array::SafeDownCast(shown.Sorted)->GetPointer(0) : nullptr;
-  const auto array = memory.New<Array>(littoral::sea::Offset, 3, places->GetNumberOfPoints());
-  Real* offsets = array->GetPointer(0);
-  const vtkIdType* masters = masterIds->GetPointer(0);
-  std::fill_n(offsets, 3 * shown.Selection.Masters, Real(0.0));
-  ForParts(shown.Selection, [&](const littoral::ParticlePart& part) {
-    const auto first = static_cast<std::size_t>(shown.Selection.Masters + part.Before.Slaves);
-    ForRuns(part.Slaves, first, [&](const littoral::ShownRun& run, std::size_t place) {
-      for (std::size_t n = run.Begin; n < run.End; ++n, ++place)
-      {
-        const Real* slave = resting ? resting + 3 * n : points + 3 * place;
-        const Real* master = resting ? resting + 3 * shown.Groups.MasterAt(n) : points + 3 * masters[place];
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          offsets[3 * place + axis] = slave[axis] - master[axis];
-        }
-      }
-    });
-  });
-  return array;
-}
 
 /// Numbers from 0 on, of which all blocks show the first ones.
 class CountingArray
@@ -604,7 +249,7 @@ public:
   void Select(const littoral::View& view, const littoral::ParticleLevelOptions& options,
     const littoral::PieceRange& cells, vtkAlgorithm* owner);
   template <typename Array>
-  vtkPolyData* Block(const Shown& shown, littoral::ParticleLevel kind);
+  vtkPolyData* Block(const littoral::ShownParticles& shown, littoral::ParticleLevel kind);
 };
 
 /// Groups particles anew by where they are.
@@ -697,8 +342,8 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::Sort()
   {
     this->SortedSource = source;
     const littoral::PlaceList places = ListOf(this->Way ? this->GroupedPlaces : this->Places);
-    this->Sorted = places.GetSingles() ? SortedPlaces<vtkFloatArray>(places, *this->Groups)
-                                       : SortedPlaces<vtkDoubleArray>(places, *this->Groups);
+    this->Sorted = places.GetSingles() ? littoral::SortedPlaces<vtkFloatArray>(places, *this->Groups)
+                                       : littoral::SortedPlaces<vtkDoubleArray>(places, *this->Groups);
   }
   this->AreNew = false;
 }
@@ -798,7 +443,8 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::Select(const littoral::View& 
 /// The particles of a level, with all that tells how they are drawn and moved. What has not changed since the last
 /// frame is that of the last frame.
 template <typename Array>
-vtkPolyData* vtkParticleLevelOfDetailFilter::vtkInternals::Block(const Shown& shown, littoral::ParticleLevel kind)
+vtkPolyData* vtkParticleLevelOfDetailFilter::vtkInternals::Block(
+  const littoral::ShownParticles& shown, littoral::ParticleLevel kind)
 {
   LevelBlock& block = this->Blocks[static_cast<int>(kind)];
   const PlacesKey key{ shown.Sorted ? this->SortedSource : this->Moved, shown.Sorted != nullptr, shown.Way,
@@ -810,14 +456,14 @@ vtkPolyData* vtkParticleLevelOfDetailFilter::vtkInternals::Block(const Shown& sh
   const bool isNew = !block.Data;
   const auto data = vtkSmartPointer<vtkPolyData>::New();
   vtkPointData* arrays = data->GetPointData();
-  data->SetPoints(PointsOf<Array>(shown, kind, this->Memory));
+  data->SetPoints(littoral::PointsOf<Array>(shown, kind, this->Memory));
   if (isNew)
   {
-    data->SetVerts(this->Counting.Vertices(static_cast<vtkIdType>(SizeOf(shown.Selection, kind))));
-    CarryArrays(shown, kind, this->Carried, this->Memory, arrays);
+    data->SetVerts(this->Counting.Vertices(static_cast<vtkIdType>(littoral::SizeOf(shown.Selection, kind))));
+    littoral::CarryArrays(shown, kind, this->Carried, this->Memory, arrays);
     if (kind == littoral::ParticleLevel::Middle)
     {
-      block.Masters = MastersOf(shown, this->Memory);
+      block.Masters = littoral::MastersOf(shown, this->Memory);
       arrays->AddArray(block.Masters);
     }
     data->GetFieldData()->AddArray(OrderArray(this->Order));
@@ -831,17 +477,17 @@ vtkPolyData* vtkParticleLevelOfDetailFilter::vtkInternals::Block(const Shown& sh
   const bool isOther = isNew || !block.IsAsBefore;
   if (isOther)
   {
-    AddLevelArrays(shown, kind, this->Memory, arrays);
+    littoral::AddLevelArrays(shown, kind, this->Memory, arrays);
     block.IsAsBefore = true;
   }
-  if (isOther || IsBlended(shown, kind))
+  if (isOther || littoral::IsBlended(shown, kind))
   {
-    arrays->AddArray(AlphasOf<Array>(shown, kind, this->Memory));
+    arrays->AddArray(littoral::AlphasOf<Array>(shown, kind, this->Memory));
   }
   const bool haveStayed = !isNew && shown.Sorted && block.Key.IsSorted && block.Key.Source == key.Source;
   if (kind == littoral::ParticleLevel::Middle && !haveStayed)
   {
-    arrays->AddArray(OffsetsOf<Array>(shown, data->GetPoints(), block.Masters, this->Memory));
+    arrays->AddArray(littoral::OffsetsOf<Array>(shown, data->GetPoints(), block.Masters, this->Memory));
   }
   block.Data = data;
   block.Key = key;
@@ -1024,7 +670,7 @@ int vtkParticleLevelOfDetailFilter::RequestData(
   internals.Memory.BeginFrame();
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
   const littoral::PlaceList places = ListOf(internals.Places);
-  Shown shown{ *internals.Selection, *internals.Groups, places, internals.Sorted,
+  littoral::ShownParticles shown{ *internals.Selection, *internals.Groups, places, internals.Sorted,
     internals.Way.value_or(littoral::Vector3(0.0)), this->SlavePlacement == Scattered, view, options };
   const char* const names[] = { littoral::sea::Near, littoral::sea::MasterSlave, littoral::sea::Far };
   for (const littoral::ParticleLevel kind : Levels)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CasterState.h"
+#include "CompositeMapper.h"
 #include "vtkImpostorMapper.h"
 #include "vtkLandscapePass.h"
 
@@ -15,23 +16,12 @@
 #include "vtkInformationIdTypeKey.h"
 #include "vtkMapper.h"
 #include "vtkSmartPointer.h"
-#if __has_include("vtkCompositePolyDataMapperDelegator.h") // VTK 9.3 and later
-#include "vtkCompositePolyDataMapper.h"
-#else
-#include "vtkCompositePolyDataMapper2.h"
-#endif
 
 namespace littoral
 {
 
 namespace
 {
-
-#if __has_include("vtkCompositePolyDataMapperDelegator.h")
-using CompositeMapper = vtkCompositePolyDataMapper;
-#else
-using CompositeMapper = vtkCompositePolyDataMapper2;
-#endif
 
 /// Hash of numbers, FNV-1a.
 struct Hash

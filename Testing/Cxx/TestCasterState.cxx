@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The state of what casts shadows: another one for each change of a shape, the same for changes of colors.
 #include "CasterState.h"
+#include "CompositeMapper.h"
 #include "LandscapePicture.h"
 #include "vtkImpostorMapper.h"
 
@@ -9,13 +10,6 @@
 #include "vtkLookupTable.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkSphereSource.h"
-#if __has_include("vtkCompositePolyDataMapperDelegator.h") // VTK 9.3 and later
-#include "vtkCompositePolyDataMapper.h"
-using CompositeMapper = vtkCompositePolyDataMapper;
-#else
-#include "vtkCompositePolyDataMapper2.h"
-using CompositeMapper = vtkCompositePolyDataMapper2;
-#endif
 
 #include <functional>
 #include <string>
@@ -62,7 +56,7 @@ bool TestBlocks()
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, Ball());
   blocks->SetBlock(1, Ball());
-  vtkNew<CompositeMapper> mapper;
+  vtkNew<littoral::CompositeMapper> mapper;
   mapper->SetInputDataObject(blocks);
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   mapper->SetCompositeDataDisplayAttributes(attributes);

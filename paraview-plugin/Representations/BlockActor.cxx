@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockActor.h"
+#include "CompositeMapper.h"
 
 #include "BlockMapper.h"
 #include "InstanceMapper.h"
@@ -24,11 +25,6 @@
 #include "vtkTexture.h"
 #include "vtkUniforms.h"
 #include "vtkUnsignedCharArray.h"
-#if __has_include("vtkCompositePolyDataMapperDelegator.h") // VTK 9.3 and later
-#include "vtkCompositePolyDataMapper.h"
-#else
-#include "vtkCompositePolyDataMapper2.h"
-#endif
 
 #include <algorithm>
 #include <map>
@@ -38,12 +34,6 @@ namespace littoral
 {
 namespace
 {
-
-#if __has_include("vtkCompositePolyDataMapperDelegator.h")
-using CompositeMapper = vtkCompositePolyDataMapper;
-#else
-using CompositeMapper = vtkCompositePolyDataMapper2;
-#endif
 
 constexpr const char* TextureName = "Texture";
 constexpr const char* SizeName = "TextureSize";

@@ -1,0 +1,378 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Data/ParticleBlocks.h"
+
+#include "Data/SeaStateTable.h"
+#include "Geometry/ViewFrustum.h"
+#include "Numerics/ShiftedTriples.h"
+#include "Pipeline/Pipeline.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+#include <type_traits>
+#include <vector>
+
+namespace littoral
+{
+namespace
+{
+
+/// Parts of a selection that are written at once by a thread: half a million particles.
+constexpr std::size_t PartsAtOnce = 512;
+
+/// Calls a task with each of some runs and the place of its first particle in a block.
+template <typename Task>
+std::size_t ForRuns(const ShownRuns& runs, std::size_t place, const Task& task)
+{
+  for (const ShownRun& run : runs)
+  {
+    task(run, place);
+    place += run.Size();
+  }
+  return place;
+}
+
+/// Calls a task with the runs of a part in a level, in their places in the block.
+template <typename Task>
+void VisitPart(const ParticleSelection& selection, const ParticlePart& part, ParticleLevel kind, const Task& task)
+{
+  const ParticleCounts& before = part.Before;
+  if (kind == ParticleLevel::Middle)
+  {
+    ForRuns(part.Orbits, static_cast<std::size_t>(before.Masters), task);
+    ForRuns(part.Slaves, static_cast<std::size_t>(selection.Masters + before.Slaves), task);
+    return;
+  }
+  const bool isNear = kind == ParticleLevel::Near;
+  ForRuns(isNear ? part.Near : part.Far, static_cast<std::size_t>(isNear ? before.Near : before.Far), task);
+}
+
+/// Calls a task with all parts, on all threads where they are worth calling.
+template <typename Task>
+void ForParts(const ParticleSelection& selection, const Task& task)
+{
+  ForRanges(SmpFor, selection.Parts.size(), PartsAtOnce, [&](std::size_t begin, std::size_t end) {
+    std::for_each(selection.Parts.data() + begin, selection.Parts.data() + end, task);
+  });
+}
+
+/// Calls a task with the runs of a level.
+template <typename Task>
+void Visit(const ShownParticles& shown, ParticleLevel kind, const Task& task)
+{
+  ForParts(shown.Selection, [&](const ParticlePart& part) { VisitPart(shown.Selection, part, kind, task); });
+}
+
+/// Copies tuples that lie in the order of the groups to a level.
+void CopyTuples(const ShownParticles& shown, ParticleLevel kind, vtkAbstractArray* ordered, vtkAbstractArray* level)
+{
+  const auto* from = static_cast<const unsigned char*>(ordered->GetVoidPointer(0));
+  auto* to = static_cast<unsigned char*>(level->GetVoidPointer(0));
+  const std::size_t bytes = static_cast<std::size_t>(ordered->GetNumberOfComponents()) * ordered->GetDataTypeSize();
+  Visit(shown, kind, [=](const ShownRun& run, std::size_t place) {
+    std::memcpy(to + place * bytes, from + run.Begin * bytes, run.Size() * bytes);
+  });
+}
+
+/// Copies what are no numbers, or lie otherwise in memory, one after the other.
+void CopyOthers(const ShownParticles& shown, ParticleLevel kind, vtkAbstractArray* ordered, vtkAbstractArray* level)
+{
+  for (const ParticlePart& part : shown.Selection.Parts)
+  {
+    VisitPart(shown.Selection, part, kind, [=](const ShownRun& run, std::size_t place) {
+      for (std::size_t n = 0; n < run.Size(); ++n)
+      {
+        level->SetTuple(static_cast<vtkIdType>(place + n), static_cast<vtkIdType>(run.Begin + n), ordered);
+      }
+    });
+  }
+}
+
+/// Copies places by their numbers.
+template <typename Real>
+void PickPlaces(const Real* from, const int* numbers, std::size_t count, Real* to)
+{
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    const Real* place = from + 3 * static_cast<std::size_t>(numbers[n]);
+    to[3 * n] = place[0];
+    to[3 * n + 1] = place[1];
+    to[3 * n + 2] = place[2];
+  }
+}
+
+template <typename Real>
+const Real* NumbersOf(const PlaceList& places)
+{
+  if constexpr (std::is_same_v<Real, float>)
+  {
+    return places.GetSingles();
+  }
+  else
+  {
+    return places.GetDoubles();
+  }
+}
+
+/// Puts scattered slaves about their masters.
+template <typename Real>
+void ScatterSlaves(const ShownParticles& shown, Real* values)
+{
+  const std::vector<int>& order = shown.Groups.GetOrder();
+  for (const ParticlePart& part : shown.Selection.Parts)
+  {
+    const auto first = static_cast<std::size_t>(shown.Selection.Masters + part.Before.Slaves);
+    ForRuns(part.Slaves, first, [&](const ShownRun& run, std::size_t place) {
+      for (std::size_t n = run.Begin; n < run.End; ++n, ++place)
+      {
+        const Vector3 at = shown.Places[order[shown.Groups.MasterAt(n)]] + shown.Groups.OffsetOf(order[n]);
+        std::transform(&at.x, &at.x + 3, values + 3 * place, [](double x) { return static_cast<Real>(x); });
+      }
+    });
+  }
+}
+
+/// Calls a task with the runs of a level whose weights go by distance; whether there are any.
+template <typename Task>
+bool VisitBlended(const ShownParticles& shown, ParticleLevel kind, const Task& task)
+{
+  bool areAny = false;
+  for (const ParticlePart& part : shown.Selection.Parts)
+  {
+    VisitPart(shown.Selection, part, kind, [&](const ShownRun& run, std::size_t place) {
+      if (run.Weight == RunWeight::ByDistance)
+      {
+        areAny = true;
+        task(run, place, shown.Groups.GetClusters()[part.Cluster]);
+      }
+    });
+  }
+  return areAny;
+}
+
+/// Weights of some particles of a cluster, by the distances of their masters.
+template <typename Real>
+void Blend(const ShownParticles& shown, ParticleLevel kind, const ShownRun& run, const ParticleRegion& cluster,
+  const Real* sorted, float* alpha)
+{
+  std::size_t former = shown.Groups.GetOrder().size();
+  float weight = 0.0f;
+  for (std::size_t n = run.Begin; n < run.End; ++n)
+  {
+    const bool isSlave = n >= cluster.Slaves.Begin;
+    const std::size_t master = isSlave ? shown.Groups.MasterAt(n) : n;
+    if (master != former)
+    {
+      const Real* own = sorted + 3 * master;
+      const Vector3 place =
+        sorted ? shown.Way + Vector3(own[0], own[1], own[2]) : shown.Places[shown.Groups.GetOrder()[master]];
+      weight = static_cast<float>(WeightIn(kind, isSlave, LevelDistance(shown.View, place), shown.Options));
+      former = master;
+    }
+    *alpha++ = weight;
+  }
+}
+
+}
+
+//----------------------------------------------------------------------------
+std::size_t SizeOf(const ParticleSelection& selection, ParticleLevel kind)
+{
+  const long long middle = selection.Masters + selection.Slaves;
+  return static_cast<std::size_t>(kind == ParticleLevel::Near ? selection.Near
+      : kind == ParticleLevel::Far                            ? selection.Far
+                                                              : middle);
+}
+
+//----------------------------------------------------------------------------
+void CarryArrays(
+  const ShownParticles& shown, ParticleLevel kind, vtkPointData* ordered, FrameArrays& memory, vtkPointData* to)
+{
+  const auto count = static_cast<vtkIdType>(SizeOf(shown.Selection, kind));
+  for (int index = 0; index < ordered->GetNumberOfArrays(); ++index)
+  {
+    vtkAbstractArray* whole = ordered->GetAbstractArray(index);
+    auto* numbers = vtkDataArray::SafeDownCast(whole);
+    const bool isPlain = numbers && numbers->HasStandardMemoryLayout() && numbers->GetDataType() != VTK_BIT;
+    vtkSmartPointer<vtkAbstractArray> array;
+    if (isPlain)
+    {
+      array = memory.Like(numbers, count);
+      CopyTuples(shown, kind, whole, array);
+    }
+    else
+    {
+      array = vtkSmartPointer<vtkAbstractArray>::Take(whole->NewInstance());
+      array->SetName(whole->GetName());
+      array->SetNumberOfComponents(whole->GetNumberOfComponents());
+      SetTuples(array, count);
+      CopyOthers(shown, kind, whole, array);
+    }
+    array->CopyComponentNames(whole);
+    const int attribute = ordered->IsArrayAnAttribute(index);
+    const int added = to->AddArray(array);
+    if (attribute >= 0)
+    {
+      to->SetActiveAttribute(added, attribute);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+template <typename Array>
+vtkSmartPointer<vtkDataArray> SortedPlaces(const PlaceList& places, const ParticleGroups& groups)
+{
+  const auto sorted = NewArray<Array>("", 3, static_cast<vtkIdType>(places.Size()));
+  PickPlaces(
+    NumbersOf<typename Array::ValueType>(places), groups.GetOrder().data(), places.Size(), sorted->GetPointer(0));
+  return sorted;
+}
+
+//----------------------------------------------------------------------------
+template <typename Array>
+vtkSmartPointer<vtkPoints> PointsOf(const ShownParticles& shown, ParticleLevel kind, FrameArrays& memory)
+{
+  using Real = typename Array::ValueType;
+  const auto points = memory.New<Array>("Points", 3, static_cast<vtkIdType>(SizeOf(shown.Selection, kind)));
+  Real* values = points->GetPointer(0);
+  if (shown.Sorted)
+  {
+    const Real* from = Array::SafeDownCast(shown.Sorted)->GetPointer(0);
+    Visit(shown, kind, [=, &shown](const ShownRun& run, std::size_t place) {
+      ShiftTriples(from + 3 * run.Begin, run.Size(), shown.Way, values + 3 * place);
+    });
+  }
+  else
+  {
+    const int* order = shown.Groups.GetOrder().data();
+    const auto* from = NumbersOf<Real>(shown.Places);
+    Visit(shown, kind, [=](const ShownRun& run, std::size_t place) {
+      PickPlaces(from, order + run.Begin, run.Size(), values + 3 * place);
+    });
+  }
+  if (shown.AreScattered && kind == ParticleLevel::Middle)
+  {
+    ScatterSlaves(shown, values);
+  }
+  auto all = vtkSmartPointer<vtkPoints>::New();
+  all->SetData(points);
+  return all;
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkIdTypeArray> MastersOf(const ShownParticles& shown, FrameArrays& memory)
+{
+  auto array = memory.New<vtkIdTypeArray>(
+    sea::MasterId, 1, static_cast<vtkIdType>(SizeOf(shown.Selection, ParticleLevel::Middle)));
+  vtkIdType* masters = array->GetPointer(0);
+  std::fill_n(masters, shown.Selection.Masters, -1);
+  ForParts(shown.Selection, [&](const ParticlePart& part) {
+    const ParticleRegion& cluster = shown.Groups.GetClusters()[part.Cluster];
+    std::vector<vtkIdType> places(cluster.Orbits.Size());
+    ForRuns(part.Orbits, static_cast<std::size_t>(part.Before.Masters), [&](const ShownRun& run, std::size_t at) {
+      std::iota(&places[run.Begin - cluster.Orbits.Begin], &places[run.Begin - cluster.Orbits.Begin] + run.Size(),
+        static_cast<vtkIdType>(at));
+    });
+    vtkIdType* next = masters + shown.Selection.Masters + part.Before.Slaves;
+    for (const ShownRun& run : part.Slaves)
+    {
+      for (std::size_t n = run.Begin; n < run.End; ++n)
+      {
+        *next++ = places[shown.Groups.MasterAt(n) - cluster.Orbits.Begin];
+      }
+    }
+  });
+  return array;
+}
+
+//----------------------------------------------------------------------------
+bool IsBlended(const ShownParticles& shown, ParticleLevel kind)
+{
+  return VisitBlended(shown, kind, [](const auto&, std::size_t, const auto&) {});
+}
+
+//----------------------------------------------------------------------------
+template <typename Array>
+vtkSmartPointer<vtkFloatArray> AlphasOf(const ShownParticles& shown, ParticleLevel kind, FrameArrays& memory)
+{
+  auto array = memory.New<vtkFloatArray>(sea::Alpha, 1, static_cast<vtkIdType>(SizeOf(shown.Selection, kind)));
+  float* alpha = array->GetPointer(0);
+  Visit(shown, kind, [=](const ShownRun& run, std::size_t place) {
+    std::fill_n(alpha + place, run.Size(), run.Weight == RunWeight::None ? 0.0f : 1.0f);
+  });
+  const auto* sorted = shown.Sorted ? Array::SafeDownCast(shown.Sorted)->GetPointer(0) : nullptr;
+  VisitBlended(shown, kind, [&](const ShownRun& run, std::size_t place, const auto& cluster) {
+    Blend(shown, kind, run, cluster, sorted, alpha + place);
+  });
+  return array;
+}
+
+//----------------------------------------------------------------------------
+void AddLevelArrays(const ShownParticles& shown, ParticleLevel kind, FrameArrays& memory, vtkPointData* arrays)
+{
+  const auto count = static_cast<vtkIdType>(SizeOf(shown.Selection, kind));
+  const auto add = [&](auto* type, const char* name) {
+    const auto array = memory.New<std::decay_t<decltype(*type)>>(name, 1, count);
+    arrays->AddArray(array);
+    return array->GetPointer(0);
+  };
+  auto* trains = add(static_cast<vtkIntArray*>(nullptr), sea::TrainCount);
+  auto* error = kind == ParticleLevel::Far ? nullptr : add(static_cast<vtkFloatArray*>(nullptr), sea::ErrorBound);
+  Visit(shown, kind, [=](const ShownRun& run, std::size_t place) {
+    std::fill_n(trains + place, run.Size(), run.Trains);
+    std::fill_n(error ? error + place : nullptr, error ? run.Size() : 0, run.Error);
+  });
+}
+
+//----------------------------------------------------------------------------
+template <typename Array>
+vtkSmartPointer<Array> OffsetsOf(
+  const ShownParticles& shown, vtkPoints* places, vtkIdTypeArray* masterIds, FrameArrays& memory)
+{
+  using Real = typename Array::ValueType;
+  const Real* points = Array::SafeDownCast(places->GetData())->GetPointer(0);
+  const Real* resting =
+    shown.Sorted && !shown.AreScattered ? Array::SafeDownCast(shown.Sorted)->GetPointer(0) : nullptr;
+  const auto array = memory.New<Array>(sea::Offset, 3, places->GetNumberOfPoints());
+  Real* offsets = array->GetPointer(0);
+  const vtkIdType* masters = masterIds->GetPointer(0);
+  std::fill_n(offsets, 3 * shown.Selection.Masters, Real(0.0));
+  ForParts(shown.Selection, [&](const ParticlePart& part) {
+    const auto first = static_cast<std::size_t>(shown.Selection.Masters + part.Before.Slaves);
+    ForRuns(part.Slaves, first, [&](const ShownRun& run, std::size_t place) {
+      for (std::size_t n = run.Begin; n < run.End; ++n, ++place)
+      {
+        const Real* slave = resting ? resting + 3 * n : points + 3 * place;
+        const Real* master = resting ? resting + 3 * shown.Groups.MasterAt(n) : points + 3 * masters[place];
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          offsets[3 * place + axis] = slave[axis] - master[axis];
+        }
+      }
+    });
+  });
+  return array;
+}
+
+template vtkSmartPointer<vtkDataArray> SortedPlaces<vtkFloatArray>(
+  const PlaceList& places, const ParticleGroups& groups);
+template vtkSmartPointer<vtkDataArray> SortedPlaces<vtkDoubleArray>(
+  const PlaceList& places, const ParticleGroups& groups);
+template vtkSmartPointer<vtkPoints> PointsOf<vtkFloatArray>(
+  const ShownParticles& shown, ParticleLevel kind, FrameArrays& memory);
+template vtkSmartPointer<vtkPoints> PointsOf<vtkDoubleArray>(
+  const ShownParticles& shown, ParticleLevel kind, FrameArrays& memory);
+template vtkSmartPointer<vtkFloatArray> AlphasOf<vtkFloatArray>(
+  const ShownParticles& shown, ParticleLevel kind, FrameArrays& memory);
+template vtkSmartPointer<vtkFloatArray> AlphasOf<vtkDoubleArray>(
+  const ShownParticles& shown, ParticleLevel kind, FrameArrays& memory);
+template vtkSmartPointer<vtkFloatArray> OffsetsOf<vtkFloatArray>(
+  const ShownParticles& shown, vtkPoints* places, vtkIdTypeArray* masterIds, FrameArrays& memory);
+template vtkSmartPointer<vtkDoubleArray> OffsetsOf<vtkDoubleArray>(
+  const ShownParticles& shown, vtkPoints* places, vtkIdTypeArray* masterIds, FrameArrays& memory);
+
+}
