@@ -214,5 +214,5 @@ bool TestWalk(int pictures)
 int TestImpostorWalk(int argc, char* argv[])
 {
   const bool isLong = argc > 1 && std::string(argv[argc - 1]) == "--long";
-  return TestWalk(isLong ? 200 : 18) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return TestWalk(isLong ? 200 : 30) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
