@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plants/PlantPicture.h"
 
+#include "Numerics/SimdClones.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,6 +21,9 @@ struct Projected
   float Depth;
 };
 
+/// Samples of a row that are tested together, as vectors of the processor.
+constexpr int Lanes = 8;
+
 /// The nearest hit of a sample.
 struct Sample
 {
@@ -27,6 +32,40 @@ struct Sample
   int Corner[3]{};
   float Weights[3]{};
 };
+
+/// Triangle as samples need it: p = a + v (b - a) + w (c - a).
+struct Triangle
+{
+  Projected Origin;    ///< a
+  float V[2];          ///< gradients of v
+  float W[2];          ///< and w
+  float Depth[2];      ///< of b and c against a
+  float Texel[3][2]{}; ///< of a, and of b and c against it
+};
+
+/// Samples beside each other: v and w, and whether they are in a triangle.
+struct TestedSamples
+{
+  float V[Lanes];
+  float W[Lanes];
+  int IsInside[Lanes];
+};
+
+LITTORAL_SIMD_CLONES
+void TestSamples(const Triangle& triangle, int row, int column, TestedSamples& samples)
+{
+  const float y = static_cast<float>(row) + 0.5f - triangle.Origin.Y;
+  for (int lane = 0; lane < Lanes; ++lane)
+  {
+    const float x = static_cast<float>(column + lane) + 0.5f - triangle.Origin.X;
+    const float v = x * triangle.V[0] + y * triangle.V[1];
+    const float w = x * triangle.W[0] + y * triangle.W[1];
+    samples.V[lane] = v;
+    samples.W[lane] = w;
+    samples.IsInside[lane] =
+      static_cast<int>(v >= 0.0f) & static_cast<int>(w >= 0.0f) & static_cast<int>(v + w <= 1.0f);
+  }
+}
 
 class Rasterizer
 {
@@ -108,16 +147,6 @@ private:
     }
   }
 
-  /// Triangle as samples need it: p = a + v (b - a) + w (c - a).
-  struct Triangle
-  {
-    Projected Origin;    ///< a
-    float V[2];          ///< gradients of v
-    float W[2];          ///< and w
-    float Depth[2];      ///< of b and c against a
-    float Texel[3][2]{}; ///< of a, and of b and c against it
-  };
-
   Triangle MakeTriangle(const DrawnMesh& drawn, const std::array<int, 3>& corners, float area) const
   {
     const Projected& a = this->Vertices[corners[0]];
@@ -157,25 +186,32 @@ private:
       return;
     }
     const Triangle triangle = this->MakeTriangle(drawn, corners, area);
+    TestedSamples samples;
     for (int row = firstRow; row <= lastRow; ++row)
     {
-      const float y = static_cast<float>(row) + 0.5f - a.Y;
-      Sample* sample = &this->Samples[static_cast<std::size_t>(row) * this->Columns + firstColumn];
-      for (int column = firstColumn; column <= lastColumn; ++column, ++sample)
+      for (int column = firstColumn; column <= lastColumn; column += Lanes)
       {
-        const float x = static_cast<float>(column) + 0.5f - a.X;
-        const float v = x * triangle.V[0] + y * triangle.V[1];
-        const float w = x * triangle.W[0] + y * triangle.W[1];
-        if (v < 0.0f || w < 0.0f || v + w > 1.0f)
+        TestSamples(triangle, row, column, samples);
+        for (int lane = 0; lane < std::min(Lanes, lastColumn - column + 1); ++lane)
         {
-          continue;
-        }
-        const float depth = a.Depth + v * triangle.Depth[0] + w * triangle.Depth[1];
-        if ((sample->Mesh < 0 || depth > sample->Depth) && IsOpaque(drawn.Texture, triangle, v, w))
-        {
-          *sample = { depth, index, { corners[0], corners[1], corners[2] }, { 1.0f - v - w, v, w } };
+          if (samples.IsInside[lane])
+          {
+            Sample& sample = this->Samples[static_cast<std::size_t>(row) * this->Columns + column + lane];
+            DrawSample(drawn, index, corners, triangle, samples.V[lane], samples.W[lane], sample);
+          }
         }
       }
+    }
+  }
+
+  /// Draws a sample that is nearer than what is there.
+  static void DrawSample(const DrawnMesh& drawn, int index, const std::array<int, 3>& corners, const Triangle& triangle,
+    float v, float w, Sample& sample)
+  {
+    const float depth = triangle.Origin.Depth + v * triangle.Depth[0] + w * triangle.Depth[1];
+    if ((sample.Mesh < 0 || depth > sample.Depth) && IsOpaque(drawn.Texture, triangle, v, w))
+    {
+      sample = { depth, index, { corners[0], corners[1], corners[2] }, { 1.0f - v - w, v, w } };
     }
   }
 

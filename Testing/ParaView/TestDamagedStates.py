@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython
+# run-with: pvpython together=views
 """States that are cut off or noise are refused with a message, and what was there stays; one with a value that is none is
 one message of the source. A program that draws without a display says so, and the picture that was there stays."""
 

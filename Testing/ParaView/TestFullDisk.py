@@ -1,5 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: pvpython together=views
 """On a full disk the demo ends at once, and a picture ends in one sentence."""
 
 import contextlib

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython
+# run-with: pvpython together=views
 """Each numbered list of the guide is walked by a module guide_*.py, which a test plays, no module walks one that is gone,
 and what a walk does is what the words of its steps say; here none is played.
 """

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvbatch
+# run-with: pvpython together=views
 """SaveData writes scenes of glTF: a forest as instances, a group of sources, the motion of kelp, properties of the panel."""
 import json
 import os

@@ -1,11 +1,8 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython
-# run-with: pvpython tier=all args=each
-"""A scene in front of a server: the same parts as without one, shown in the same picture, and a change of a part changes the
-picture in the same way. With the argument `each`, more scenes, and servers of one and two ranks."""
-
-import sys
+# run-with: pvpython tier=all
+"""Scenes before servers of one and two ranks: the same parts as without one, shown in the same picture, and a change of a
+part changes the picture in the same way. TestServer has one of them."""
 
 import numpy as np
 import quick
@@ -53,12 +50,10 @@ def compare(name, where, alone):
 
 
 def main():
-    is_each = "each" in sys.argv
-    scenes = list(SCENES) if is_each else ["Sea"]
-    alone = {name: pictures(name) for name in scenes}
-    for ranks in (1, 2) if is_each else (1,):
+    alone = {name: pictures(name) for name in SCENES}
+    for ranks in (1, 2):
         with server.connected(PORT + ranks, ranks):
-            for name in scenes:
+            for name in SCENES:
                 compare(name, f"{ranks} ranks", alone[name])
 
 

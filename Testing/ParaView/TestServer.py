@@ -2,16 +2,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython
 # run-with: pvpython tier=all args=export
-"""Before a server that renders, textured blocks and a view that is dragged are what they are without one; with `export`, an
-exported scene has the bytes of TestExportScene.
+"""Before a server that renders, textured blocks, a view that is dragged and a scene are what they are without one; with
+`export`, an exported scene has the bytes of TestExportScene.
 
-TestServers has more ranks, and pictures that the client renders, TestScenesWithServer scenes.
+TestServers has more ranks, and pictures that the client renders, TestScenesWithServer more scenes.
 """
 
 import sys
 
 import quick
 import TestDragging
+import TestScenesWithServer
 import TestTextures
 from paraview import servermanager, simple
 from server import connected
@@ -42,7 +43,9 @@ def main():
         import TestExportScene
 
         scene = TestExportScene.wood("alone.glb")
+    sea = TestScenesWithServer.pictures("Sea")
     with connected(PORT):
+        TestScenesWithServer.compare("Sea", "by the server", sea)
         if exports:
             assert TestExportScene.wood("remote.glb") == scene, "the server writes another scene"
             simple.ResetSession()

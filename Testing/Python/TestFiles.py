@@ -147,20 +147,19 @@ class Replaced(InFolder):
                 write(content, name)
                 whole.append(bytes_of(name))
             seen, left = set(), 0
-            for _ in range(3):
-                with subprocess.Popen([sys.executable, "-c", WRITER, extension, name], stdout=subprocess.PIPE, text=True,
-                                      cwd=os.path.dirname(os.path.abspath(__file__))) as process:
-                    for number in range(8):
-                        for _ in range(pause.randrange(1, 4)):
-                            self.assertEqual(process.stdout.readline(), "written\n")
-                        time.sleep(pause.uniform(0.0, 0.05))
-                        process.send_signal(signal.SIGSTOP)
-                        os.waitid(os.P_PID, process.pid, os.WSTOPPED)
-                        seen.add(whole.index(bytes_of(name)))
-                        left += len(os.listdir(self.folder)) - 1
-                        process.send_signal(signal.SIGCONT if number < 7 else signal.SIGKILL)
-                self.assertEqual(process.returncode, -signal.SIGKILL)
-                seen.add(whole.index(bytes_of(name)))
+            with subprocess.Popen([sys.executable, "-c", WRITER, extension, name], stdout=subprocess.PIPE, text=True,
+                                  cwd=os.path.dirname(os.path.abspath(__file__))) as process:
+                for number in range(16):
+                    for _ in range(pause.randrange(1, 4)):
+                        self.assertEqual(process.stdout.readline(), "written\n")
+                    time.sleep(pause.uniform(0.0, 0.05))
+                    process.send_signal(signal.SIGSTOP)
+                    os.waitid(os.P_PID, process.pid, os.WSTOPPED)
+                    seen.add(whole.index(bytes_of(name)))
+                    left += len(os.listdir(self.folder)) - 1
+                    process.send_signal(signal.SIGCONT if number < 15 else signal.SIGKILL)
+            self.assertEqual(process.returncode, -signal.SIGKILL)
+            seen.add(whole.index(bytes_of(name)))
             self.assertEqual(seen, {0, 1})
             self.assertLess(left, 4)  # only when stopped between two system calls
             write(1, name)  # and what was left goes with the next file

@@ -204,7 +204,7 @@ class Shortages(Program):
                                          ("", "memory.max", "memory.current", "0::/x")):
             with open(self.path("cgroup"), "w", encoding="ascii") as file:
                 file.write(line + "\n")
-            for side in 20000, 10000:
+            for side in (20000, 10000) if kind else (20000,):
                 with self.subTest(limit, side=side):
                     with open(raster, "w", encoding="ascii") as file:
                         file.write(GROUND.format(side=side))
