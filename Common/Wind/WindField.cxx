@@ -346,23 +346,6 @@ double WindField::CoherenceErrorOf(int component, int frequency, Scratch& scratc
   return worst;
 }
 
-std::vector<float> WindField::ImpliedCoherence(int component, int frequency) const
-{
-  Scratch scratch(*this);
-  this->WavePower(component, frequency, scratch);
-  this->TransformEven(scratch.Power, scratch);
-  const float cells = static_cast<float>(this->Padded[0]) * static_cast<float>(this->Padded[1]);
-  std::vector<float> coherence;
-  for (int k = 0; k < this->Grid.Count[2]; ++k)
-  {
-    for (int j = 0; j < this->Grid.Count[1]; ++j)
-    {
-      coherence.push_back(scratch.Power[static_cast<std::size_t>(k) * this->Quarter[0] + j] / cells);
-    }
-  }
-  return coherence;
-}
-
 void WindField::SumWaves(int frequency, Scratch& scratch)
 {
   const std::size_t cells = static_cast<std::size_t>(this->Padded[0]) * this->Padded[1];

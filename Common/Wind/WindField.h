@@ -98,9 +98,6 @@ public:
   /// The largest difference between the coherence of the components made so far and the model's, within the grid.
   double GetCoherenceError() const { return this->CoherenceError; }
 
-  /// The root coherence that the field has at a frequency index, exactly, over separations across (fastest) and up.
-  std::vector<float> ImpliedCoherence(int component, int frequency) const;
-
 private:
   struct Scratch;
 
