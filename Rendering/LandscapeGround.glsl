@@ -34,11 +34,11 @@ vec3 landscapeTurfOn(vec2 place, vec2 way)
 
 #ifdef LandscapeHasWoods
 // Puts woods on a color of the ground, along a line of sight d; the normal gets their relief. A pixel is as
-// wide as away [m]: crowns face the eye.
-vec3 landscapeWooded(vec3 color, vec2 place, vec2 wide, vec3 d, float away, inout vec3 normal)
+// wide as away [m]: crowns face the eye. More trees stand where it is moist, 0 to 1.
+vec3 landscapeWooded(vec3 color, float moist, vec2 place, vec2 wide, vec3 d, float away, inout vec3 normal)
 {
   float slope = length(normal.xy) / max(normal.z, 0.1);
-  landscapeWoodLeast = landscapeWoodFrom(slope);
+  landscapeWoodLeast = landscapeWoodFrom(slope) - 0.12 * moist;
   vec3 field = landscapeWoodField(wide);
   float inside = field.x - landscapeWoodLeast;
   float stand = landscapeNoise(wide / 16.0, 4.0, 9u).x;

@@ -74,6 +74,7 @@ vec3 landscapeGrown(bool isGrass, vec3 albedo, vec3 d, vec3 place, inout vec3 no
     sqrt(max(0.04, abs(normal.z))); // sharper than its length: what grows stands up
 #ifdef LandscapeHasWoods
   vec3 smoothed = up;
+  float moist = smoothstep(1.7, 2.4, albedo.g / max(albedo.r, 1e-3)); // lush grass of GroundColor
 #endif
   albedo = landscapeGround(albedo, at, footprint, up);
 #ifdef LandscapeHasTurf
@@ -83,7 +84,7 @@ vec3 landscapeGrown(bool isGrass, vec3 albedo, vec3 d, vec3 place, inout vec3 no
 #ifdef LandscapeHasWoods
   vec3 level = smoothed;
   float width = landscapePixel * (landscapeIsParallel == 1 ? 1.0 : -place.z);
-  albedo = landscapeWooded(albedo, at, landscapeWideEye + off.xy, d, width, smoothed);
+  albedo = landscapeWooded(albedo, moist, at, landscapeWideEye + off.xy, d, width, smoothed);
   up = normalize(up + smoothed - level);
 #endif
   normal = up * landscapeToWorld;
@@ -335,8 +336,10 @@ void main()
   vec3 down = refract(d, wetNormal, 1.0 / landscapeIndex);
   float way = isRiver ? landscapeRiverDepth / -down.z : isThere ? length(place - wetPlace) : 1e3;
   vec3 below = landscapeInWater(isRiver ? landscapeWetGround * luminance : luminance, down, 0.0, way);
-  luminance = looks * landscapeWaterAbove(d, wetNormal, ripples.z, wetPlace, below / (landscapeIndex * landscapeIndex));
   vec4 carried = texture(landscapeWetColor, texCoord);
+  landscapeChannel = isRiver && carried.g > 0.002 ? exp2(16.0 * carried.g - 4.0) : 0.0;
+  luminance =
+    looks * landscapeWaterAbove(d, wetNormal, ripples.z, wetPlace, below / (landscapeIndex * landscapeIndex), footprint);
   float foam = landscapeFoamOf(carried.a);
 #if LandscapeHasShore
   luminance = mix(luminance, beside, isShore ? 1.0 - smoothstep(0.0, 0.3 * landscapeRunUp, depthBelow) : 0.0);

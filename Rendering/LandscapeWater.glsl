@@ -283,10 +283,39 @@ float landscapeFoamOf(float stretch)
   return stretch <= 0.0 ? 0.0 : 1.0 - smoothstep(landscapeFoamBegins - 0.25, landscapeFoamBegins, stretch);
 }
 
+float landscapeChannel = 0.0; // width of the river that is looked at [m]; 0: no bank is told of
+
+// What stands on the bank of a river across the water: its luminance, and in w its height [m], that of sedges, or of
+// bushes and trees here and there. From afar its height is even.
+vec4 landscapeAcross(vec3 d, vec2 place, float footprint)
+{
+  vec2 at = place + landscapeChannel * normalize(d.xy + vec2(1e-6));
+  float wide = mix(landscapeNoise(at, 32.0, 39u).x, 0.5, smoothstep(8.0, 32.0, footprint));
+  float clump = mix(landscapeNoise(at, 4.0, 40u).x, 0.5, smoothstep(1.0, 4.0, footprint));
+  float trees = smoothstep(0.45, 0.8, wide);
+  vec3 facing = normalize(vec3(-d.xy, 0.4));
+  vec3 light = 0.7 * landscapeSkyLightOn(facing) + 0.6 * max(dot(facing, landscapeSun), 0.0) * landscapeSunLight;
+  vec3 albedo = mix(vec3(0.040, 0.058, 0.022), vec3(0.024, 0.036, 0.014), trees);
+  return vec4(albedo / landscapePi * light, 0.2 + 0.8 * clump + 9.0 * trees);
+}
+
+// Part of a direction in which a bank of a height hides the sky, tan e w / h < 1, over the mean of the ways across.
+float landscapeBankHides(vec3 direction, float height)
+{
+  float least = max(direction.z, 0.0) / max(length(direction.xy), 1e-3) * landscapeChannel / height;
+  return landscapeChannel > 0.0 ? 1.0 - smoothstep(0.5, 2.0, least) : 0.0;
+}
+
 // Luminance of water seen from above along d, of a variance of the slopes around its normal, with the luminance of its
 // own light, which comes from below.
-vec3 landscapeWaterAbove(vec3 d, vec3 n, float variance, vec3 placeV, vec3 below)
+vec3 landscapeWaterAbove(vec3 d, vec3 n, float variance, vec3 placeV, vec3 below, float footprint)
 {
+  // A loop, as for lace
+  vec4 across = vec4(0.0, 0.0, 0.0, 1.0);
+  for (float k = 0.0; k < landscapeChannel; k += 1e9)
+  {
+    across = landscapeAcross(d, (landscapeEye + landscapeToWorld * placeV).xy, footprint);
+  }
   vec3 luminance = vec3(0.0);
   float weights = 0.0;
   for (int k = 0; k < 5; ++k)
@@ -300,7 +329,8 @@ vec3 landscapeWaterAbove(vec3 d, vec3 n, float variance, vec3 placeV, vec3 below
     mirrored.z = max(abs(mirrored.z), 1e-3);
     mirrored = normalize(mirrored);
     vec4 clouds = landscapeCloudsIn(mirrored, landscapeSoftClouds(variance));
-    luminance += weight * (back * mix(landscapeSkyAt(mirrored), clouds.rgb, clouds.w) + (1.0 - back) * below);
+    vec3 far = mix(mix(landscapeSkyAt(mirrored), clouds.rgb, clouds.w), across.rgb, landscapeBankHides(mirrored, across.w));
+    luminance += weight * (back * far + (1.0 - back) * below);
     weights += weight;
   }
   luminance /= weights;
@@ -310,6 +340,7 @@ vec3 landscapeWaterAbove(vec3 d, vec3 n, float variance, vec3 placeV, vec3 below
   {
     float glint = landscapeFresnel(dot(half_, landscapeSun), landscapeIndex) * landscapeSlopeDensity(half_, n, variance) /
       (4.0 * max(-dot(d, n), 0.02) * pow(half_.z, 4.0));
+    glint *= 1.0 - landscapeBankHides(landscapeSun, across.w);
     luminance += glint * landscapeBelowClouds(landscapeToWorld * placeV) * landscapeSunSeen(placeV, n * landscapeToWorld, 1.0) *
       landscapeSunLight;
   }

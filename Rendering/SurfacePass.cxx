@@ -50,10 +50,16 @@ vec4 landscapeCarried()
   return vec4(vec3(way.x >> 4, ((way.x & 15) << 4) | (way.y >> 8), way.y & 255) / 255.0, stretch);
 }
 )";
-/// Where a fragment of a river is between its banks, from 0 to 1.
+/// Where a fragment of a river is between its banks, from 0 to 1, and how wide the river is [m], in parts of 16 octaves
+/// from 1/16 m on; 0 where that is not told.
 constexpr const char* Banks = R"(
 in float landscapeBankVS;
-vec4 landscapeCarried() { return vec4(0.5 + 0.5 * landscapeBankVS, 0.0, 0.0, 0.0); }
+in float landscapeChannelVS;
+vec4 landscapeCarried()
+{
+  float width = landscapeChannelVS > 0.0 ? clamp((log2(landscapeChannelVS) + 4.0) / 16.0, 0.004, 1.0) : 0.0;
+  return vec4(0.5 + 0.5 * landscapeBankVS, width, 0.0, 0.0);
+}
 )";
 constexpr const char* NoStretch = "vec4 landscapeCarried() { return vec4(0.0); }\n";
 
@@ -130,10 +136,12 @@ bool SurfacePass::PreReplaceShaderValues(
   const bool isRiver = vtkLandscapePass::GetMaterial(prop) == vtkLandscapePass::River;
   if (isRiver)
   {
-    vtkShaderProgram::Substitute(
-      vertex, "//VTK::Normal::Dec", "//VTK::Normal::Dec\nin float landscapeBank;\nout float landscapeBankVS;\n", false);
-    vtkShaderProgram::Substitute(
-      vertex, "//VTK::Normal::Impl", "//VTK::Normal::Impl\n  landscapeBankVS = landscapeBank;\n", false);
+    vtkShaderProgram::Substitute(vertex, "//VTK::Normal::Dec",
+      "//VTK::Normal::Dec\nin float landscapeBank;\nout float landscapeBankVS;\n"
+      "in float landscapeChannel;\nout float landscapeChannelVS;\n",
+      false);
+    vtkShaderProgram::Substitute(vertex, "//VTK::Normal::Impl",
+      "//VTK::Normal::Impl\n  landscapeBankVS = landscapeBank;\n  landscapeChannelVS = landscapeChannel;\n", false);
   }
   vtkShaderProgram::Substitute(fragment, "//VTK::Landscape::Dec",
     isWater     ? Stretch

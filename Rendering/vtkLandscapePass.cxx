@@ -310,6 +310,8 @@ void vtkLandscapePass::MapWaterArrays(vtkPolyDataMapper* mapper)
   mapper->MapDataArrayToVertexAttribute("landscapeLeft", "Foam", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
   mapper->MapDataArrayToVertexAttribute("landscapeWay", "Displacement", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
   mapper->MapDataArrayToVertexAttribute("landscapeBank", "Bank", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+  mapper->MapDataArrayToVertexAttribute(
+    "landscapeChannel", "ChannelWidth", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
 }
 
 //----------------------------------------------------------------------------

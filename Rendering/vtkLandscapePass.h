@@ -368,15 +368,15 @@ public:
    * Material of a prop; Surface for one without this key, and for one with a color map. Water has foam by the point
    * array "Jacobian" of its data, the stretch of its surface, and "Foam", what is left of former ones, if there is one,
    * in strings that "Displacement" carries, if the prop has its mapper; a River grows over at its rims by "Bank", 1 and
-   * -1 at its banks.
+   * -1 at its banks, and mirrors these by "ChannelWidth" [m].
    */
   static vtkInformationIntegerKey* MATERIAL();
   static void SetMaterial(vtkProp* prop, int material);
   static int GetMaterial(vtkProp* prop);
   /** Whether a prop maps scalars to colors. */
   static bool HasColorMap(vtkProp* prop);
-  /** Lets a mapper of water tell its shaders of the point arrays "Jacobian", "Foam", "Displacement" and "Bank", as
-   * SetMaterial() does. */
+  /** Lets a mapper of water tell its shaders of the point arrays "Jacobian", "Foam", "Displacement", "Bank" and
+   * "ChannelWidth", as SetMaterial() does. */
   static void MapWaterArrays(vtkPolyDataMapper* mapper);
   ///@}
   /**

@@ -20,6 +20,9 @@ constexpr double LeastSlope = 1e-3;
 /// Standard deviation of the ground that a stream wets [cells].
 constexpr double WetCells = 2.0;
 
+/// Cells from which on the index is reduced to theirs: the area of a cell alone raises it by the logarithm of its side [m].
+constexpr double ReferenceCell = 10.0;
+
 /// Difference of the heights of neighbours along an axis, central within the grid [m/m].
 double Difference(const HeightGrid& ground, int i, int j, int axis)
 {
@@ -54,6 +57,7 @@ std::vector<double> SpreadWetness(
   const int width = ground.Count[0];
   const int height = ground.Count[1];
   const double cell = std::sqrt(ground.Spacing[0] * ground.Spacing[1]);
+  const double coarse = std::log(std::max(1.0, cell / ReferenceCell));
   std::vector<double> wetness(static_cast<std::size_t>(width) * height);
   parallel(height, [&](std::size_t begin, std::size_t end) {
     for (int j = static_cast<int>(begin); j < static_cast<int>(end); ++j)
@@ -61,7 +65,7 @@ std::vector<double> SpreadWetness(
       for (int i = 0; i < width; ++i)
       {
         const long long point = static_cast<long long>(j) * width + i;
-        wetness[point] = WetnessOf(areaOf(point), cell, SlopeAt(ground, i, j));
+        wetness[point] = WetnessOf(areaOf(point), cell, SlopeAt(ground, i, j)) - coarse;
       }
     }
   });

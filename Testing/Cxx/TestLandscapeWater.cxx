@@ -130,6 +130,42 @@ bool TestRiver()
   return good;
 }
 
+/// Banks hide the sky that a narrow river mirrors, and none that a wide one or one without a width does; none from
+/// above.
+bool TestBanksAcross()
+{
+  const auto seen = [](double width, double elevation) {
+    Picture picture;
+    picture.Pass->SetSkyToEven();
+    picture.Pass->SetOcclusionRadius(0.0);
+    const Color black{ 100.0, 100.0, 100.0 };
+    picture.Pass->SetWaterAbsorption(black.data());
+    picture.Pass->SetWaterSlopeVariance(0.0);
+    picture.Pass->SetWaterLevel(-100.0);
+    const auto river = Level(100.0, 0.0);
+    vtkNew<vtkFloatArray> widths;
+    widths->SetName("ChannelWidth");
+    widths->SetNumberOfValues(river->GetNumberOfPoints());
+    widths->Fill(width);
+    if (width > 0.0)
+    {
+      river->GetPointData()->AddArray(widths);
+    }
+    vtkLandscapePass::SetMaterial(picture.Add(river, 0.2), vtkLandscapePass::River);
+    const double a = Radians(elevation);
+    picture.Look({ 0.0, -20.0 * std::cos(a), 20.0 * std::sin(a) }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
+    picture.Draw();
+    return picture.LinearAt(Width / 2, Height / 2)[1];
+  };
+  // All of the even sky is 1: F(e); sedges and trees of 0.2 to 10 m send back less than 0.1 of the light
+  const double flat = ReflectedPart(Radians(80.0));
+  const double steep = ReflectedPart(Radians(20.0));
+  return Check(std::abs(seen(0.0, 10.0) - flat) < 0.01, "A river without a width mirrors no even sky.") &
+    Check(std::abs(seen(1000.0, 10.0) - flat) < 0.01, "The banks of a wide river hide the sky.") &
+    Check(seen(0.5, 10.0) < 0.15 * flat, "The banks of a narrow river do not hide the sky.") &
+    Check(std::abs(seen(10.0, 70.0) - steep) < 0.01, "Banks hide the sky above.");
+}
+
 /// A river has 0.3 of the slopes of a sea: its glitter is that of 0.09 of the variance.
 bool TestRiverSlopes()
 {
@@ -427,6 +463,7 @@ int TestLandscapeWater(int, char*[])
   good &= TestBed();
   good &= TestRiver();
   good &= TestRiverSlopes();
+  good &= TestBanksAcross();
   good &= TestCard();
   good &= TestFoam(0.01F, 0.0F);
   good &= TestFoam(1.0F, 0.99F);

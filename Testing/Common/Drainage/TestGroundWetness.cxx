@@ -96,6 +96,21 @@ TEST(GroundWetness, LevelBesideHoles)
   EXPECT_NEAR(wetness.front(), std::log(800.0), 1e-9);
 }
 
+// The area of a cell alone makes a coarse grid wetter, by the logarithm of its side: on an even slope of water that
+// comes from a divide, A / w is the way to it on any grid.
+TEST(GroundWetness, CoarseGridsAreNoWetter)
+{
+  const auto indexOf = [](double side, double share) {
+    HeightGrid slope = Plane();
+    slope.Spacing[0] = slope.Spacing[1] = side;
+    slope.HeightOf = [side](long long point) { return 0.5 * side * static_cast<double>(point / Width); };
+    return SpreadWetness(slope, [&](long long) { return share * side * side; })[Width * Height / 2];
+  };
+  EXPECT_NEAR(indexOf(80.0, 5.0), indexOf(10.0, 5.0), 1e-9);
+  EXPECT_NEAR(indexOf(10.0, 5.0), std::log(50.0 / 0.5), 1e-9);
+  EXPECT_NEAR(indexOf(2.0, 5.0), std::log(10.0 / 0.5), 1e-9); // finer ones as they are
+}
+
 TEST(GroundWetness, ThreadsMakeNoDifference)
 {
   EXPECT_EQ(SpreadWetness(Plane(), Even), SpreadWetness(Plane(), Even, OnThreads(3)));
