@@ -449,7 +449,8 @@ vtkPolyData* vtkParticleLevelOfDetailFilter::vtkInternals::Block(
   LevelBlock& block = this->Blocks[static_cast<int>(kind)];
   const PlacesKey key{ shown.Sorted ? this->SortedSource : this->Moved, shown.Sorted != nullptr, shown.Way,
     this->Selections };
-  if (block.Data && block.Key == key)
+  const bool isEmpty = littoral::SizeOf(shown.Selection, kind) == 0;
+  if (block.Data && (block.Key == key || (isEmpty && block.IsAsBefore)))
   {
     return block.Data;
   }

@@ -57,10 +57,10 @@ constexpr double SurfaceTolerance = 1e-3;
 
 bool IsAtSeaLevel(vtkDataArray* centers, double level)
 {
-  const double* heights = centers->GetRange(2);
-  const double single = 2e-7 * std::abs(level);
-  return std::abs(heights[0] - level) <= SurfaceTolerance + single &&
-    std::abs(heights[1] - level) <= SurfaceTolerance + single;
+  const double tolerance = SurfaceTolerance + 2e-7 * std::abs(level); // of single precision
+  const auto isNear = [=](double height) { return std::abs(height - level) <= tolerance; };
+  // One point tells for most: ranges are not asked for where few points have none.
+  return isNear(centers->GetComponent(0, 2)) && isNear(centers->GetRange(2)[0]) && isNear(centers->GetRange(2)[1]);
 }
 
 /// Numbers of trains, as they lie in memory or as a copy.
@@ -247,9 +247,7 @@ struct MovedArrays
   /// The moved points, with their ranges.
   vtkSmartPointer<vtkPoints> Points() const
   {
-    littoral::TupleRanges all;
-    std::for_each(this->Ranges.begin(), this->Ranges.end(), [&](const auto& part) { all.Add(part); });
-    littoral::KeepRanges(this->Positions, all);
+    littoral::KeepRangesOfParts(this->Positions, this->Ranges);
     return littoral::PointsWithRanges(this->Positions);
   }
 

@@ -82,7 +82,7 @@ void Particles(benchmark::State& state)
 }
 BENCHMARK(Particles)
   ->ArgNames({ "distance", "levels", "selection", "size" })
-  ->ArgsProduct({ { 0, 3, 6, 9, 12 }, { 0, 1 }, { 0, 1 }, { 4000, 400000 } })
+  ->ArgsProduct({ { 0, 3, 6, 9, 12 }, { 0, 1 }, { 0, 1 }, { 1000, 4000, 400000 } })
   ->Unit(benchmark::kMillisecond)
   ->MeasureProcessCPUTime();
 
