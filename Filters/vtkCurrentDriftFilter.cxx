@@ -90,9 +90,10 @@ void Shift(const littoral::Drifters& start, std::size_t first, const Vector3& wa
 template <typename Real>
 void ShiftAll(const Real* from, std::size_t count, const Vector3& way, Real* to, littoral::TupleRanges& ranges)
 {
-  for (std::size_t begin = 0; begin < count; begin += PointsAtOnce)
+  constexpr std::size_t some = 1024; // that stay in the first cache
+  for (std::size_t begin = 0; begin < count; begin += some)
   {
-    const std::size_t end = std::min(count, begin + PointsAtOnce);
+    const std::size_t end = std::min(count, begin + some);
     littoral::ShiftTriples(from + 3 * begin, end - begin, way, to + 3 * begin);
     ranges.AddTuples(to + 3 * begin, to + 3 * end, 3);
   }
