@@ -462,7 +462,9 @@ vtkPolyData* vtkParticleLevelOfDetailFilter::vtkInternals::Block(
     return block.Data;
   }
   const bool isNew = !block.Data;
-  const auto data = vtkSmartPointer<vtkPolyData>::New();
+  // A block that nobody else holds any more is filled again.
+  const bool isOwn = !isNew && block.Data->GetReferenceCount() == 1;
+  const auto data = isOwn ? block.Data : vtkSmartPointer<vtkPolyData>::New();
   vtkPointData* arrays = data->GetPointData();
   data->SetPoints(littoral::PointsOf<Array>(shown, kind, this->Memory));
   if (isNew)
@@ -476,7 +478,7 @@ vtkPolyData* vtkParticleLevelOfDetailFilter::vtkInternals::Block(
     }
     data->GetFieldData()->AddArray(OrderArray(this->Order));
   }
-  else
+  else if (!isOwn)
   {
     data->SetVerts(block.Data->GetVerts());
     data->GetFieldData()->ShallowCopy(block.Data->GetFieldData());
