@@ -78,10 +78,17 @@ constexpr double WayStep = 0.1;
 /// Particles that are fog go by steps of this length where all go the same way: much less than the cells of fog [m].
 constexpr double FogStep = 0.005;
 
-/// The ways between multiples of WayStep about some ways.
+/// The ways between multiples of WayStep about some ways. A multiple counts to those above it: one that all have gone
+/// asks for no choice of its own.
 littoral::Box RoundedWays(const littoral::Box& ways)
 {
-  return { WayStep * glm::floor(ways.Low / WayStep), WayStep * glm::ceil(ways.High / WayStep) };
+  littoral::Box rounded{ WayStep * glm::floor(ways.Low / WayStep), WayStep * glm::ceil(ways.High / WayStep) };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const bool isMultiple = rounded.High[axis] <= rounded.Low[axis] && ways.High[axis] != 0.0;
+    rounded.High[axis] += isMultiple ? WayStep : 0.0;
+  }
+  return rounded;
 }
 
 /// Places in single or double precision.
@@ -449,12 +456,15 @@ vtkPolyData* vtkParticleLevelOfDetailFilter::vtkInternals::Block(
   LevelBlock& block = this->Blocks[static_cast<int>(kind)];
   const PlacesKey key{ shown.Sorted ? this->SortedSource : this->Moved, shown.Sorted != nullptr, shown.Way,
     this->Selections };
-  if (block.Data && block.Key == key)
+  const bool isEmpty = littoral::SizeOf(shown.Selection, kind) == 0;
+  if (block.Data && (block.Key == key || (isEmpty && block.IsAsBefore)))
   {
     return block.Data;
   }
   const bool isNew = !block.Data;
-  const auto data = vtkSmartPointer<vtkPolyData>::New();
+  // A block that nobody else holds any more is filled again.
+  const bool isOwn = !isNew && block.Data->GetReferenceCount() == 1;
+  const auto data = isOwn ? block.Data : vtkSmartPointer<vtkPolyData>::New();
   vtkPointData* arrays = data->GetPointData();
   data->SetPoints(littoral::PointsOf<Array>(shown, kind, this->Memory));
   if (isNew)
@@ -468,7 +478,7 @@ vtkPolyData* vtkParticleLevelOfDetailFilter::vtkInternals::Block(
     }
     data->GetFieldData()->AddArray(OrderArray(this->Order));
   }
-  else
+  else if (!isOwn)
   {
     data->SetVerts(block.Data->GetVerts());
     data->GetFieldData()->ShallowCopy(block.Data->GetFieldData());

@@ -57,10 +57,10 @@ constexpr double SurfaceTolerance = 1e-3;
 
 bool IsAtSeaLevel(vtkDataArray* centers, double level)
 {
-  const double* heights = centers->GetRange(2);
-  const double single = 2e-7 * std::abs(level);
-  return std::abs(heights[0] - level) <= SurfaceTolerance + single &&
-    std::abs(heights[1] - level) <= SurfaceTolerance + single;
+  const double tolerance = SurfaceTolerance + 2e-7 * std::abs(level); // of single precision
+  const auto isNear = [=](double height) { return std::abs(height - level) <= tolerance; };
+  // One point tells for most: ranges are not asked for where few points have none.
+  return isNear(centers->GetComponent(0, 2)) && isNear(centers->GetRange(2)[0]) && isNear(centers->GetRange(2)[1]);
 }
 
 /// Numbers of trains, as they lie in memory or as a copy.
@@ -247,9 +247,7 @@ struct MovedArrays
   /// The moved points, with their ranges.
   vtkSmartPointer<vtkPoints> Points() const
   {
-    littoral::TupleRanges all;
-    std::for_each(this->Ranges.begin(), this->Ranges.end(), [&](const auto& part) { all.Add(part); });
-    littoral::KeepRanges(this->Positions, all);
+    littoral::KeepRangesOfParts(this->Positions, this->Ranges);
     return littoral::PointsWithRanges(this->Positions);
   }
 
@@ -289,16 +287,13 @@ struct MovedArrays
   /// Takes slaves along. Masters are no slaves: what is read here is not written here.
   void Follow(const littoral::Slaves& slaves, std::size_t begin, std::size_t end)
   {
-    if (slaves.SingleOffsets)
-    {
-      this->FollowBy(
-        slaves.Master.data(), [&](std::size_t n) { return slaves.SingleOffsets[n]; }, begin, end);
-      return;
-    }
-    this->FollowBy(
-      slaves.Master.data(),
-      [&](std::size_t n) { return slaves.OffsetAt(static_cast<vtkIdType>(n / 3), static_cast<int>(n % 3)); }, begin,
-      end);
+    const auto at = [&](std::size_t n) {
+      return slaves.OffsetAt(static_cast<vtkIdType>(n / 3), static_cast<int>(n % 3));
+    };
+    const vtkIdType* masters = slaves.Master.data();
+    slaves.SingleOffsets ? this->FollowBy(
+                             masters, [from = slaves.SingleOffsets](std::size_t n) { return from[n]; }, begin, end)
+                         : this->FollowBy(masters, at, begin, end);
   }
 
 private:
@@ -309,12 +304,16 @@ private:
     Real* places = this->Request.Displacement;
     for (std::size_t id = begin; id < end; ++id)
     {
-      const auto master = static_cast<std::size_t>(masters[id]);
-      for (std::size_t axis = 0; masters[id] >= 0 && axis < 3; ++axis)
+      if (masters[id] < 0)
       {
-        const double own = static_cast<double>(places[3 * master + axis]);
-        places[3 * id + axis] = static_cast<Real>(own + static_cast<double>(offsetAt(3 * id + axis)));
+        continue;
       }
+      // Read all before writing any: the compiler cannot know that a master is no slave.
+      const Real* own = places + 3 * masters[id];
+      const double moved[3] = { static_cast<double>(own[0]) + static_cast<double>(offsetAt(3 * id)),
+        static_cast<double>(own[1]) + static_cast<double>(offsetAt(3 * id + 1)),
+        static_cast<double>(own[2]) + static_cast<double>(offsetAt(3 * id + 2)) };
+      std::transform(moved, moved + 3, places + 3 * id, [](double place) { return static_cast<Real>(place); });
     }
     std::for_each(this->Vectors.begin() + 1, this->Vectors.end(), [=](Real* values) {
       for (std::size_t id = begin; id < end; ++id)
@@ -586,13 +585,17 @@ void vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
   });
   if (done && !(slaves.Master.empty() && evaluated == static_cast<std::size_t>(count)))
   {
-    done = forAll(0.8, 1.0, static_cast<std::size_t>(count), FollowersAtOnce, [&](std::size_t begin, std::size_t end) {
-      moved.Rest(slaves, std::max(begin, evaluated), end);
-      if (!slaves.Master.empty())
+    done = forAll(0.8, 1.0, static_cast<std::size_t>(count), FollowersAtOnce, [&](std::size_t first, std::size_t last) {
+      for (std::size_t begin = first; begin < last; begin += PointsAtOnce)
       {
-        moved.Follow(slaves, begin, end);
+        const std::size_t end = std::min(begin + PointsAtOnce, last);
+        moved.Rest(slaves, std::max(begin, evaluated), end);
+        if (!slaves.Master.empty())
+        {
+          moved.Follow(slaves, begin, end);
+        }
+        moved.AddRanges(true, begin, end);
       }
-      moved.AddRanges(true, begin, end);
     });
   }
   if (!done) // aborted

@@ -116,8 +116,11 @@ void ParameterCheck::Within(std::string_view name, double value, const ValueInte
   {
     this->Require(false, Sentence(name, TextOf(value), unit, allowed.Words(unit)));
   }
-  this->Require(IsSensible(value), name, value, unit,
-    "of a magnitude from " + TextOf(MinimumMagnitude) + " to " + WithUnit(MaximumMagnitude, unit));
+  else if (!IsSensible(value)) // words cost more than the check
+  {
+    this->Require(false, name, value, unit,
+      "of a magnitude from " + TextOf(MinimumMagnitude) + " to " + WithUnit(MaximumMagnitude, unit));
+  }
 }
 
 void ParameterCheck::Range(std::string_view name, double value, double low, double high, const char* unit)
@@ -186,9 +189,12 @@ void ParameterCheck::Increasing(std::string_view name, const double* ends, const
 {
   this->Finite(std::string(name) + "[0]", ends[0], unit);
   this->Finite(std::string(name) + "[1]", ends[1], unit);
-  this->Require(ends[0] < ends[1],
-    std::string(name) + " is " + TextOf(ends[0]) + " to " + WithUnit(ends[1], unit) +
-      "; the first must be below the second.");
+  if (!(ends[0] < ends[1]))
+  {
+    this->Require(false,
+      std::string(name) + " is " + TextOf(ends[0]) + " to " + WithUnit(ends[1], unit) +
+        "; the first must be below the second.");
+  }
 }
 
 void ParameterCheck::Color(std::string_view name, const double* color)

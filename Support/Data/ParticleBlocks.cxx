@@ -5,7 +5,9 @@
 #include "Data/SeaStateTable.h"
 #include "Geometry/ViewFrustum.h"
 #include "Numerics/ShiftedTriples.h"
+#include "Particles/LevelWeights.h"
 #include "Pipeline/Pipeline.h"
+#include "Pipeline/Ranges.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
@@ -51,13 +53,39 @@ void VisitPart(const ParticleSelection& selection, const ParticlePart& part, Par
   ForRuns(isNear ? part.Near : part.Far, static_cast<std::size_t>(isNear ? before.Near : before.Far), task);
 }
 
-/// Calls a task with all parts, on all threads where they are worth calling.
+/// Calls a task with the first place of a part in the block of a level, and with that behind its last one.
+template <typename Task>
+void VisitSpans(const ParticleSelection& selection, const ParticlePart& part, ParticleLevel kind, const Task& task)
+{
+  const auto size = [](const ShownRun&, std::size_t) {};
+  const ParticleCounts& before = part.Before;
+  const auto span = [&](const ShownRuns& runs, long long first) {
+    task(static_cast<std::size_t>(first), ForRuns(runs, static_cast<std::size_t>(first), size));
+  };
+  if (kind == ParticleLevel::Middle)
+  {
+    span(part.Orbits, before.Masters);
+    span(part.Slaves, selection.Masters + before.Slaves);
+    return;
+  }
+  kind == ParticleLevel::Near ? span(part.Near, before.Near) : span(part.Far, before.Far);
+}
+
+/// Calls a task with all parts, on all threads where they are worth calling, and with the number of its batch.
+template <typename Task>
+void ForBatchedParts(const ParticleSelection& selection, const Task& task)
+{
+  ForRanges(SmpFor, selection.Parts.size(), PartsAtOnce, [&](std::size_t begin, std::size_t end) {
+    std::for_each(selection.Parts.data() + begin, selection.Parts.data() + end,
+      [&](const ParticlePart& part) { task(part, begin / PartsAtOnce); });
+  });
+}
+
+/// The same without the number.
 template <typename Task>
 void ForParts(const ParticleSelection& selection, const Task& task)
 {
-  ForRanges(SmpFor, selection.Parts.size(), PartsAtOnce, [&](std::size_t begin, std::size_t end) {
-    std::for_each(selection.Parts.data() + begin, selection.Parts.data() + end, task);
-  });
+  ForBatchedParts(selection, [&](const ParticlePart& part, std::size_t) { task(part); });
 }
 
 /// Calls a task with the runs of a level.
@@ -118,6 +146,22 @@ const Real* NumbersOf(const PlaceList& places)
   }
 }
 
+/// Puts particles of a level where they have gone from their sorted places, and keeps their ranges.
+template <typename Real>
+void ShiftSorted(const ShownParticles& shown, ParticleLevel kind, const Real* sorted, vtkDataArray* points)
+{
+  Real* values = static_cast<Real*>(points->GetVoidPointer(0));
+  std::vector<TupleRanges> ranges(shown.Selection.Parts.size() / PartsAtOnce + 1);
+  ForBatchedParts(shown.Selection, [&](const ParticlePart& part, std::size_t batch) {
+    VisitPart(shown.Selection, part, kind, [&](const ShownRun& run, std::size_t place) {
+      ShiftTriples(sorted + 3 * run.Begin, run.Size(), shown.Way, values + 3 * place);
+    });
+    VisitSpans(shown.Selection, part, kind,
+      [&](std::size_t first, std::size_t last) { ranges[batch].AddTuples(values + 3 * first, values + 3 * last, 3); });
+  });
+  KeepRangesOfParts(points, ranges);
+}
+
 /// Puts scattered slaves about their masters.
 template <typename Real>
 void ScatterSlaves(const ShownParticles& shown, Real* values)
@@ -136,44 +180,37 @@ void ScatterSlaves(const ShownParticles& shown, Real* values)
   }
 }
 
-/// Calls a task with the runs of a level whose weights go by distance; whether there are any.
-template <typename Task>
-bool VisitBlended(const ShownParticles& shown, ParticleLevel kind, const Task& task)
+/// Weights of masters at places from begin up to end in the order of the groups, or of their slaves.
+template <typename Real>
+void BlendMasters(const ShownParticles& shown, ParticleLevel kind, bool areSlaves, const PlaceRange& masters,
+  const Real* sorted, float* weights)
 {
-  bool areAny = false;
-  for (const ParticlePart& part : shown.Selection.Parts)
+  std::vector<Vector3> places;
+  for (std::size_t n = masters.Begin; !sorted && n < masters.End; ++n)
   {
-    VisitPart(shown.Selection, part, kind, [&](const ShownRun& run, std::size_t place) {
-      if (run.Weight == RunWeight::ByDistance)
-      {
-        areAny = true;
-        task(run, place, shown.Groups.GetClusters()[part.Cluster]);
-      }
-    });
+    places.push_back(shown.Places[shown.Groups.GetOrder()[n]]);
   }
-  return areAny;
+  const PlaceList list = sorted ? PlaceList(sorted + 3 * masters.Begin, masters.Size()) : PlaceList(places);
+  WeighAll(kind, areSlaves, list, sorted ? shown.Way : Vector3(0.0), shown.View, shown.Options, weights);
 }
 
-/// Weights of some particles of a cluster, by the distances of their masters.
+/// Weights of some particles of a cluster, by the distances of their masters, which come in the order of their slaves.
 template <typename Real>
 void Blend(const ShownParticles& shown, ParticleLevel kind, const ShownRun& run, const ParticleRegion& cluster,
   const Real* sorted, float* alpha)
 {
-  std::size_t former = shown.Groups.GetOrder().size();
-  float weight = 0.0f;
-  for (std::size_t n = run.Begin; n < run.End; ++n)
+  const std::size_t slaves = std::clamp(cluster.Slaves.Begin, run.Begin, run.End);
+  BlendMasters(shown, kind, false, { run.Begin, slaves }, sorted, alpha);
+  if (slaves == run.End)
   {
-    const bool isSlave = n >= cluster.Slaves.Begin;
-    const std::size_t master = isSlave ? shown.Groups.MasterAt(n) : n;
-    if (master != former)
-    {
-      const Real* own = sorted + 3 * master;
-      const Vector3 place =
-        sorted ? shown.Way + Vector3(own[0], own[1], own[2]) : shown.Places[shown.Groups.GetOrder()[master]];
-      weight = static_cast<float>(WeightIn(kind, isSlave, LevelDistance(shown.View, place), shown.Options));
-      former = master;
-    }
-    *alpha++ = weight;
+    return;
+  }
+  const std::size_t first = shown.Groups.MasterAt(slaves);
+  std::vector<float> weights(shown.Groups.MasterAt(run.End - 1) + 1 - first);
+  BlendMasters(shown, kind, true, { first, first + weights.size() }, sorted, weights.data());
+  for (std::size_t n = slaves; n < run.End; ++n)
+  {
+    alpha[n - run.Begin] = weights[shown.Groups.MasterAt(n) - first];
   }
 }
 
@@ -241,10 +278,7 @@ vtkSmartPointer<vtkPoints> PointsOf(const ShownParticles& shown, ParticleLevel k
   Real* values = points->GetPointer(0);
   if (shown.Sorted)
   {
-    const Real* from = Array::SafeDownCast(shown.Sorted)->GetPointer(0);
-    Visit(shown, kind, [=, &shown](const ShownRun& run, std::size_t place) {
-      ShiftTriples(from + 3 * run.Begin, run.Size(), shown.Way, values + 3 * place);
-    });
+    ShiftSorted<Real>(shown, kind, Array::SafeDownCast(shown.Sorted)->GetPointer(0), points);
   }
   else
   {
@@ -257,10 +291,9 @@ vtkSmartPointer<vtkPoints> PointsOf(const ShownParticles& shown, ParticleLevel k
   if (shown.AreScattered && kind == ParticleLevel::Middle)
   {
     ScatterSlaves(shown, values);
+    points->Modified();
   }
-  auto all = vtkSmartPointer<vtkPoints>::New();
-  all->SetData(points);
-  return all;
+  return PointsWithRanges(points);
 }
 
 //----------------------------------------------------------------------------
@@ -292,7 +325,13 @@ vtkSmartPointer<vtkIdTypeArray> MastersOf(const ShownParticles& shown, FrameArra
 //----------------------------------------------------------------------------
 bool IsBlended(const ShownParticles& shown, ParticleLevel kind)
 {
-  return VisitBlended(shown, kind, [](const auto&, std::size_t, const auto&) {});
+  const auto isBlended = [](const ShownRun& run) { return run.Weight == RunWeight::ByDistance; };
+  const auto areAny = [&](const ShownRuns& runs) { return std::any_of(runs.begin(), runs.end(), isBlended); };
+  return std::any_of(shown.Selection.Parts.begin(), shown.Selection.Parts.end(), [&](const ParticlePart& part) {
+    return kind == ParticleLevel::Near ? areAny(part.Near)
+      : kind == ParticleLevel::Far     ? areAny(part.Far)
+                                       : areAny(part.Orbits) || areAny(part.Slaves);
+  });
 }
 
 //----------------------------------------------------------------------------
@@ -305,9 +344,21 @@ vtkSmartPointer<vtkFloatArray> AlphasOf(const ShownParticles& shown, ParticleLev
     std::fill_n(alpha + place, run.Size(), run.Weight == RunWeight::None ? 0.0f : 1.0f);
   });
   const auto* sorted = shown.Sorted ? Array::SafeDownCast(shown.Sorted)->GetPointer(0) : nullptr;
-  VisitBlended(shown, kind, [&](const ShownRun& run, std::size_t place, const auto& cluster) {
-    Blend(shown, kind, run, cluster, sorted, alpha + place);
-  });
+  TupleRanges ranges;
+  for (const ParticlePart& part : shown.Selection.Parts)
+  {
+    VisitPart(shown.Selection, part, kind, [&](const ShownRun& run, std::size_t place) {
+      const bool isBlended = run.Weight == RunWeight::ByDistance;
+      if (isBlended)
+      {
+        Blend(shown, kind, run, shown.Groups.GetClusters()[part.Cluster], sorted, alpha + place);
+      }
+      // All others of a run are like its first one.
+      std::for_each(alpha + place, alpha + place + (isBlended ? run.Size() : 1),
+        [&](float weight) { ranges.Components[0].Add(static_cast<double>(weight)); });
+    });
+  }
+  KeepRangesOfParts(array, { ranges });
   return array;
 }
 

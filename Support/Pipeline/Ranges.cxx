@@ -20,6 +20,7 @@
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace littoral
@@ -47,6 +48,26 @@ TupleRanges RangesOf(const T* values, vtkIdType tuples, int components)
     all.Add(part);
   }
   return all;
+}
+
+/// Ranges of an array of numbers in single or double precision.
+TupleRanges RangesOfReals(vtkDataArray* array)
+{
+  const auto find = [array](const auto* values) {
+    return RangesOf(values, array->GetNumberOfTuples(), array->GetNumberOfComponents());
+  };
+  const void* values = array->GetVoidPointer(0);
+  return array->GetDataType() == VTK_FLOAT ? find(static_cast<const float*>(values))
+                                           : find(static_cast<const double*>(values));
+}
+
+/// Keeps the ranges of an array that is not short.
+void KeepUnlessFew(vtkDataArray* array)
+{
+  if (array && array->GetNumberOfTuples() >= FewTuples)
+  {
+    KeepRanges(array);
+  }
 }
 
 void SetRange(vtkInformation* info, vtkInformationDoubleVectorKey* key, double low, double high)
@@ -118,7 +139,7 @@ void TupleRanges::Add(const VectorRange& vectors, int components)
 
 void TupleRanges::AddTuples(const float* tuple, const float* end, int components)
 {
-  if (components == 2 || components == 3)
+  if (tuple != end && (components == 2 || components == 3))
   {
     const std::size_t count = static_cast<std::size_t>(end - tuple) / static_cast<std::size_t>(components);
     this->Add(components == 3 ? RangeOf(tuple, count) : RangeOfPairs(tuple, count), components);
@@ -166,6 +187,16 @@ void KeepRanges(vtkDataArray* array, const TupleRanges& ranges)
   info->Set(FiniteTime(), static_cast<vtkIdType>(array->GetMTime()));
 }
 
+void KeepRangesOfParts(vtkDataArray* array, const std::vector<TupleRanges>& parts)
+{
+  if (array->GetNumberOfTuples() >= FewTuples)
+  {
+    TupleRanges all;
+    std::for_each(parts.begin(), parts.end(), [&](const TupleRanges& part) { all.Add(part); });
+    KeepRanges(array, all);
+  }
+}
+
 void ShareRanges(vtkDataArray* from, vtkDataArray* to)
 {
   if (!HasFiniteRanges(from))
@@ -211,18 +242,21 @@ bool KeepFiniteRanges(vtkDataArray* array)
   {
     return true;
   }
-  const auto find = [array](const auto* values) {
-    return RangesOf(values, array->GetNumberOfTuples(), array->GetNumberOfComponents());
-  };
-  const void* values = array->GetVoidPointer(0);
-  const TupleRanges ranges = array->GetDataType() == VTK_FLOAT ? find(static_cast<const float*>(values))
-                                                               : find(static_cast<const double*>(values));
+  const TupleRanges ranges = RangesOfReals(array);
   KeepRanges(array, ranges);
   return ranges.AreFinite;
 }
 
 bool AreWithin(vtkDataArray* array, double magnitude)
 {
+  if (array->GetNumberOfTuples() < FewTuples && !HasFiniteRanges(array))
+  {
+    const TupleRanges ranges = RangesOfReals(array);
+    const auto* end = ranges.Components.data() + array->GetNumberOfComponents();
+    return ranges.AreFinite && std::all_of(ranges.Components.data(), end, [=](const ValueRange& range) {
+      return range.Low >= -magnitude && range.High <= magnitude;
+    });
+  }
   bool isWithin = KeepFiniteRanges(array);
   for (int axis = 0; isWithin && axis < array->GetNumberOfComponents(); ++axis)
   {
@@ -234,7 +268,7 @@ bool AreWithin(vtkDataArray* array, double magnitude)
 
 vtkSmartPointer<vtkPoints> PointsWithRanges(vtkDataArray* positions)
 {
-  KeepRanges(positions);
+  KeepUnlessFew(positions);
   const auto points = vtkSmartPointer<RangedPoints>::New();
   points->Take(positions);
   return points;
@@ -266,7 +300,7 @@ void KeepRanges(vtkDataObject* data, const Poll& onArray)
     for (int k = 0; k < fields->GetNumberOfArrays(); ++k)
     {
       onArray();
-      KeepRanges(fields->GetArray(k));
+      KeepUnlessFew(fields->GetArray(k));
     }
   }
 }

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 class vtkDataArray;
 class vtkDataObject;
@@ -150,8 +151,14 @@ struct TupleRanges
   void Add(const TupleRanges& other);
 };
 
+/// Arrays of fewer tuples keep no ranges where nobody asks for them: to keep them takes longer than to find them.
+constexpr long long FewTuples = 4096;
+
 /// Keeps the ranges of an array that is complete. Those of arrays with values that are not finite are left to VTK.
 void KeepRanges(vtkDataArray* array, const TupleRanges& ranges);
+
+/// Keeps the ranges of an array that is complete and not short, from those of its parts.
+void KeepRangesOfParts(vtkDataArray* array, const std::vector<TupleRanges>& parts);
 
 /// Lets an array have the ranges that were kept with another one of the same values.
 void ShareRanges(vtkDataArray* from, vtkDataArray* to);
@@ -167,11 +174,12 @@ bool KeepFiniteRanges(vtkDataArray* array);
 /// magnitude.
 bool AreWithin(vtkDataArray* array, double magnitude);
 
-/// Points with these positions, whose ranges it finds unless they are there. They are the bounds of the points, for
-/// which VTK would look through them again.
+/// Points with these positions, whose ranges it finds unless they are there, or few. They are the bounds of the points,
+/// for which VTK would look through them again.
 vtkSmartPointer<vtkPoints> PointsWithRanges(vtkDataArray* positions);
 
-/// Finds the ranges of all arrays and of the points of data that are complete: points, polygons, blocks of them.
+/// Finds the ranges of all arrays, but short ones, and of the points of data that are complete: points, polygons,
+/// blocks of them.
 void KeepRanges(vtkDataObject* data, const Poll& onArray = NoPoll);
 
 }

@@ -27,6 +27,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <limits>
+#include <vector>
 
 namespace
 {
@@ -157,11 +158,35 @@ void CheckBounds()
   Check(data->GetPoints() == own, "points with ranges stay");
 }
 
+/// Ranges of parts are those of the whole, where some parts have no tuples; short arrays keep none.
+void CheckParts()
+{
+  vtkNew<vtkFloatArray> whole;
+  Fill(whole.Get(), 3, littoral::FewTuples);
+  const float* begin = whole->GetPointer(0);
+  std::vector<littoral::TupleRanges> parts(3);
+  parts[0].AddTuples(begin, begin + 300, 3);
+  parts[1].AddTuples(begin, begin, 3);
+  parts[2].AddTuples(begin + 300, begin + whole->GetNumberOfValues(), 3);
+  littoral::KeepRangesOfParts(whole, parts);
+  CheckRanges(whole);
+
+  vtkNew<vtkFloatArray> few;
+  Fill(few.Get(), 3, littoral::FewTuples - 1);
+  littoral::KeepRangesOfParts(few, parts);
+  littoral::PointsWithRanges(few);
+  Check(!few->GetInformation()->Has(vtkDataArray::PER_COMPONENT()), "a short array keeps no ranges");
+  Check(littoral::AreWithin(few, 200.1) && !littoral::AreWithin(few, 199.0), "a short array is looked through");
+  few->SetValue(9, std::numeric_limits<float>::quiet_NaN());
+  Check(!littoral::AreWithin(few, 200.1), "a short array with a value that is none");
+}
+
 }
 
 int TestRanges(int, char*[])
 {
   CheckBentSkins();
+  CheckParts();
   vtkNew<vtkFloatArray> floats;
   vtkNew<vtkDoubleArray> doubles;
   vtkNew<vtkIntArray> ints;
