@@ -7,8 +7,8 @@
 ENTRY: of Sources > Littoral, default Forest. It is shown as a user shows it, and dragged around by xdotool for some
 seconds, once without its light and once with it. Printed are the size of the view, pictures a second by the clock, the
 median processor time of the client for a picture and for the still one after the drag [s], and the load of the machine;
-other programs that run lower the first and hardly the others. With FOLDER in LITTORAL_DRAG_PICTURES the last pictures
-of the drag and of the rest are kept there. Needs xdotool.
+other programs that run lower the first and hardly the others. With a folder in LITTORAL_DRAG_PICTURES the last picture of
+the drag and the one at rest are kept there. Needs xdotool.
 """
 
 import json
@@ -28,16 +28,22 @@ PATIENCE = 300.0  # with a window that opens [s]
 # --- in the window --------------------------------------------------------------------------------
 
 
-def keep_picture(window, file):
-    """What a window shows, as a file."""
-    from vtkmodules.vtkIOImage import vtkPNGWriter
+def picture_of(window):
+    """What a window shows."""
     from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
-    grab, writer = vtkWindowToImageFilter(), vtkPNGWriter()
+    grab = vtkWindowToImageFilter()
     grab.SetInput(window)
     grab.ShouldRerenderOff()
     grab.ReadFrontBufferOff()
-    writer.SetInputConnection(grab.GetOutputPort())
-    writer.SetFileName(file)
+    grab.Update()
+    return grab.GetOutput()
+
+
+def keep(picture, folder, name):
+    from vtkmodules.vtkIOImage import vtkPNGWriter
+    writer = vtkPNGWriter()
+    writer.SetInputData(picture)
+    writer.SetFileName(os.path.join(folder, f"{name}.png"))
     writer.Write()
 
 
@@ -46,26 +52,24 @@ def show(entry, has_light, log):
     from paraview import simple
     view = simple.GetActiveView()
     simple.Show(getattr(simple, entry)(), view)
-    simple.ResetCamera(view)
     simple.Render(view)
     light = simple.FindSource("Light")
     if light and not has_light:
         simple.Hide(light, view)
         simple.Render(view)
-    window, begins = view.GetRenderWindow(), []
-
-    def begin(*_):
-        begins.append(time.process_time())
+    window, last = view.GetRenderWindow(), []
 
     def end(*_):
         is_drag = window.GetDesiredUpdateRate() > 1.0
         with open(log, "a", encoding="utf-8") as out:
             out.write(json.dumps([time.time(), time.process_time(), is_drag]) + "\n")
-        if folder := os.environ.get("LITTORAL_DRAG_PICTURES"):
-            kind = f"{entry}-{'light' if has_light else 'plain'}-{'drag' if is_drag else 'rest'}"
-            keep_picture(window, os.path.join(folder, f"{kind}.png"))
+        folder, name = os.environ.get("LITTORAL_DRAG_PICTURES"), f"{entry}-{'light' if has_light else 'plain'}"
+        if folder and not is_drag and last:
+            keep(last.pop(), folder, f"{name}-drag")
+            keep(picture_of(window), folder, f"{name}-rest")
+        elif folder:
+            last[:] = [picture_of(window)] if is_drag else []
 
-    window.AddObserver("StartEvent", begin)
     window.AddObserver("EndEvent", end)
     with open(log, "w", encoding="utf-8") as out:
         out.write(json.dumps(list(view.ViewSize)) + "\n")
@@ -95,12 +99,12 @@ def wait_for(log):
 
 def drag():
     """Drags around in the lower right part of the window, where the view is; the time of its begin and end."""
-    x, y, radius = 900, 620, 90
-    mouse("mousemove", x + radius, y, "mousedown", 1)
+    x, y, wide, high = 900, 620, 120, 15
+    mouse("mousemove", x + wide, y, "mousedown", 1)
     begin = time.time()
     while (since := time.time() - begin) < SECONDS:
         angle = 2.0 * math.pi * since / TURN
-        mouse("mousemove", int(x + radius * math.cos(angle)), int(y + radius * math.sin(angle)))
+        mouse("mousemove", int(x + wide * math.cos(angle)), int(y + high * math.sin(angle)))
         time.sleep(0.02)
     mouse("mouseup", 1)
     return begin, begin + SECONDS
