@@ -37,6 +37,7 @@ namespace
 constexpr double MiddleShare = 0.15; // of the distance, to which the near map reaches
 constexpr double Slack = 1.25;       // of a map's radius over what it must cover: turns by some degrees move none
 constexpr double HasteSlack = 2.0;   // the same in haste: a drag moves few
+constexpr double HasteTexel = 1.0;   // the longest texels of maps of all, which no drag moves, in haste [m]
 
 constexpr double LeavesToldApart = 0.2; // the longest texels of maps in which they are [m]
 
@@ -175,7 +176,8 @@ DepthMaps::Place DepthMaps::PlaceOf(int map, vtkRenderer* renderer, const Whole&
       renderer->GetActiveCamera(), renderer->GetTiledAspectRatio(), from[map], to[map], place.Center, place.Radius);
     place.Radius *= slack;
   }
-  const bool isAll = map == SunMaps - 1 || (map != Ground && place.Radius > whole.Radius);
+  const bool areSharp = wish.IsInHaste && 2.0 * whole.Radius <= HasteTexel * wish.Size;
+  const bool isAll = map == SunMaps - 1 || (map != Ground && (areSharp || place.Radius > whole.Radius));
   if (isAll)
   {
     place.Center = whole.Center;

@@ -436,6 +436,7 @@ std::vector<unsigned char> PixelsOf(Picture& picture, int width, int height)
 void AddWideWood(Picture& picture)
 {
   picture.Pass->SetShadowDistance(20.0);
+  picture.Pass->SetMapSize(128);
   picture.Pass->SetSunElevation(30.0);
   picture.Add(Level(100.0), 0.5);
   for (int k = 0; k < 25; ++k)
