@@ -36,6 +36,8 @@ namespace
 
 constexpr double MiddleShare = 0.15; // of the distance, to which the near map reaches
 constexpr double Slack = 1.25;       // of a map's radius over what it must cover: turns by some degrees move none
+constexpr double HasteSlack = 2.0;   // the same in haste: a drag moves few
+constexpr double HasteTexel = 1.0;   // the longest texels of maps of all, which no drag moves, in haste [m]
 
 constexpr double LeavesToldApart = 0.2; // the longest texels of maps in which they are [m]
 
@@ -162,18 +164,20 @@ DepthMaps::Place DepthMaps::PlaceOf(int map, vtkRenderer* renderer, const Whole&
   const double far = std::min(wish.Distance, whole.Radius);
   const double from[Count] = { 0.0, near, 0.0, 0.0, 0.0 };
   const double to[Count] = { near, far, 0.0, far, 0.0 };
+  const double slack = wish.IsInHaste && map != Ground ? HasteSlack : Slack;
   if (map == Ground)
   {
     renderer->GetActiveCamera()->GetPosition(&place.Center.x);
-    place.Radius = Slack * wish.GroundRadius;
+    place.Radius = slack * wish.GroundRadius;
   }
   else if (map != SunMaps - 1)
   {
     SphereOf(
       renderer->GetActiveCamera(), renderer->GetTiledAspectRatio(), from[map], to[map], place.Center, place.Radius);
-    place.Radius *= Slack;
+    place.Radius *= slack;
   }
-  const bool isAll = map == SunMaps - 1 || (map != Ground && place.Radius > whole.Radius);
+  const bool areSharp = wish.IsInHaste && 2.0 * whole.Radius <= HasteTexel * wish.Size;
+  const bool isAll = map == SunMaps - 1 || (map != Ground && (areSharp || place.Radius > whole.Radius));
   if (isAll)
   {
     place.Center = whole.Center;
@@ -181,14 +185,15 @@ DepthMaps::Place DepthMaps::PlaceOf(int map, vtkRenderer* renderer, const Whole&
   }
   // Rays to the zenith are tried at distances from 0.4 of that of what hides the sky: a tenth of it is not told apart.
   const double texel = 2.0 * place.Radius / wish.Size;
-  place.IsCoarse = map != Ground && (map == Zenith ? std::max(texel, 0.1 * wish.Occlusion) : texel) > LeavesToldApart;
+  const double toldApart = map == Zenith ? std::max(texel, 0.1 * wish.Occlusion) : texel;
+  place.IsCoarse = map != Ground && (wish.IsInHaste || toldApart > LeavesToldApart);
   place.State = place.IsCoarse ? whole.CoarseState : whole.State;
   // Axes of the map: two across the light
   const glm::dvec3 other = std::abs(place.Towards.z) < 0.99 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0);
   const glm::dvec3 right = glm::normalize(glm::cross(other, place.Towards));
   const glm::dvec3 up = glm::cross(place.Towards, right);
   // The center moves by whole texels, some at once, at the depth of the middle of all; the slack covers the steps.
-  const double step = std::max(1.0, std::floor((Slack - 1.0) / Slack * place.Radius / texel)) * texel;
+  const double step = std::max(1.0, std::floor((slack - 1.0) / slack * place.Radius / texel)) * texel;
   const auto moved = [&](double distance) { return isAll ? distance : step * std::floor(distance / step + 0.5); };
   const glm::dvec3 off = place.Center - whole.Center;
   place.Center = whole.Center + moved(glm::dot(off, right)) * right + moved(glm::dot(off, up)) * up;
@@ -228,11 +233,13 @@ bool DepthMaps::Draw(vtkRenderer* renderer, const std::vector<vtkProp*>& shown, 
       last = Place();
       continue;
     }
-    if (wish.IsInHaste && this->Has(map) && map != Ground)
+    const Place place = this->PlaceOf(map, renderer, whole, wish);
+    // In haste that of all does for the one near the eye, and for the middle one where it is as large.
+    last.IsIdle = wish.IsInHaste && (map == 0 || (map == 1 && place.Radius > whole.Radius));
+    if (last.IsIdle)
     {
       continue;
     }
-    const Place place = this->PlaceOf(map, renderer, whole, wish);
     areOld[map] = last.State != place.State || last.Center != place.Center || last.Towards != place.Towards ||
       last.Radius != place.Radius || last.Depth != place.Depth;
     last = place;

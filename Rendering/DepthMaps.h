@@ -51,7 +51,7 @@ public:
     double Distance;     ///< from the eye, to which the middle map and that of the zenith reach
     int Size;            ///< texels along a side
     double Occlusion;    ///< distance of what hides the sky [m]
-    bool IsInHaste;      ///< whether maps of light that are there do as they are
+    bool IsInHaste;      ///< whether maps are to move seldom, of coarse shapes, rather than to be sharp near the eye
   };
 
   DepthMaps();
@@ -69,7 +69,7 @@ public:
   static vtkSmartPointer<vtkTextureObject> NewTexture(vtkOpenGLRenderWindow* window, int size, bool compares = true);
 
   bool IsCoarse(int map) const { return this->Places[map].IsCoarse; }
-  bool Has(int map) const { return this->Places[map].Radius > 0.0; }
+  bool Has(int map) const { return this->Places[map].Radius > 0.0 && !this->Places[map].IsIdle; }
   /// Texture of the maps of light: four squares, numbered by row and column.
   vtkTextureObject* GetLightTexture() const { return this->Light; }
   vtkTextureObject* GetGroundTexture() const { return this->OfGround; }
@@ -97,6 +97,7 @@ private:
     double Radius = -1.0;  ///< below 0: there is no map
     double Depth = 0.0;    ///< from the center to the ends along the light
     bool IsCoarse = false; ///< whether leaves are not told apart
+    bool IsIdle = false;   ///< whether it waits for pictures that are not in haste
     std::uint64_t State = 0;
     glm::dmat4 ToMap = glm::dmat4(1.0);
   };

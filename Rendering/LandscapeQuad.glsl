@@ -6,8 +6,10 @@
 #define LandscapeSurface 2 // surfaces of their own colors, and what no light changes
 #define LandscapeGround 3  // ground and what grows on it
 #define LandscapeAbove 4   // water seen from above, and what is in it
-#define LandscapeBelow 5   // all that an eye in water sees
-#define LandscapeShown 6   // what is lit, with the depths of surfaces
+#define LandscapeBelow 5   // what an eye in water sees in it
+#define LandscapeOver 6    // the surface of the water above such an eye
+#define LandscapeOpen 7    // water alone before such an eye, and what no light changes
+#define LandscapeShown 8   // what is lit, with the depths of surfaces
 
 in vec2 texCoord;
 uniform sampler2D landscapeDrawn;   // of the kinds before
@@ -137,6 +139,18 @@ vec3 landscapeWetLuminance(float material, vec3 albedo, vec3 place, vec3 normal)
 }
 #endif
 
+#if LandscapePart == LandscapeBelow || LandscapePart == LandscapeOver || LandscapePart == LandscapeOpen
+// Luminance at the end of a line of sight from an eye in water.
+vec3 landscapeSeenInWater(vec3 luminance, vec3 d, float way)
+{
+  luminance = landscapeInWater(luminance, d, landscapeEyeDepth, way);
+#ifdef LandscapeHasShafts
+  luminance += landscapeShafts(d, way);
+#endif
+  return luminance;
+}
+#endif
+
 #ifdef LandscapeHasLens
 // Luminance that the display shows as a code: landscapeDisplayed backwards.
 vec3 landscapeOfCode(vec3 code)
@@ -195,7 +209,7 @@ void main()
   vec4 surface = texture(landscapeSurface, texCoord);
   float depth = texture(landscapeDepth, texCoord).r;
   bool isThere = surface.z > -1.5;
-#if LandscapeHasWater
+#if LandscapeHasWater && LandscapePart != LandscapeBelow && LandscapePart != LandscapeOpen
   // Water before all else. The ground that a river lies on is coarser than its bands, and may be before it by a little.
   vec4 wet = texture(landscapeWetSurface, texCoord);
   float wetDepth = texture(landscapeWetDepth, texCoord).r;
@@ -212,7 +226,8 @@ void main()
 #if LandscapePart == LandscapeKinds
   int kind = hasSurface ? LandscapeAbove : !isThere ? LandscapeSky
     : surface.z > 1.5 && surface.z < 3.5 ? LandscapeGround : LandscapeSurface;
-  gl_FragDepth = float(landscapeWater == 2 ? LandscapeBelow : kind) / 8.0;
+  int below = hasSurface ? LandscapeOver : surface.z > -0.5 ? LandscapeBelow : LandscapeOpen;
+  gl_FragDepth = float(landscapeWater == 2 ? below : kind) / 8.0;
 #elif LandscapePart == LandscapeShown
   vec4 drawn = texture(landscapeDrawn, texCoord);
   if (drawn.a <= 0.0) discard; // nothing, and no background
@@ -293,6 +308,13 @@ void main()
   luminance = landscapeLuminance(albedo, place, normal, isGrass ? 0.4 : 0.0, 1.0);
 #endif
   luminance = landscapeBehindAir(luminance, eye, place);
+#elif LandscapePart == LandscapeBelow
+  landscapeBelow = landscapeEyeDepth;
+  luminance = landscapeWetLuminance(surface.z, landscapeLinear(code), place, normal);
+  luminance = landscapeSeenInWater(luminance, d, length(place - eye));
+#elif LandscapePart == LandscapeOpen
+  landscapeBelow = landscapeEyeDepth;
+  luminance = landscapeSeenInWater(vec3(0.0), d, isThere ? length(place - eye) : 1e3);
 #else
   vec3 wetPlace = landscapePlaceOf(wetDepth, wet.w, sight);
   vec3 wetNormal = landscapeToWorld * landscapeUnfolded(wet.xy);
@@ -303,18 +325,14 @@ void main()
   ripples *= isRiver ? landscapeRiverCalm * vec3(1.0, 1.0, landscapeRiverCalm) : vec3(1.0);
   vec3 rippled = landscapeFacet(wetNormal, ripples.xy);
   // Facets are as large as they look: d n / n_z over that of the mesh, which at its crests turns away
-  float side = LandscapePart == LandscapeBelow ? 1.0 : -1.0;
+  float side = LandscapePart == LandscapeOver ? 1.0 : -1.0;
   float looks = max(side * dot(d, rippled) * wetNormal.z / rippled.z, 0.05) / max(side * dot(d, wetNormal), 0.05);
   looks = min(looks, 2.0);
   wetNormal = rippled;
-#if LandscapePart == LandscapeBelow
+#if LandscapePart == LandscapeOver
   landscapeBelow = landscapeEyeDepth;
-  luminance =
-    isLit && !hasSurface ? landscapeWetLuminance(surface.z, landscapeLinear(code), place, normal) : vec3(0.0);
-  float way = hasSurface ? length(wetPlace - eye) : isThere ? length(place - eye) : 1e3;
-  luminance = hasSurface ? looks * landscapeWaterBelow(d, wetNormal, ripples.z) : luminance;
-  luminance = landscapeInWater(luminance, d, landscapeBelow, way);
-  luminance += landscapeHasShafts == 1 ? landscapeShafts(d, way) : vec3(0.0);
+  luminance = looks * landscapeWaterBelow(d, wetNormal, ripples.z);
+  luminance = landscapeSeenInWater(luminance, d, length(wetPlace - eye));
 #else
   landscapeBelow = (landscapeToWorld * wetPlace).z;
   vec3 albedo = landscapeLinear(code);
@@ -360,7 +378,7 @@ void main()
 #endif
   bool isPaint = isThere && !isLit && !hasSurface; // which no light changes
 #ifdef LandscapeHasLens
-#if LandscapePart == LandscapeAbove || LandscapePart == LandscapeBelow
+#if LandscapePart == LandscapeAbove || LandscapePart == LandscapeOver
   place = hasSurface ? wetPlace : place;
 #endif
   float away = isThere || hasSurface ? -place.z : 1e9;

@@ -6,7 +6,6 @@ uniform vec3 landscapeAbsorption;        // a [1/m]
 uniform vec3 landscapeScattering;        // b [1/m]
 uniform float landscapeSlopeVariance;    // of what the surface's mesh does not have, in both directions together
 uniform int landscapeHasRipples;         // 1: waves with these slopes are there
-uniform int landscapeHasShafts;          // 1: the light between them is drawn in the water
 uniform float landscapeRippleSide;       // of the square in which they repeat themselves [m]
 uniform vec4 landscapeRippleEye;         // place of the eye in its two layers, in squares
 uniform vec2 landscapeRippleTurn;        // cosine and sine of the turn of the second layer

@@ -83,7 +83,6 @@ void Lighting::SetUniforms(vtkShaderProgram* program) const
     SetUniform(program, texture, this->Sky.GetDome()->GetTextureUnit()); // if there are none
   }
   this->Ripples.SetUniforms(program, this->Eye);
-  SetUniform(program, "landscapeHasShafts", this->HasShafts && this->Ripples.HasWaves() ? 1 : 0);
   SetUniform(program, "landscapeMaps", this->Bound.front()->GetTextureUnit());
   float matrices[16 * DepthMaps::LightMaps] = {};
   glm::dvec4 texels(0.0);

@@ -271,20 +271,16 @@ void LightingQuad::DrawKinds(vtkRenderer* renderer, const Lighting& light)
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglDepthFunc(GL_EQUAL);
-  if (light.IsInWater)
+  const bool isDry = !light.IsInWater;
+  const bool areThere[] = { isDry && light.Background, isDry, isDry && light.HasGround, isDry && light.HasWater, !isDry,
+    !isDry, !isDry };
+  const char* const parts[] = { "LandscapeSky", "LandscapeSurface", "LandscapeGround", "LandscapeAbove",
+    "LandscapeBelow", "LandscapeOver", "LandscapeOpen" };
+  for (int k = 0; k < 7; ++k)
   {
-    this->DrawPart("LandscapeBelow", 5, renderer, light);
-  }
-  else
-  {
-    const bool areThere[] = { light.Background, true, light.HasGround, light.HasWater };
-    const char* const parts[] = { "LandscapeSky", "LandscapeSurface", "LandscapeGround", "LandscapeAbove" };
-    for (int k = 0; k < 4; ++k)
+    if (areThere[k])
     {
-      if (areThere[k])
-      {
-        this->DrawPart(parts[k], k + 1, renderer, light);
-      }
+      this->DrawPart(parts[k], k + 1, renderer, light);
     }
   }
 }
@@ -303,6 +299,7 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   defined += light.FogExtinction > 0.0 ? "" : "#define LandscapeNoFog\n";
   defined += light.ContactRadius > 0.0 ? "#define LandscapeHasContact\n" : "";
   defined += light.HasLens() ? "#define LandscapeHasLens\n" : "";
+  defined += light.HasShafts && light.Ripples.HasWaves() ? "#define LandscapeHasShafts\n" : "";
   defined += light.HasBark ? "#define LandscapeHasBark\n" : "";
   defined += light.Turf.x > 0.0 ? "#define LandscapeHasTurf\n" : "";
   defined += light.WoodCover > 0.0 ? "#define LandscapeHasWoods\n" : "";

@@ -11,6 +11,7 @@
 #include "LightingQuad.h"
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
+#include "OpenGL.h"
 #include "SurfacePass.h"
 #include "Uniforms.h"
 
@@ -46,6 +47,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <iterator>
 #include <vector>
@@ -565,6 +567,15 @@ void vtkLandscapePass::SetController(vtkMultiProcessController* controller)
 vtkMultiProcessController* vtkLandscapePass::GetController()
 {
   return this->Own->Controller;
+}
+
+//----------------------------------------------------------------------------
+bool vtkLandscapePass::IsDrawnBySoftware(vtkRenderWindow* window)
+{
+  window->MakeCurrent();
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const auto has = [name](const char* word) { return name && std::strstr(name, word); };
+  return has("llvmpipe") || has("softpipe") || has("SWR");
 }
 
 //----------------------------------------------------------------------------

@@ -28,6 +28,7 @@ class vtkInformationIntegerKey;
 class vtkMultiProcessController;
 class vtkPolyDataMapper;
 class vtkProp;
+class vtkRenderWindow;
 class vtkRenderer;
 
 class LITTORALRENDERING_EXPORT vtkLandscapePass : public vtkRenderPass
@@ -227,7 +228,10 @@ public:
   void SetQualityToBest() { this->SetQuality(Best); }
   ///@}
   ///@{
-  /** Pictures in haste, as while a camera is dragged: as Fast, with the shadows of the picture before; default off. */
+  /**
+   * Pictures in haste, as while a camera is dragged: as Fast, with shadows by maps that are coarser near the eye and
+   * seldom drawn anew; default off.
+   */
   vtkSetMacro(Draft, bool);
   vtkGetMacro(Draft, bool);
   vtkBooleanMacro(Draft, bool);
@@ -408,6 +412,9 @@ public:
    * Without it Render() draws them, of the surfaces of this process.
    */
   void DrawMaps(vtkRenderer* renderer);
+
+  /** Whether a window is drawn by a processor, as by Mesa's llvmpipe, rather than by a graphics card. */
+  static bool IsDrawnBySoftware(vtkRenderWindow* window);
 
   /** Direction towards the sun, of length 1, by the properties. */
   void GetSunDirection(double direction[3]) VTK_SIZEHINT(3);

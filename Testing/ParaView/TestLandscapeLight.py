@@ -20,7 +20,7 @@ from paraview.servermanager import Fetch
 from paraview.vtk.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 from together import reset
-from window import picture, small_view
+from window import colors, picture, small_view
 
 SIZE = [240, 160]
 SUN = {"SunElevation": 45.0, "SunAzimuth": 270.0, "MapSize": "1024"}
@@ -132,6 +132,16 @@ def check_screenshot(view):
     reader.Update()
     saved = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(lit.shape)
     assert np.array_equal(saved, lit), "a screenshot is another picture"
+
+
+def check_drag(view):
+    """A drag has coarser pixels, also of a scene below ParaView's threshold; the picture after it is the one before."""
+    still = picture(view)
+    view.SMProxy.InteractiveRender()
+    dragged = colors(view).reshape(still.shape)
+    changes = (np.abs(dragged - still).max(axis=2) > 8).mean()
+    assert 0.0 < changes < 0.1, f"{changes:.3f} of the pixels change while dragging"
+    assert np.array_equal(picture(view), still), "a drag leaves another picture behind"
 
 
 def check_others(view, light):
@@ -300,6 +310,7 @@ def main():
     check_clock(view, check_light(view, light))
     check_two_views(view, light)
     check_screenshot(view)
+    check_drag(view)
     check_mistake(view, light)
     lit, names = picture(view), [name_of(light), name_of(ground)]
     del view, light, ground  # VTK fails where a window outlives its session

@@ -53,6 +53,12 @@ vtkMultiProcessController* RanksOf(vtkPVRenderView* view, bool isRemote)
   return areSeveral ? all : nullptr;
 }
 
+/// Whether a picture is one of a drag, for which a view asks 5 a second of its window, and slow whatever it shows.
+bool IsDraggedInSoftware(vtkRenderWindow* window)
+{
+  return window->GetDesiredUpdateRate() > 1.0 && vtkLandscapePass::IsDrawnBySoftware(window);
+}
+
 }
 
 vtkStandardNewMacro(vtkLandscapeLightRepresentation);
@@ -114,14 +120,14 @@ int vtkLandscapeLightRepresentation::ProcessViewRequest(
   auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
   if (isVisible && view && request == vtkPVView::REQUEST_RENDER())
   {
-    const bool isDragged = in->Has(vtkPVRenderView::USE_LOD()) != 0;
+    const bool usesLevels = in->Has(vtkPVRenderView::USE_LOD()) != 0;
     if (this->Light->Landscape)
     {
-      this->Light->Landscape->SetDraft(isDragged);
+      this->Light->Landscape->SetDraft(usesLevels || IsDraggedInSoftware(view->GetRenderWindow()));
       this->Light->Landscape->SetWaterTime(view->GetViewTime());
     }
     this->Prepare(
-      view, isDragged ? view->GetUseDistributedRenderingForLODRender() : view->GetUseDistributedRenderingForRender());
+      view, usesLevels ? view->GetUseDistributedRenderingForLODRender() : view->GetUseDistributedRenderingForRender());
   }
   return isVisible;
 }
