@@ -2,30 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GroundCover.h"
 
+#include "CoverShapes.h"
 #include "DepthMaps.h"
 #include "GroundCoverDec.h"
 #include "GroundCoverImpl.h"
 #include "LandscapeGround.h"
 #include "LandscapeNoise.h"
-#include "Numerics/Constants.h"
-#include "Numerics/RandomStream.h"
 #include "Uniforms.h"
 #include "vtkLandscapePass.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkCellArray.h"
 #include "vtkCommand.h"
-#include "vtkFloatArray.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
 #include "vtkTextureObject.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -39,106 +32,41 @@
 namespace littoral
 {
 
-/// Blades of a tile.
-struct GroundCover::Tile
-{
-  double Side;  ///< over the radius of the cover, at least twice Reach
-  int Count;    ///< blades
-  double Width; ///< of a blade at its foot, over its height
-  double From;  ///< distances between which they are drawn, over the radius of the cover
-  double Reach;
-};
-
 namespace
 {
 
-using Tile = GroundCover::Tile;
-constexpr Tile Tiles[GroundCover::Densities] = {
-  { 0.4, 90000, 0.032, 0.0, 0.2 },
-  { 1.0, 170000, 0.045, 0.15, 0.5 },
-  { 2.0, 100000, 0.085, 0.4, 1.0 },
+constexpr CoverTile Tiles[GroundCover::Layers] = {
+  { CoverKind::Grass, 0.4, 90000, 0.032, 0.0, 0.2 },
+  { CoverKind::Grass, 1.0, 170000, 0.045, 0.15, 0.5 },
+  { CoverKind::Grass, 2.0, 100000, 0.085, 0.4, 1.0 },
+  { CoverKind::Herb, 1.0, 60000, 0.4, 0.0, 0.5 },
+  { CoverKind::Flower, 1.0, 24000, 0.055, 0.0, 0.5 },
+  { CoverKind::Litter, 0.6, 24000, 0.6, 0.0, 0.3 },
+  { CoverKind::Stone, 1.0, 8000, 0.0, 0.0, 0.5 },
 };
-constexpr int Cells = 8;        // of a tile along its sides
-constexpr double MeanUp = 0.75; // part of the blades' normal that is upward, as of the grass that they stand for
+constexpr int Cells = CoverTile::Cells;
 
-/// A blade as two quadrangles and a tip, bent over; its five points are relative to its foot.
-void AddBlade(const Tile& tile, const RandomStream& random, std::uint64_t blade, vtkPolyData* data, vtkFloatArray* feet,
-  vtkFloatArray* normals, vtkUnsignedCharArray* shades)
+/// Where elements of a kind are: a noise of cells of a size [m], 0 to 1, rises from a value to another; 0: everywhere.
+struct Patches
 {
-  const std::array<double, 2> foot = random.UniformPair(blade, 0);
-  const std::array<double, 2> turn = random.UniformPair(blade, 1);
-  const std::array<double, 2> form = random.UniformPair(blade, 2);
-  const double around = TwoPi * turn[0];
-  const double bend = 0.15 + 0.75 * turn[1];
-  const double height = 0.45 + 0.55 * form[0];
-  const glm::dvec3 ahead(std::cos(around), std::sin(around), 0.0);
-  const glm::dvec3 aside(-ahead.y, ahead.x, 0.0);
-  const glm::dvec3 normal = glm::normalize(MeanUp * glm::dvec3(0.0, 0.0, 1.0) + (1.0 - MeanUp) * ahead);
-  const vtkIdType first = data->GetNumberOfPoints();
-  const auto add = [&](double t, double side) {
-    // A parabola from the foot upward and over
-    const glm::dvec3 at = height * (t * glm::dvec3(0.0, 0.0, 1.0 - 0.35 * bend * t) + bend * t * t * ahead) +
-      side * 0.5 * tile.Width * (1.0 - 0.4 * t) * aside;
-    data->GetPoints()->InsertNextPoint(at.x, at.y, at.z);
-    feet->InsertNextTuple2(foot[0], foot[1]);
-    normals->InsertNextTuple3(normal.x, normal.y, normal.z);
-    // Dark among the others at the foot; no two blades are of one age.
-    const double shade = 255.0 * (0.76 + 0.24 * t) * (0.88 + 0.12 * form[1]);
-    shades->InsertNextTuple3(shade, shade, shade * (1.0 - 0.12 * form[1]));
-  };
-  for (const double t : { 0.0, 0.55 })
-  {
-    add(t, -1.0);
-    add(t, 1.0);
-  }
-  add(1.0, 0.0);
-  const vtkIdType strip[5] = { first, first + 1, first + 2, first + 3, first + 4 };
-  data->GetStrips()->InsertNextCell(5, strip);
-}
+  double Size;
+  double From;
+  double To;
+};
 
-/// The blades of a tile by cells, with the ends of these among them.
-std::vector<int> ByCells(const Tile& tile, const RandomStream& random, std::vector<int>& ends)
+Patches PatchesOf(CoverKind kind)
 {
-  std::vector<std::vector<int>> cells(Cells * Cells);
-  for (int blade = 0; blade < tile.Count; ++blade)
+  switch (kind)
   {
-    const std::array<double, 2> foot = random.UniformPair(static_cast<std::uint64_t>(blade), 0);
-    const int cell = static_cast<int>(Cells * foot[0]) + Cells * static_cast<int>(Cells * foot[1]);
-    cells[static_cast<std::size_t>(cell)].push_back(blade);
+    case CoverKind::Herb:
+      return { 4.0, 0.4, 0.6 };
+    case CoverKind::Flower:
+      return { 8.0, 0.55, 0.7 };
+    case CoverKind::Stone:
+      return { 16.0, 0.45, 0.65 };
+    default:
+      return { 0.0, 0.0, 0.0 };
   }
-  std::vector<int> blades;
-  ends = { 0 };
-  for (const std::vector<int>& cell : cells)
-  {
-    blades.insert(blades.end(), cell.begin(), cell.end());
-    ends.push_back(static_cast<int>(blades.size()));
-  }
-  return blades;
-}
-
-vtkSmartPointer<vtkPolyData> BladesOf(const Tile& tile, std::vector<int>& ends)
-{
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(vtkNew<vtkPoints>());
-  data->SetStrips(vtkNew<vtkCellArray>());
-  vtkNew<vtkFloatArray> feet;
-  feet->SetName("Foot");
-  feet->SetNumberOfComponents(2);
-  vtkNew<vtkFloatArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  vtkNew<vtkUnsignedCharArray> shades;
-  shades->SetName("Shade");
-  shades->SetNumberOfComponents(3);
-  const RandomStream random(tile.Count, RandomPurpose::GrassBlades);
-  for (const int blade : ByCells(tile, random, ends))
-  {
-    AddBlade(tile, random, static_cast<std::uint64_t>(blade), data, feet, normals, shades);
-  }
-  data->GetPointData()->AddArray(feet);
-  data->GetPointData()->SetNormals(normals);
-  data->GetPointData()->SetScalars(shades);
-  return data;
 }
 
 /// Gives a program its uniforms before it draws.
@@ -204,29 +132,36 @@ void GroundCover::SetSize(double height, double radius)
 }
 
 //----------------------------------------------------------------------------
+void GroundCover::SetDensities(double herbs, double litter, double stones)
+{
+  this->Shares = { 1.0, 1.0, 1.0, herbs, herbs, litter, stones };
+}
+
+//----------------------------------------------------------------------------
 std::vector<vtkProp*> GroundCover::GetProps() const
 {
   std::vector<vtkProp*> props;
-  for (const auto& blades : this->Blades)
+  for (const auto& elements : this->Elements)
   {
-    props.push_back(blades);
+    props.push_back(elements);
   }
   return props;
 }
 
 //----------------------------------------------------------------------------
-void GroundCover::Prepare(int density, const DepthMaps& maps)
+void GroundCover::Prepare(int layer, const DepthMaps& maps)
 {
-  const Tile& tile = Tiles[density];
-  vtkActor* actor = this->Blades[density];
-  GroundCoverMapper* mapper = this->Mappers[density];
-  mapper->SetInputData(BladesOf(tile, this->Ends[density]));
+  const CoverTile& tile = Tiles[layer];
+  vtkActor* actor = this->Elements[layer];
+  GroundCoverMapper* mapper = this->Mappers[layer];
+  mapper->SetInputData(CoverShapes(tile, this->Ends[layer]));
   mapper->MapDataArrayToVertexAttribute("coverFoot", "Foot", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
   vtkNew<UniformCommand> uniforms;
   uniforms->Set = [this, &tile, &maps](vtkShaderProgram* program) { this->SetUniforms(program, tile, maps); };
   mapper->AddObserver(vtkCommand::UpdateShaderEvent, uniforms);
   actor->SetMapper(mapper);
-  vtkLandscapePass::SetMaterial(actor, vtkLandscapePass::Cover);
+  vtkLandscapePass::SetMaterial(actor, tile.HasOwnColor() ? vtkLandscapePass::Surface : vtkLandscapePass::Cover);
+  vtkLandscapePass::SetTransmittance(actor, tile.Kind == CoverKind::Stone ? 0.0 : 0.4);
   vtkShaderProperty* shader = actor->GetShaderProperty();
   shader->AddVertexShaderReplacement("//VTK::Normal::Dec", true,
     std::string(LandscapeNoise) + LandscapeGround + GroundCoverDec + "//VTK::Normal::Dec\n", false);
@@ -234,10 +169,11 @@ void GroundCover::Prepare(int density, const DepthMaps& maps)
 }
 
 //----------------------------------------------------------------------------
-bool GroundCover::IsCellSeen(const Tile& tile, int column, int row, const Sight& sight) const
+bool GroundCover::IsCellSeen(const CoverTile& tile, int column, int row, const Sight& sight) const
 {
   const double side = tile.Side * this->Radius;
-  const double margin = 1.3 * this->Height; // blades are up to 1.2 times as high, and bend as far aside
+  // Blades are up to 1.2 times as high, and bend as far aside; stones are 0.26 m wide
+  const double margin = std::max(1.3 * this->Height, 0.26);
   const std::array<double, 2> columns = CopiesOf(column, this->Eye.x / side);
   const std::array<double, 2> rows = CopiesOf(row, this->Eye.y / side);
   for (double x = columns[0]; x <= columns[1]; ++x)
@@ -260,20 +196,22 @@ bool GroundCover::IsCellSeen(const Tile& tile, int column, int row, const Sight&
 }
 
 //----------------------------------------------------------------------------
-/// The blades of the cells that a picture shows.
-std::vector<GroundCoverMapper::Run> GroundCover::RunsOf(int density, const Sight& sight) const
+/// The elements of the cells that a picture shows: of each, the first ones.
+std::vector<GroundCoverMapper::Run> GroundCover::RunsOf(int layer, const Sight& sight) const
 {
-  const std::vector<int>& ends = this->Ends[density];
+  const std::vector<int>& ends = this->Ends[layer];
   std::vector<GroundCoverMapper::Run> runs;
   for (int cell = 0; cell < Cells * Cells; ++cell)
   {
-    if (this->IsCellSeen(Tiles[density], cell % Cells, cell / Cells, sight))
+    if (this->IsCellSeen(Tiles[layer], cell % Cells, cell / Cells, sight))
     {
       if (runs.empty() || runs.back().To != ends[cell])
       {
         runs.push_back({ ends[cell], ends[cell] });
       }
-      runs.back().To = ends[cell + 1];
+      const int group = Tiles[layer].Group();
+      const double groups = this->Shares[layer] * (ends[cell + 1] - ends[cell]) / group;
+      runs.back().To = ends[cell] + group * static_cast<int>(groups);
     }
   }
   return runs;
@@ -288,10 +226,14 @@ void GroundCover::Draw(vtkRenderer* renderer, const DepthMaps& maps)
   camera->GetFrustumPlanes(renderer->GetTiledAspectRatio(), sight.Planes);
   sight.Lowest = maps.GetLowest();
   sight.Highest = maps.GetHighest();
-  for (int k = 0; k < Densities; ++k)
+  for (int k = 0; k < Layers; ++k)
   {
-    const Tile& tile = Tiles[k];
-    vtkActor* actor = this->Blades[k];
+    if (this->Shares[k] <= 0.0)
+    {
+      continue;
+    }
+    const CoverTile& tile = Tiles[k];
+    vtkActor* actor = this->Elements[k];
     if (!actor->GetMapper())
     {
       this->Prepare(k, maps);
@@ -307,7 +249,7 @@ void GroundCover::Draw(vtkRenderer* renderer, const DepthMaps& maps)
 }
 
 //----------------------------------------------------------------------------
-void GroundCover::SetUniforms(vtkShaderProgram* program, const Tile& tile, const DepthMaps& maps) const
+void GroundCover::SetUniforms(vtkShaderProgram* program, const CoverTile& tile, const DepthMaps& maps) const
 {
   const glm::dmat4& toMap = maps.GetMatrix(DepthMaps::Ground);
   SetUniform(program, "coverGround", maps.GetGroundTexture()->GetTextureUnit());
@@ -321,15 +263,18 @@ void GroundCover::SetUniforms(vtkShaderProgram* program, const Tile& tile, const
   SetUniform(program, "coverFrom", tile.From * this->Radius);
   SetUniform(program, "coverReach", tile.Reach * this->Radius);
   SetUniform(program, "coverHeight", this->Height);
+  const Patches patches = PatchesOf(tile.Kind);
+  SetUniform(program, "coverPatches", glm::dvec3(patches.Size, patches.From, patches.To));
+  SetUniform(program, "coverSized", tile.HasOwnSize() ? 1 : 0);
   SetUniform(program, "coverLevel", this->SeaLevel - this->Anchor.z);
 }
 
 //----------------------------------------------------------------------------
 void GroundCover::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (const auto& blades : this->Blades)
+  for (const auto& elements : this->Elements)
   {
-    blades->ReleaseGraphicsResources(window);
+    elements->ReleaseGraphicsResources(window);
   }
 }
 

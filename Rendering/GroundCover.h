@@ -22,12 +22,14 @@ namespace littoral
 {
 
 class DepthMaps;
+struct CoverTile;
 
 /**
- * Grass around the eye. Its blades are in square tiles that are repeated over the plane, of dense blades near the eye
- * and of sparser and broader ones farther off; the vertex shader moves each blade to the copy that is nearest to the
- * eye and onto the ground, whose height it reads from a map of depths seen from the zenith. So they cost the same on
- * any ground. Tiles have square cells; those that the picture does not show are not drawn.
+ * Grass around the eye, and herbs, flowers, litter and stones in it. They are in square tiles that are repeated over
+ * the plane, of dense blades near the eye and of sparser and broader ones farther off; the vertex shader moves each
+ * element to the copy that is nearest to the eye and onto the ground, whose height it reads from a map of depths seen
+ * from the zenith. So they cost the same on any ground. Tiles have square cells; those that the picture does not show
+ * are not drawn.
  */
 class GroundCover
 {
@@ -38,6 +40,9 @@ public:
   /// Height of blades [m], distance to which they are drawn [m].
   void SetSize(double height, double radius);
 
+  /// Parts of the herbs and flowers, the fallen leaves and the stones of the tiles that are drawn, 0 to 1.
+  void SetDensities(double herbs, double litter, double stones);
+
   /// Height of a sea, in which none grow [m].
   void SetSeaLevel(double level) { this->SeaLevel = level; }
 
@@ -47,19 +52,19 @@ public:
   std::vector<vtkProp*> GetProps() const;
   void ReleaseGraphicsResources(vtkWindow* window);
 
-  struct Tile;
   struct Sight;
-  static constexpr int Densities = 3;
+  static constexpr int Layers = 7;
 
 private:
-  void Prepare(int density, const DepthMaps& maps);
-  bool IsCellSeen(const Tile& tile, int column, int row, const Sight& sight) const;
-  std::vector<GroundCoverMapper::Run> RunsOf(int density, const Sight& sight) const;
-  void SetUniforms(vtkShaderProgram* program, const Tile& tile, const DepthMaps& maps) const;
+  void Prepare(int layer, const DepthMaps& maps);
+  bool IsCellSeen(const CoverTile& tile, int column, int row, const Sight& sight) const;
+  std::vector<GroundCoverMapper::Run> RunsOf(int layer, const Sight& sight) const;
+  void SetUniforms(vtkShaderProgram* program, const CoverTile& tile, const DepthMaps& maps) const;
 
-  std::array<vtkNew<vtkActor>, Densities> Blades;
-  std::array<vtkNew<GroundCoverMapper>, Densities> Mappers;
-  std::array<std::vector<int>, Densities> Ends; ///< of the blades of each cell, and a 0 before the first
+  std::array<vtkNew<vtkActor>, Layers> Elements;
+  std::array<vtkNew<GroundCoverMapper>, Layers> Mappers;
+  std::array<std::vector<int>, Layers> Ends; ///< of the elements of each cell, and a 0 before the first
+  std::array<double, Layers> Shares{};       ///< of the elements that are drawn
   double Height = 0.0;
   double Radius = 0.0;
   double SeaLevel = -1e9;

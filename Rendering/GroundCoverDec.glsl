@@ -10,4 +10,6 @@ uniform float coverSide;       // of the tile [m]
 uniform float coverFrom;       // distances of the first and the last blades [m]
 uniform float coverReach;
 uniform float coverHeight;     // [m]
+uniform vec3 coverPatches;     // size of the noise that says where there are some [m], and the values from where to where
+uniform int coverSized;        // 1: sizes are metres, else parts of the height of the grass
 uniform float coverLevel;      // of the sea above the anchor [m]; far below without one

@@ -13,8 +13,13 @@
   float coverTuft = landscapeNoise(coverAt + coverAnchor.xy, 0.5, 7u).x;
   float coverAway = distance(coverAt, coverEye.xy);
   float coverHigh = coverHeight * (1.0 - smoothstep(0.8 * coverReach, coverReach, coverAway)) *
-    (coverFrom > 0.0 ? smoothstep(coverFrom, 1.25 * coverFrom, coverAway) : 1.0) *
-    (1.0 - 0.9 * coverGrowth.w) * (1.0 - smoothstep(0.5, 0.9, coverSlope)) * (0.45 + 0.75 * coverTuft);
+    (coverFrom > 0.0 ? smoothstep(coverFrom, 1.25 * coverFrom, coverAway) : 1.0);
+  coverHigh *= coverSized == 1 ? 1.0 / coverHeight : (1.0 - 0.9 * coverGrowth.w) * (0.45 + 0.75 * coverTuft);
+  coverHigh *= 1.0 - smoothstep(0.5, 0.9, coverSlope);
+  for (float k = 0.0; k < coverPatches.z; k += 1.0) // a loop that does not begin takes no time
+  {
+    coverHigh *= smoothstep(coverPatches.y, coverPatches.z, landscapeNoise(coverAt + coverAnchor.xy, coverPatches.x, 8u).x);
+  }
   coverHigh *= smoothstep(0.0, 2.0 * coverHeight, coverZ - coverLevel);
   coverHigh *= coverDepth < 0.9999 && coverHigh > 0.03 * coverHeight ? 1.0 : 0.0;
   vec4 coverMC = vec4(coverAt, coverZ, 1.0) + vec4(coverHigh * vertexMC.xyz, 0.0);

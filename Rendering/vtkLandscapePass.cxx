@@ -243,6 +243,9 @@ vtkLandscapePass::vtkLandscapePass()
   , CoverRadius(30.0)
   , CoverHeight(0.3)
   , CoverColor{ 0.46, 0.52, 0.23 }
+  , CoverHerbs(0.4)
+  , CoverLitter(0.3)
+  , CoverStones(0.3)
   , WoodCover(0.0)
   , Wetness(0.0)
   , WaterLevel(0.0)
@@ -530,6 +533,7 @@ void vtkLandscapePass::RenderMaps(vtkRenderer* renderer, vtkMultiProcessControll
     ? this->CoverRadius
     : 0.0;
   own.Cover.SetSize(this->CoverHeight, this->CoverRadius);
+  own.Cover.SetDensities(this->CoverHerbs, this->CoverLitter, this->CoverStones);
   own.Cover.SetSeaLevel(own.Light.HasSea ? this->WaterLevel : -1e9);
   // The same shaders as for the picture: none is built anew.
   vtkRenderState all(renderer);
@@ -718,6 +722,9 @@ void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CoverHeight: " << this->CoverHeight << "\n";
   os << indent << "CoverColor: " << this->CoverColor[0] << " " << this->CoverColor[1] << " " << this->CoverColor[2]
      << "\n";
+  os << indent << "CoverHerbs: " << this->CoverHerbs << "\n";
+  os << indent << "CoverLitter: " << this->CoverLitter << "\n";
+  os << indent << "CoverStones: " << this->CoverStones << "\n";
   os << indent << "WoodCover: " << this->WoodCover << "\n";
   os << indent << "Wetness: " << this->Wetness << "\n";
   os << indent << "WaterLevel: " << this->WaterLevel << "\n";

@@ -275,6 +275,22 @@ public:
   ///@}
 
   ///@{
+  /** Density of herbs and flowers in the grass, over the largest, 0 to 1; default 0.4. */
+  vtkSetClampMacro(CoverHerbs, double, 0.0, 1.0);
+  vtkGetMacro(CoverHerbs, double);
+  ///@}
+  ///@{
+  /** Density of fallen leaves, over the largest, 0 to 1; default 0.3. */
+  vtkSetClampMacro(CoverLitter, double, 0.0, 1.0);
+  vtkGetMacro(CoverLitter, double);
+  ///@}
+  ///@{
+  /** Density of stones, over the largest, 0 to 1; default 0.3. */
+  vtkSetClampMacro(CoverStones, double, 0.0, 1.0);
+  vtkGetMacro(CoverStones, double);
+  ///@}
+
+  ///@{
   /**
    * Part of a level ground that woods cover, as they are seen from a kilometre or more, and more where it slopes: for
    * terrains without trees of their own, 0 to 1; default 0.
@@ -483,6 +499,9 @@ private:
   double CoverRadius;
   double CoverHeight;
   double CoverColor[3];
+  double CoverHerbs;
+  double CoverLitter;
+  double CoverStones;
   double WoodCover;
   double Wetness;
   double WaterLevel;

@@ -175,6 +175,74 @@ bool TestGrassAtEdges()
   return good;
 }
 
+/// A level ground from above, whose grass is too low to be seen.
+struct CoveredGround : Picture
+{
+  CoveredGround()
+  {
+    this->Pass->SetSkyToEven();
+    this->Pass->ShadowsOff();
+    this->Pass->SetOcclusionRadius(0.0);
+    this->Pass->SetContactRadius(0.0);
+    vtkLandscapePass::SetMaterial(this->Add(Level(60.0), 0.3), vtkLandscapePass::Ground);
+    this->Renderer->GetActiveCamera()->ParallelProjectionOn();
+  }
+
+  /// Draws half of so many metres up and down with a height of grass.
+  void DrawBare(double scale, double height)
+  {
+    this->Look({ 1.0, 2.0, 5.0 }, { 1.0, 2.0, 0.0 }, { 0.0, 1.0, 0.0 });
+    this->Renderer->GetActiveCamera()->SetParallelScale(scale);
+    this->Renderer->ResetCameraClippingRange();
+    this->Pass->SetCoverHeight(height);
+    this->CoveredBy(0.0, 0.0, 0.0);
+    this->Bare->DeepCopy(this->Pixels);
+  }
+
+  /// Part that is another than bare.
+  double CoveredBy(double herbs, double litter, double stones)
+  {
+    this->Pass->SetCoverHerbs(herbs);
+    this->Pass->SetCoverLitter(litter);
+    this->Pass->SetCoverStones(stones);
+    this->Draw();
+    int others = 0;
+    for (int k = 0; k<4 * Width * Height&& this->Bare->GetNumberOfValues()> 0; k += 4)
+    {
+      others += this->Bare->GetValue(k) != this->Pixels->GetValue(k) ||
+        this->Bare->GetValue(k + 2) != this->Pixels->GetValue(k + 2);
+    }
+    return static_cast<double>(others) / (Width * Height);
+  }
+
+  vtkNew<vtkUnsignedCharArray> Bare;
+};
+
+/// Leaves that fall anywhere hide 1 - exp(-n A) of the ground: 167 at most a square metre, of the mean area 0.6 (0.65 /
+/// 2 + 0.25) E l^2, with lengths from 5 to 11 cm. Half of them is half of n. Herbs and stones are there too.
+bool TestCoverKinds()
+{
+  CoveredGround ground;
+  ground.Pass->SetCoverRadius(20.0);
+  ground.DrawBare(2.0, 0.001);
+  bool good = true;
+  for (const double share : { 0.5, 1.0 })
+  {
+    const double area = 0.6 * (0.5 * 0.65 + 0.25) * (0.08 * 0.08 + 0.06 * 0.06 / 12.0);
+    const double expected = 1.0 - std::exp(-share * 24000.0 / 144.0 * area);
+    const double litter = ground.CoveredBy(0.0, share, 0.0);
+    std::cout << "Litter hides " << litter << " of the ground, by chance " << expected << "\n";
+    good &= Check(std::abs(litter / expected - 1.0) < 0.08, "Litter hides another part.");
+  }
+  ground.Pass->SetCoverRadius(40.0);
+  ground.DrawBare(10.0, 0.001);
+  const double stones = ground.CoveredBy(0.0, 0.0, 1.0);
+  ground.DrawBare(10.0, 0.2);
+  const double herbs = ground.CoveredBy(1.0, 0.0, 0.0);
+  std::cout << "Herbs hide " << herbs << ", stones " << stones << "\n";
+  return good & Check(herbs > 0.01 && herbs < 0.5 && stones > 0.001 && stones < 0.1, "There are no herbs or stones.");
+}
+
 /// Places with grass in a square of 2 m on a level ground, of 400, from 40 m above another place.
 int GrassSeen(const Color& square, const Color& eye)
 {
@@ -272,6 +340,7 @@ int TestLandscapeGround(int, char*[])
   good &= TestGrassAtSea();
   good &= TestGrassAtEdges();
   good &= TestGrassAround();
+  good &= TestCoverKinds();
   good &= TestTurf();
   good &= TestBark();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
