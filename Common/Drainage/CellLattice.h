@@ -3,6 +3,7 @@
 #ifndef LittoralCellLattice_h
 #define LittoralCellLattice_h
 
+#include "Numerics/Prefetch.h"
 #include "Terrain/GridSamples.h"
 
 #include <array>
@@ -81,6 +82,25 @@ public:
       }
     }
     return -1;
+  }
+
+  /// Asks for the numbers of a cell and of its neighbours that are within the grid.
+  template <typename Value>
+  void PrefetchAround(const Value* values, CellIndex cell) const
+  {
+    for (const CellIndex row : { cell - this->Width, cell, cell + this->Width })
+    {
+      if (row >= 0 && row < this->Count())
+      {
+        Prefetch(values + row);
+      }
+    }
+  }
+
+  /// The cell before one that was reached in a direction; itself for Directions.
+  CellIndex Before(CellIndex cell, int direction) const
+  {
+    return direction < Directions ? cell - this->Offsets[direction] : cell;
   }
 
 private:

@@ -44,7 +44,7 @@ public:
       bool isPit = true;
       const CellIndex cell = this->FloodNext([&](CellIndex lowest, CellIndex neighbour) {
         const double other = heights[neighbour];
-        isPit = isPit && other >= heights[lowest] && !(other == heights[lowest] && this->IsFlooded[neighbour]);
+        isPit = isPit && other >= heights[lowest] && !(other == heights[lowest] && this->IsPassed(neighbour));
       });
       if (isPit && !this->Outlets[cell])
       {
@@ -59,7 +59,7 @@ public:
     for (const CellIndex pit : this->Pits)
     {
       this->Steps.Step();
-      this->CutAlong(this->Backlink, pit);
+      this->CutAlongFlood(pit);
     }
   }
 
@@ -72,9 +72,7 @@ public:
       this->Flood(uncut);
       this->SortPits();
     }
-    this->Cost.assign(this->Lattice.Count(), 0.0);
-    this->Seen.assign(this->Lattice.Count(), -1);
-    this->From.assign(this->Lattice.Count(), -1);
+    this->Visits.assign(this->Lattice.Count(), {});
     const std::vector<CellIndex> pits = this->Pits;
     for (const CellIndex pit : pits)
     {
@@ -82,11 +80,11 @@ public:
       if (end < 0)
       {
         this->FloodUntil(pit, uncut);
-        this->CutAlong(this->Backlink, pit);
+        this->CutAlongFlood(pit);
         continue;
       }
       this->Way.clear();
-      for (CellIndex cell = end; cell != pit; cell = this->From[cell])
+      for (CellIndex cell = end; cell != pit; cell = this->Visits[cell].From)
       {
         this->Way.push_back(cell);
       }
@@ -103,6 +101,17 @@ public:
   }
 
 private:
+  static constexpr std::uint8_t Unreached = 0xff;
+  static constexpr std::uint8_t Passed = 0x10; ///< the flood has passed the cell
+
+  /// The last search that came to a cell.
+  struct Visit
+  {
+    double Cost = 0.0; ///< of the path from its pit
+    CellIndex Pit = -1;
+    CellIndex From = -1; ///< the cell before on the path
+  };
+
   /// Finds pits without a flood, the lowest first; whether none lies on a flat or is as high as another, where the
   /// order of the flood decides.
   bool FindClearPits()
@@ -142,15 +151,14 @@ private:
   {
     const CellIndex count = this->Lattice.Count();
     this->FloodedHeights = heights.data();
-    this->Backlink.assign(count, -1);
-    this->IsFlooded.assign(count, 0);
+    this->Reached.assign(count, Unreached);
     const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
     this->Rim = FloodQueue(*lowest, *highest, heights.size());
     for (CellIndex cell = 0; cell < count; ++cell)
     {
       if (this->Outlets[cell])
       {
-        this->Backlink[cell] = cell;
+        this->Reached[cell] = CellLattice::Directions;
         this->Rim.Push(cell, heights[cell]);
       }
     }
@@ -162,12 +170,16 @@ private:
   {
     this->Steps.Step();
     const CellIndex cell = this->Rim.Pop();
-    this->IsFlooded[cell] = 1;
-    this->Lattice.ForEachNeighbour(cell, [&](CellIndex neighbour, int) {
+    this->Rim.ForNext([&](CellIndex next) {
+      this->Lattice.PrefetchAround(this->FloodedHeights, next);
+      this->Lattice.PrefetchAround(this->Reached.data(), next);
+    });
+    this->Reached[cell] = static_cast<std::uint8_t>(this->Reached[cell] | Passed);
+    this->Lattice.ForEachNeighbour(cell, [&](CellIndex neighbour, int direction) {
       visit(cell, neighbour);
-      if (this->Backlink[neighbour] < 0)
+      if (this->Reached[neighbour] == Unreached)
       {
-        this->Backlink[neighbour] = cell;
+        this->Reached[neighbour] = static_cast<std::uint8_t>(direction);
         this->Rim.Push(neighbour, this->FloodedHeights[neighbour]);
       }
     });
@@ -177,11 +189,11 @@ private:
   /// Continues the flood until it reaches a pit.
   void FloodUntil(CellIndex pit, const std::vector<double>& heights)
   {
-    if (this->Backlink.empty())
+    if (this->Reached.empty())
     {
       this->BeginFlood(heights);
     }
-    while (this->Backlink[pit] < 0)
+    while (this->Reached[pit] == Unreached)
     {
       this->FloodNext([](CellIndex, CellIndex) {});
     }
@@ -193,13 +205,19 @@ private:
     return this->Outlets[cell] || this->Heights[cell] < this->Heights[pit];
   }
 
-  void CutAlong(const std::vector<CellIndex>& toward, CellIndex pit)
+  bool IsPassed(CellIndex cell) const
+  {
+    return this->Reached[cell] != Unreached && (this->Reached[cell] & Passed) != 0;
+  }
+
+  /// Cuts a channel on the way by which the flood has come to a pit.
+  void CutAlongFlood(CellIndex pit)
   {
     this->Way.clear();
     CellIndex cell = pit;
     do
     {
-      cell = toward[cell];
+      cell = this->Lattice.Before(cell, this->Reached[cell] & ~Passed);
       this->Way.push_back(cell);
     }
     while (!this->IsEnd(cell, pit));
@@ -242,15 +260,15 @@ private:
     const double bottom = this->Heights[pit];
     FloodQueue& front = this->Front;
     front.Clear();
-    this->Seen[pit] = pit;
-    this->Cost[pit] = 0.0;
+    this->Visits[pit] = { 0.0, pit, -1 };
     front.Push(pit, 0.0);
     for (std::size_t visited = 0; !front.IsEmpty() && visited < maximumVisits; ++visited)
     {
       this->Steps.Step();
       const double reached = front.LowestHeight();
       const CellIndex cell = front.Pop();
-      if (reached > this->Cost[cell])
+      const double before = this->Visits[cell].Cost;
+      if (reached > before)
       {
         continue;
       }
@@ -261,12 +279,11 @@ private:
       this->Lattice.ForEachNeighbour(cell, [&](CellIndex neighbour, int direction) {
         // c = sum of max(z - z_pit, 0) d
         const double cut = std::max(this->Heights[neighbour] - bottom, 0.0);
-        const double cost = this->Cost[cell] + cut * this->Lattice.Distance(direction);
-        if (this->Seen[neighbour] != pit || cost < this->Cost[neighbour])
+        const double cost = before + cut * this->Lattice.Distance(direction);
+        Visit& visit = this->Visits[neighbour];
+        if (visit.Pit != pit || cost < visit.Cost)
         {
-          this->Seen[neighbour] = pit;
-          this->Cost[neighbour] = cost;
-          this->From[neighbour] = cell;
+          visit = { cost, pit, cell };
           front.Push(neighbour, cost);
         }
       });
@@ -280,15 +297,12 @@ private:
   SteppedPoll Steps;
   double Fall;
   const double* FloodedHeights = nullptr;
-  FloodQueue Rim;                      ///< cells at which the flood goes on
-  std::vector<CellIndex> Backlink;     ///< cell from which the flood came; -1: not reached
-  std::vector<std::uint8_t> IsFlooded; ///< whether the flood has passed a cell
+  FloodQueue Rim;                    ///< cells at which the flood goes on
+  std::vector<std::uint8_t> Reached; ///< direction in which the flood came, Directions at outlets, with Passed
   std::vector<CellIndex> Pits;
-  std::vector<CellIndex> Way;  ///< path from the cell after the pit to the end
-  std::vector<double> Cost;    ///< cost of the path from the pit that visited a cell last
-  std::vector<CellIndex> Seen; ///< pit that visited a cell last
-  std::vector<CellIndex> From; ///< the cell before on the path
-  FloodQueue Front;            ///< cells at which the search goes on
+  std::vector<CellIndex> Way; ///< path from the cell after the pit to the end
+  std::vector<Visit> Visits;
+  FloodQueue Front; ///< cells at which the search goes on
   BreachCount Done;
 };
 

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 namespace littoral
 {
@@ -16,14 +18,16 @@ DepressionFlood FloodDepressions(const GridSamples& heights, const OutletMask& o
   const CellIndex count = lattice.Count();
   DepressionFlood flood;
   flood.SpillElevation = heights.Values;
-  flood.Backlink.assign(count, -1);
+  // Directions in which cells were reached: a byte each, so that those about the rim stay in the cache.
+  constexpr std::int8_t unreached = -1;
+  std::vector<std::int8_t> reached(static_cast<std::size_t>(count), unreached);
   const auto [lowest, highest] = RangeOf(heights.Values);
   FloodQueue rim(lowest, highest, heights.Values.size());
   for (CellIndex cell = 0; cell < count; ++cell)
   {
     if (outlets[cell])
     {
-      flood.Backlink[cell] = cell;
+      reached[cell] = CellLattice::Directions;
       if (!std::isnan(heights.Values[cell])) // else it is outside
       {
         rim.Push(cell, heights.Values[cell]);
@@ -35,18 +39,22 @@ DepressionFlood FloodDepressions(const GridSamples& heights, const OutletMask& o
   SteppedPoll steps(poll, 1 << 16);
   while (!rim.IsEmpty())
   {
-    lake.assign(1, rim.Pop());
-    const double level = flood.SpillElevation[lake.front()];
+    double level = 0.0;
+    lake.assign(1, rim.Pop(level));
+    rim.ForNext([&](CellIndex cell) {
+      lattice.PrefetchAround(flood.SpillElevation.data(), cell);
+      lattice.PrefetchAround(reached.data(), cell);
+    });
     for (std::size_t n = 0; n < lake.size(); ++n)
     {
       steps.Step();
-      lattice.ForEachNeighbour(lake[n], [&](CellIndex neighbour, int) {
-        if (flood.Backlink[neighbour] >= 0)
+      lattice.ForEachNeighbour(lake[n], [&](CellIndex neighbour, int direction) {
+        if (reached[neighbour] != unreached)
         {
           return;
         }
-        flood.Backlink[neighbour] = lake[n];
-        const double ground = heights.Values[neighbour];
+        reached[neighbour] = static_cast<std::int8_t>(direction);
+        const double ground = flood.SpillElevation[neighbour]; // not yet raised
         if (ground > level)
         {
           rim.Push(neighbour, ground);
@@ -59,6 +67,11 @@ DepressionFlood FloodDepressions(const GridSamples& heights, const OutletMask& o
         lake.push_back(neighbour);
       });
     }
+  }
+  flood.Backlink.resize(count);
+  for (CellIndex cell = 0; cell < count; ++cell)
+  {
+    flood.Backlink[cell] = reached[cell] == unreached ? -1 : lattice.Before(cell, reached[cell]);
   }
   return flood;
 }

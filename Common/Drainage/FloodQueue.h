@@ -59,14 +59,30 @@ public:
   /// Smallest height of a queue of one interval.
   double LowestHeight() const { return this->Heap.front().Height; }
 
+  /// Calls visit(cell) for cells among which those are that come next, as far as they are known.
+  template <typename Visit>
+  void ForNext(const Visit& visit) const
+  {
+    const std::size_t count = std::min(this->Heap.size(), Children + 1);
+    std::for_each(this->Heap.data(), this->Heap.data() + count, [&](const Entry& entry) { visit(entry.Cell); });
+  }
+
   /// Takes the lowest cell out.
   CellIndex Pop()
+  {
+    double height = 0.0;
+    return this->Pop(height);
+  }
+
+  /// The same with its height, which need not be looked up.
+  CellIndex Pop(double& height)
   {
     --this->Size;
     while (this->Heap.empty())
     {
       this->EnterNextInterval();
     }
+    height = this->Heap.front().Height;
     const CellIndex cell = this->Heap.front().Cell;
     const Entry last = this->Heap.back();
     this->Heap.pop_back();

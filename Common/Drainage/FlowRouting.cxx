@@ -3,6 +3,7 @@
 #include "Drainage/FlowRouting.h"
 
 #include "Drainage/DepressionFilling.h"
+#include "Numerics/Prefetch.h"
 
 #include <atomic>
 #include <cstddef>
@@ -120,6 +121,7 @@ std::vector<CellIndex> StackOrder(const std::vector<CellIndex>& receivers)
       for (CellIndex donor = first[static_cast<std::size_t>(cell) + 1]; donor > first[cell]; --donor)
       {
         open.push_back(donors[static_cast<std::size_t>(donor) - 1]);
+        Prefetch(&first[open.back()]);
       }
     }
   }

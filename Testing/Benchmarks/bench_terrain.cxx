@@ -185,7 +185,7 @@ void MeasureVariogram(benchmark::State& state)
 }
 BENCHMARK(MeasureVariogram)
   ->ArgNames({ "threads", "size" })
-  ->ArgsProduct({ { 1, 2 }, { 256 * 256, Size* Size } })
+  ->ArgsProduct({ { 1, 2 }, { 256 * 256, 512 * 512, Size* Size, 4 * Size* Size } })
   ->Unit(benchmark::kMillisecond)
   ->UseRealTime();
 

@@ -16,6 +16,8 @@ Rates = collections.namedtuple("Rates", "program name threads work reason")
 #: The time of another benchmark of the same program, so many times. \1 stands for the first group of the name.
 Twin = collections.namedtuple("Twin", "program name other times reason")
 
+#: Benchmarks of Common alone in programs of VTK's classes.
+KERNELS = r"(MoveParticles|StepForest|StepLinks|FunctionsAlone)\b"
 FUNCTIONS = {"SinesAndCosines": 1, "Exponentials": 1}
 LIMITS = (
     Rates("bench_sway", r"SkinTrees/size:250", 1, {"ReadMemory": 36, "WriteMemory": 24},

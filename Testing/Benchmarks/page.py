@@ -81,7 +81,43 @@ def of_kernels(results):
     notes = [f"{number}. {reason}" for number, reason in enumerate(reasons, 1)]
     return ["Share: the time at the limit over the time taken; the number names the limit below. Times are real times "
             "where the name says so, else those of the processor.", "",
-            *table(("program", "benchmark", "time [ms]", "rate", "share of the limit"), rows), *notes, ""]
+            *table(("program", "benchmark", "time [ms]", "rate", "share of the limit"), rows), *notes, "",
+            *of_shares(results)]
+
+
+def is_kernel(result):
+    """Whether a benchmark calls Common alone: those of VTK's classes are in programs of their own, but for kernels."""
+    return not result.program.startswith("vtk") or bool(re.match(limits.KERNELS, result.name))
+
+
+def of_shares(results):
+    """Best shares of each limit by kernels and by the classes that call them."""
+    best = {}
+    for result in results:
+        known = limits.share_of(result, results) if result.program != "bench_machine" else None
+        if known:
+            shares = best.setdefault(known[1].reason, {})
+            kind = is_kernel(result)
+            shares[kind] = max(shares.get(kind, (0.0, "")), (known[0], result.name))
+    if not best:
+        return []
+
+    def cells(shares, kind):
+        share, name = shares.get(kind, (0.0, ""))
+        return (f"{100.0 * share:.3g} %", name) if name else ("", "")
+
+    rows = [(reason, *cells(shares, True), *cells(shares, False)) for reason, shares in best.items()]
+    return ["Best shares of each limit, by kernels and by classes:", "",
+            *table(("limit", "kernel", "benchmark", "class", "benchmark"), rows)]
+
+
+def of_threads(threads):
+    """threads: medians [ms] on one thread and on two, by program and benchmark."""
+    if not threads:
+        return ["Two threads were not compared with one.", ""]
+    rows = [(*key, figures(one), figures(two), f"{one / two:.2f}") for key, (one, two) in threads.items()]
+    return ["Medians of real times [ms] of runs in turn, on one thread of VTK and on two.", "",
+            *table(("program", "benchmark", "one", "two", "one over two"), rows)]
 
 
 def of_sets(sets):
@@ -103,9 +139,9 @@ def of_sizes(series, charts):
     for one in series:
         exponent = scaling.exponent_of(one.points)
         rows.append((one.program, one.name, f"{one.points[0][0]} to {one.points[-1][0]}", f"{exponent:.2f}",
-                     f"above {scaling.STEEP}" if exponent > scaling.STEEP else ""))
+                     f"above {scaling.STEEP}" if exponent > scaling.STEEP else "", scaling.logarithm_of(one)))
     return ["Exponent of time over size, by least squares of logarithms.", "",
-            *table(("program", "benchmark", "sizes", "exponent", ""), rows),
+            *table(("program", "benchmark", "sizes", "exponent", "", "n log n by"), rows),
             *[f"![{name}]({name})" for name in charts], ""]
 
 
@@ -146,11 +182,11 @@ def of_frames(scenes, silence):
             *table(("scene", "most memory [MB]"), [(scene["scene"], f"{scene['memory']:.0f}") for scene in scenes])]
 
 
-def page(results, charts, sets, scenes, silence, peers=(), no_peers=""):
+def page(results, charts, sets, threads, scenes, silence, peers=(), no_peers=""):
     """The whole report."""
     lines = ["# Benchmarks of Littoral", "", "## Machine", "", *table(("what", "which"), machine()),
              "## Limits of the machine", "", *of_machine(results), "## Kernels", "", *of_kernels(results),
-             "## Sets of instructions", "", *of_sets(sets), "## Beside other tools", "", *of_peers(peers, no_peers, results),
+             "## Sets of instructions", "", *of_sets(sets), "## Two threads", "", *of_threads(threads), "## Beside other tools", "", *of_peers(peers, no_peers, results),
              "## The papers", "", *papers.lines(results, table),
              "## Cost over size", "", *of_sizes(scaling.series_of(results), charts),
              "## Frames of the scenes", "", *of_frames(scenes, silence)]

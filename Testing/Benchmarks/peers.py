@@ -64,7 +64,7 @@ PEERS = (
     Peer("a million points in clusters", "vtkbench_quadrats",
          "ScatterPoints/mode:0/size:1000000/law:2/process_time/real_time", "spatstat, rMatClust", "spatstat", None),
     Peer("a million points of a Thomas process", "vtkbench_quadrats",
-         "DrawProcess/process:1/process_time/real_time", "spatstat, rThomas", "spatstat Thomas", None),
+         "DrawProcess/process:1/size:1048576/process_time/real_time", "spatstat, rThomas", "spatstat Thomas", None),
     Peer("g of 10 000 points", "vtkbench_quadrats", "MeasurePairs/size:10000/process_time/real_time",
          "spatstat, pcf", "spatstat pcf", None),
     Peer("variogram, 1024 x 1024, lags to half the side", "bench_terrain",

@@ -3,13 +3,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs the benchmarks, and reports their times.
 
-    report.py PROGRAM... [--quick] [--csv FILE] [--against OLD.csv] [ARGUMENT...]
+    report.py PROGRAM... [--quick] [--peers] [--csv FILE] [--against OLD.csv] [ARGUMENT...]
 
 PROGRAM: of Google Benchmark. Each is run with the ARGUMENTs that begin with --benchmark_; before, frames of two scenes are
 measured in ParaView, and after, other tools at the same work (peers.py). FILE (default: benchmarks.csv) takes the table of
 times. Beside it, with other endings, are the report (.md: machine, limits and shares of them, other tools, papers, cost
 over size, frames) and a chart for each program with sizes (-PROGRAM.svg). With --quick what takes long is left out, and
-each benchmark has a tenth of the usual time, unless it has a number of iterations of its own. OLD.csv is the table of an
+each benchmark has a tenth of the usual time, unless it has a number of iterations of its own; --peers times other tools
+then, too. OLD.csv is the table of an
 earlier run on the same machine: what takes over 10 % longer is listed, and the exit code is 1. Benchmarks without a
 counterpart there, as those with a new name, are listed too; and so are, after a run of all, those of OLD.csv that were not
 run. Benchmarks with several threads are judged by real time, which a loaded machine spoils, the others by the processor's
@@ -32,6 +33,7 @@ import instruction_sets
 import page
 import peers
 import scaling
+import threads
 
 COLUMNS = "program", "benchmark", "real time [ms]", "CPU time [ms]", "items per second", "note"
 MILLISECONDS = {"ns": 1e-6, "us": 1e-3, "ms": 1.0, "s": 1e3}
@@ -144,7 +146,7 @@ def table_of(results):
     return text.getvalue()
 
 
-def write_report(results, sets, scenes, silence, others, filename):
+def write_report(results, sets, both, scenes, silence, others, filename):
     """Write the table, the charts and the report; returns the name of the report."""
     stem = os.path.splitext(filename)[0]
     charts = []
@@ -152,7 +154,8 @@ def write_report(results, sets, scenes, silence, others, filename):
     for program in dict.fromkeys(one.program for one in series):
         charts.append(f"{stem}-{program}.svg")
         write(charts[-1], scaling.chart(program, [one for one in series if one.program == program]))
-    write(f"{stem}.md", page.page(results, [os.path.basename(name) for name in charts], sets, scenes, silence, *others))
+    write(f"{stem}.md", page.page(results, [os.path.basename(name) for name in charts], sets, both, scenes, silence,
+                                    *others))
     write(filename, table_of(results))
     return f"{stem}.md"
 
@@ -203,6 +206,7 @@ def main(words):
     parser = argparse.ArgumentParser(prog="./littoral bench", description="Measures the speed.", allow_abbrev=False)
     parser.add_argument("programs", nargs="*", help=argparse.SUPPRESS)
     parser.add_argument("--quick", action="store_true", help="about two minutes: without what takes long")
+    parser.add_argument("--peers", action="store_true", help="with --quick, too: other tools at the same work")
     parser.add_argument("--csv", metavar="FILE", default="benchmarks.csv",
                         help="of the table; the report is beside it (default: %(default)s)")
     parser.add_argument("--against", metavar="OLD.csv", help="an earlier table: what is slower by more than 10 %%?")
@@ -230,10 +234,12 @@ def main(words):
         results += measure(program, arguments)
     if not results:
         raise ValueError("no benchmark fits")
-    others = ([], "Other tools were not timed.") if options.quick else peers.measure(results)
+    wants_peers = options.peers or not options.quick
+    others = peers.measure(results) if wants_peers else ([], "Other tools were not timed: add --peers.")
     seconds = [QUICK_TIME] if options.quick else []
     sets = {} if is_filtered else instruction_sets.measure(options.programs, measure, *seconds)
-    report = write_report(results, sets, scenes, silence, others, options.csv)
+    both = {} if is_filtered else threads.measure(options.programs, measure, *seconds)
+    report = write_report(results, sets, both, scenes, silence, others, options.csv)
     print(f"{len(results)} benchmarks: {options.csv}, {report}")
     if silence:
         print(silence)

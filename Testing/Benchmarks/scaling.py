@@ -7,7 +7,12 @@ import html
 import math
 import re
 
-STEEP = 1.05  # exponent above which a benchmark is flagged
+STEEP = 1.1  # exponent above which a benchmark is flagged
+#: Benchmarks (regular expressions of program and name) whose work is n log n, and what makes it so: from 256^2 to 2048^2
+#: its exponent is 1.08.
+LOGARITHMIC = (("bench_drainage", r"(Flood|Breach|Carve\w+|GrowLikePlace)/.*", "a queue by height"),
+               ("bench_terrain", r"MeasureVariogram/.*", "Fourier transforms"),
+               ("bench_wind", r".*", "Fourier transforms"))
 
 Series = collections.namedtuple("Series", "program name points")  # points: (size, time [ms])
 
@@ -34,6 +39,12 @@ def exponent_of(points):
     y = [math.log(time) for _, time in points]
     mean_x, mean_y = sum(x) / len(x), sum(y) / len(y)
     return sum((a - mean_x) * (b - mean_y) for a, b in zip(x, y)) / sum((a - mean_x) ** 2 for a in x)
+
+
+def logarithm_of(series):
+    """What makes the work of a series n log n; empty where nothing is known to."""
+    return next((reason for program, name, reason in LOGARITHMIC
+                 if program == series.program and re.fullmatch(name, series.name)), "")
 
 
 def decades(values):

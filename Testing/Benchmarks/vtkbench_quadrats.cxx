@@ -42,11 +42,12 @@ BENCHMARK(ScatterPoints)
   ->MeasureProcessCPUTime()
   ->UseRealTime();
 
-/// A million points, on the average.
+/// Points of a process, so many on the average.
 void DrawProcess(benchmark::State& state)
 {
+  const double side = std::sqrt(static_cast<double>(state.range(1)));
   vtkNew<vtkPointProcessSource> source;
-  source->SetSize(1000.0, 1000.0);
+  source->SetSize(side, side);
   source->SetIntensity(1.0);
   source->SetClusterSize(5.0);
   source->SetClusterScale(0.5);
@@ -61,8 +62,9 @@ void DrawProcess(benchmark::State& state)
   state.SetItemsProcessed(state.iterations() * source->GetOutput()->GetNumberOfPoints());
 }
 BENCHMARK(DrawProcess)
-  ->ArgName("process")
-  ->DenseRange(vtkPointProcessSource::Poisson, vtkPointProcessSource::MaternII)
+  ->ArgNames({ "process", "size" })
+  ->ArgsProduct({ benchmark::CreateDenseRange(vtkPointProcessSource::Poisson, vtkPointProcessSource::MaternII, 1),
+    { 256 * 256, 1024 * 1024, 2048 * 2048 } })
   ->Unit(benchmark::kMillisecond)
   ->MeasureProcessCPUTime()
   ->UseRealTime();

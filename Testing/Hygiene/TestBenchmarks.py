@@ -127,32 +127,41 @@ class Benchmarks(unittest.TestCase):
     def test_papers_stand_beside_their_scenes(self):
         def particles(distance, levels, selection, size):
             # 100, 125, 250 and 500 updates a second; of many particles 10, 8, 25 and 50.
-            time = (10.0, 8.0, 4.0, 2.0)[levels + 2 * selection] if size == 4000 else \
+            time = (10.0, 8.0, 4.0, 2.0)[levels + 2 * selection] if size < 400000 else \
                 (100.0, 125.0, 40.0, 20.0)[levels + 2 * selection]
             name = f"Particles/distance:{distance}/levels:{levels}/selection:{selection}/size:{size}/process_time"
             return result(name, time, trains=120000 / (1 + 3 * levels) / (1 + selection))
 
         table_1 = [particles(distance, levels, selection, size) for distance in (0, 3, 6, 9, 12)
-                   for levels in (0, 1) for selection in (0, 1) for size in (4000, 400000)]
+                   for levels in (0, 1) for selection in (0, 1) for size in (1000, 4000, 400000)]
         table_2 = [result(f"Seaweeds/plants:{plants}/levels:{levels}/process_time", 0.02 * plants / (1 + levels),
                           segments=6 * plants / (1 + levels)) for plants in (25, 50, 100, 200, 300, 30000)
                    for levels in (0, 1)]
-        figure_9 = [result(f"Trees/cells:{cells}/iterations:90/process_time", 20.0 - 10.0 * cells,
-                           **{"polygons": 4e5 / (1 + 3 * cells), "polygons in full": 3e7 / (1 + 5 * cells)})
-                    for cells in (0, 1)]
-        text = self.report_all({"vtkbench_papers": [*table_1, *table_2, *figure_9]})
+        def trees(cells, levels, number):
+            name = f"Trees/cells:{cells}/levels:{levels}/trees:{number}/iterations:{90 if levels else 4}/process_time"
+            return result(name, (20.0 - 10.0 * cells) * (1 if levels else 60),
+                          **{"polygons": 4e5 / (1 + 3 * cells), "polygons in full": number * 3e4 / (1 + 5 * cells)})
+
+        figure_9 = [trees(cells, levels, number) for cells in (0, 1) for levels in (0, 1) for number in (1000, 100000)]
+        million = [result("FrameWithout/real_time", 1.0), result("FrameWithLevels/real_time", 2.0)]
+        text = self.report_all({"vtkbench_papers": [*table_1, *table_2, *figure_9], "vtkbench_particles": million})
         for row in ("| levels of detail, paper [1/s] | 20 | 23 | 29 | 45 | 97 |",
                     "| levels of detail, here, 4000 [1/s] | 125 | 125 | 125 | 125 | 125 |",
                     "| here in time, 400000 |" + " 0.8 (slower) |" * 5,
                     "| gain by both, paper | 2 | 2.55 | 3.45 | 5.64 | 11.1 |\n"
+                    "| here in time, 1000 | 5 | 5 | 5 | 5 | 5 |\n"
                     "| here in time, 4000 | 5 | 5 | 5 | 5 | 5 |\n"
                     "| here in time, 400000 | 5 | 5 | 5 | 5 | 5 |\n"
                     "| here, in trains times particles | 8 | 8 | 8 | 8 | 8 |",
                     "| no levels, here [1/s] | 2000 | 1000 | 500 | 250 | 167 | 1.67 |",
                     "| gain, paper | 1.3 | 1.44 | 1.58 | 1.69 | 1.78 |  |",
                     "| here, in segments moved | 2 | 2 | 2 | 2 | 2 | 2 |",
-                    "| neither | 0.9 | 1 | 30000 | 1 |  |", "| levels of detail | 3.7 | 4.11 | 400 | 75 | 50 |",
-                    "| cells | 5.2 | 5.78 | 5000 | 6 |  |", "| both | 12.2 | 13.6 | 100 | 300 | 100 |"):
+                    "| 1000 | neither | 0.9 | 1 | 30000 | 1 | 0.833 | 1 |",
+                    "| 1000 | levels of detail | 3.7 | 4.11 | 400 | 75 | 50 | 60 |",
+                    "| 1000 | cells | 5.2 | 5.78 | 5000 | 6 | 1.67 | 2 |",
+                    "| 1000 | both | 12.2 | 13.6 | 100 | 300 | 100 | 120 |",
+                    "| 100000 | neither | 0.9 | 1 | 3000000 | 1 |  |  |",
+                    "| 100000 | both | 12.2 | 13.6 | 100 | 30000 | 100 |  |", "| 2 | 4 | 0.5 (slower) |"):
             self.assertIn(row + "\n", text)
         text = self.report_all({"vtkbench_papers": table_1[1:] + table_2})
         self.assertNotIn("Table 1 of Coulais", text)
@@ -181,7 +190,8 @@ class Benchmarks(unittest.TestCase):
         self.assertIn("| turning bands, 1024 x 1024, 64 lines | 20 | 10 | RandomFields, RPtbm of RMexp | 80 | 0.25 | 0.12 |",
                       report)
         self.assertIn("R has no spatstat.", report)
-        self.assertIn("Other tools were not timed.", self.report_all(terrain, "--quick"))
+        self.assertIn("Other tools were not timed: add --peers.", self.report_all(terrain, "--quick"))
+        self.assertIn("RandomFields, RPtbm", self.report_all(terrain, "--quick", "--peers"))
         self.assertIn("No peers were measured.", self.report_all({"bench_waves": [result("Swell", 1.0)]}))
 
     def test_a_failure_leaves_the_old_table(self):
@@ -230,7 +240,8 @@ class Benchmarks(unittest.TestCase):
                            result("TurnSamePoses/2/real_time", 2.0), result("TurnSamePoses/1/real_time", 3.0),
                            result("MoveForest/threads:2/in full:1000/real_time", 8.0)],
             # 1 ns and 0.5 ns, of 6 ns a particle and train
-            "vtkbench_orbits": [result("MoveParticles<float>/depth:20/size:10/real_time", 1.0, items_per_second=1e9 / 6.0)],
+            "vtkbench_orbits": [result("MoveParticles<float>/depth:20/size:10/real_time", 1.0, items_per_second=1e9 / 6.0),
+                                result("OrbitFilterFrame/real_time", 1.0, items_per_second=1e9 / 3.0)],
             # 20 times 4 ms of 200 ms
             "vtkbench_seaweed": [result("StepForest/size:10000/real_time", 100.0),
                                  result("StepMemory/size:10000/real_time", 2.0)],
@@ -246,14 +257,16 @@ class Benchmarks(unittest.TestCase):
                     "| vtkbench_scatter | AllInFull/100/real_time | 2 | 1 GB/s |  |"):
             self.assertIn(row + "\n", text)
         self.assertIn("1. 36 bytes a vertex", text)
+        self.assertRegex(text, r"\| a sine with .* \| 25 % \| MoveParticles<float>/depth:20/size:10/real_time \| 50 % \| "
+                               r"OrbitFilterFrame/real_time \|\n")
 
     def test_exponents_are_slopes_of_logarithms(self):
         # Times of 3, 24 and 96: by least squares, with sizes of 1, 4 and 16, an exponent of 1.25.
         series = [result(f"Swell/mode:1/size:{10 * 4 ** k}", time) for k, time in enumerate((3.0, 24.0, 96.0))]
         line = [result(f"Surf/size:{size}", 0.001 * size) for size in (100, 1000)]
         self.assertEqual(self.report([*series, *line, result("Tide/size:5", 1.0), result("Size:3", 1.0)]).returncode, 0)
-        self.assertIn("| bench_waves | Swell/mode:1/size | 10 to 160 | 1.25 | above 1.05 |\n", self.text())
-        self.assertIn("| bench_waves | Surf/size | 100 to 1000 | 1.00 |  |\n", self.text())
+        self.assertIn("| bench_waves | Swell/mode:1/size | 10 to 160 | 1.25 | above 1.1 |  |\n", self.text())
+        self.assertIn("| bench_waves | Surf/size | 100 to 1000 | 1.00 |  |  |\n", self.text())
         self.assertNotIn("Tide/size |", self.text())
         self.assertIn("![benchmarks-bench_waves.svg](benchmarks-bench_waves.svg)", self.text())
         chart = xml.etree.ElementTree.fromstring(self.text("benchmarks-bench_waves.svg"))
@@ -263,6 +276,31 @@ class Benchmarks(unittest.TestCase):
         x = [float(point.split(",")[0]) for point in lines[0]]
         self.assertAlmostEqual(x[1] - x[0], x[2] - x[1], delta=0.11)  # a logarithmic axis, rounded to 0.1
         self.assertIn("Surf/size: 1.00", [text.text for text in chart.iter(f"{svg}text")])
+
+    def test_what_sorts_is_told(self):
+        text = self.report_all({"bench_drainage": [result(f"Flood/size:{size}", 1e-3 * size) for size in (100, 1000)]})
+        self.assertIn("| bench_drainage | Flood/size | 100 to 1000 | 1.00 |  | a queue by height |\n", text)
+
+    def test_classes_run_on_one_thread_and_on_two_in_turn(self):
+        sys.path.insert(0, os.path.dirname(REPORT))
+        import page
+        import report
+        import threads
+
+        asked = []
+
+        def run(program, arguments, settings):
+            count = int(settings["VTK_SMP_MAX_THREADS"])
+            asked.append((os.path.basename(program), count))
+            time = {1: (12.0, 10.0, 90.0), 2: (5.0, 40.0, 4.0)}[count][(len(asked) - 1) // 2]
+            return [report.Result(os.path.basename(program), "Turn", time, 1.0, 0.0, 0.0, "")]
+
+        found = threads.measure(["bin/bench_waves", "bin/vtkbench_orbits"], run)
+        if (os.cpu_count() or 1) < 2:
+            self.assertEqual(found, {})
+            return
+        self.assertEqual(asked, [("vtkbench_orbits", 1), ("vtkbench_orbits", 2)] * 3)
+        self.assertIn("| vtkbench_orbits | Turn | 12 | 5 | 2.40 |", page.of_threads(found))
 
     def test_kernels_are_measured_with_each_set_of_instructions(self):
         sys.path.insert(0, os.path.dirname(REPORT))
