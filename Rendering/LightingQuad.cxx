@@ -29,6 +29,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <cmath>
 #include <string>
 
 namespace littoral
@@ -166,7 +167,7 @@ void LightingQuad::TakeSurfaces(
   int height = 0;
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&width, &height, &origin[0], &origin[1]);
-  const auto pixels = [this](int side) { return (this->Samples * side + this->PixelSize - 1) / this->PixelSize; };
+  const auto pixels = [this](int side) { return static_cast<int>(std::ceil(this->Samples * side / this->PixelSize)); };
   this->Allocate(window, pixels(width), pixels(height));
   this->Take(window, this->Dry, drawSurfaces);
   if (!drawWater)

@@ -38,7 +38,7 @@ public:
   /// Pixels of the pictures along a side of one of the renderer, 1 or 2.
   void SetSamples(int samples) { this->Samples = samples; }
   /// Pixels of the renderer along a side of one of the pictures, which is enlarged by a linear filter.
-  void SetPixelSize(int size) { this->PixelSize = size; }
+  void SetPixelSize(double size) { this->PixelSize = size; }
 
   /// Draws surfaces by functions into the pictures: those of water into pictures of their own, null for none.
   void TakeSurfaces(
@@ -87,7 +87,7 @@ private:
   bool HasContact = false; ///< of all processes, for the next picture
   bool HasLit = false;     ///< the same of Lit
   int Samples = 1;
-  int PixelSize = 1;
+  double PixelSize = 1.0;
   int Width = 0;
   int Height = 0;
 };

@@ -89,6 +89,8 @@ vtkInformation* KeysOf(vtkProp* prop)
   return prop->GetPropertyKeys();
 }
 
+constexpr double FastPixelSize = 1.5; // side of the pixels of surfaces in the quality Fast [pixels]
+
 bool IsGround(vtkProp* prop)
 {
   return vtkLandscapePass::GetMaterial(prop) == vtkLandscapePass::Ground;
@@ -526,8 +528,8 @@ void vtkLandscapePass::RenderMaps(vtkRenderer* renderer, vtkMultiProcessControll
   wish.HasZenith = this->OcclusionRadius > 0.0;
   wish.Occlusion = this->OcclusionRadius;
   wish.Distance = this->ShadowDistance;
-  wish.Size = this->Quality == Fast ? std::max(this->MapSize / 2, 1) : this->MapSize;
-  wish.IsInHaste = this->Draft;
+  wish.Size = this->MapSize;
+  wish.IsInHaste = this->GetQualityNow() == Fast;
   wish.GroundRadius =
     own.Light.HasGround && !own.Light.IsInWater && this->GetQualityNow() != Fast && this->CoverHeight > 0.0
     ? this->CoverRadius
@@ -629,10 +631,17 @@ void vtkLandscapePass::TakeCamera(vtkRenderer* renderer)
 {
   Internals& own = *this->Own;
   own.Quad.SetSamples(this->GetQualityNow() == Best ? 2 : 1);
-  own.Quad.SetPixelSize(this->Draft ? this->DraftPixelSize : 1);
+  own.Quad.SetPixelSize(this->GetPixelSize());
   vtkCamera* camera = renderer->GetActiveCamera();
   own.Light.ToWorld = glm::inverse(littoral::MatrixOf(camera->GetModelViewTransformMatrix()));
   own.Light.IsParallel = camera->GetParallelProjection();
+}
+
+//----------------------------------------------------------------------------
+double vtkLandscapePass::GetPixelSize()
+{
+  const double sharpest = this->Quality == Fast ? FastPixelSize : 1.0;
+  return std::max(sharpest, this->Draft ? this->DraftPixelSize : 1.0);
 }
 
 //----------------------------------------------------------------------------

@@ -209,9 +209,9 @@ public:
   vtkGetMacro(MapSize, int);
   ///@}
   /**
-   * Qualities. Fast: without grass, shafts of light and shade where things meet, with maps of half the size, for
-   * processors that draw. Best: with four samples a pixel, for edges and leaves without steps, and soft
-   * shadows.
+   * Qualities. Fast: without grass, shafts of light and shade where things meet, with maps that are coarser near the
+   * eye and seldom drawn anew, and surfaces in pixels of 1.5 times the side, for processors that draw. Best: with four
+   * samples a pixel, for edges and leaves without steps, and soft shadows.
    */
   enum QualityType
   {
@@ -229,8 +229,7 @@ public:
   ///@}
   ///@{
   /**
-   * Pictures in haste, as while a camera is dragged: as Fast, with shadows by maps that are coarser near the eye and
-   * seldom drawn anew; default off.
+   * Pictures in haste, as while a camera is dragged: as Fast, in pixels of a side of their own; default off.
    */
   vtkSetMacro(Draft, bool);
   vtkGetMacro(Draft, bool);
@@ -241,6 +240,8 @@ public:
   vtkSetClampMacro(DraftPixelSize, int, 1, 4);
   vtkGetMacro(DraftPixelSize, int);
   ///@}
+  /** Side of the pixels in which surfaces of the next picture are drawn and lit [pixels], by Quality and Draft. */
+  double GetPixelSize();
   ///@{
   /** Distance of surfaces that hide the sky from a place [m], 0 for none; default 5. */
   vtkSetClampMacro(OcclusionRadius, double, 0.0, VTK_DOUBLE_MAX);

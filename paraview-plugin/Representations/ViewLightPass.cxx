@@ -98,7 +98,8 @@ void ViewLightPass::Render(const vtkRenderState* state)
   this->Whole->IsOn = false;
   pass->Render(state);
   this->NumberOfRenderedProps = pass->GetNumberOfRenderedProps();
-  if (isLit && renderer->GetUseFXAA())
+  // Where pixels are larger, edges are soft already.
+  if (isLit && renderer->GetUseFXAA() && this->Landscape->GetPixelSize() <= 1.0)
   {
     this->Smoothing->UpdateConfiguration(renderer->GetFXAAOptions());
     this->Smoothing->Execute(renderer);
