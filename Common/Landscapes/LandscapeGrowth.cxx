@@ -57,7 +57,7 @@ constexpr double LeastSlopeFactor = 0.002;
 constexpr double RockCells = 12.0;
 constexpr double FirstContrast = 3.0;
 constexpr double SmallestContrast = 0.1;
-constexpr double LargestContrast = 5.0;
+constexpr double LargestContrast = 8.0;
 
 /// Uplift at the start, and the growth of its logarithm by that of the squared relief that is missing.
 constexpr double FirstUplift = 0.25;
@@ -97,6 +97,13 @@ std::string WhyTooSmall(const GridSamples& ground, const char* name)
   return std::min(ground.Width, ground.Height) >= leastCells
     ? ""
     : std::string(name) + " has fewer than 16 rows or columns; no valleys can grow there.";
+}
+
+/// Range of the middle three fifths of even quantiles.
+double SpreadOf(const std::vector<double>& quantiles)
+{
+  const std::size_t fifth = (quantiles.size() - 1) / 5;
+  return quantiles[4 * fifth] - quantiles[fifth];
 }
 
 std::vector<double> Between(const std::vector<double>& from, const std::vector<double>& to, double part)
@@ -403,7 +410,8 @@ private:
     // rock that differs more from place to place makes more gentle ground
     const double variation = shall.BlockVariation > 0.0 ? is.BlockVariation / shall.BlockVariation : 1.0;
     const double gentle = (is.GentleFraction + 0.02) / (shall.GentleFraction + 0.02);
-    const double by = std::clamp(std::pow(variation * gentle, -0.2), 0.85, 1.18);
+    const double spread = SpreadOf(is.Slopes) / is.MeanSlope * shall.MeanSlope / SpreadOf(shall.Slopes);
+    const double by = std::clamp(std::pow(variation * gentle, -0.1) / spread, 0.85, 1.18);
     this->Contrast = std::clamp(by * this->Contrast, SmallestContrast, LargestContrast);
     this->Waves.Correct(ground, this->Target.Measures, this->Parallel);
     this->SetLongWaves();
