@@ -3,11 +3,13 @@
 #include "Landscapes/LandscapeGrowth.h"
 
 #include "Drainage/DepressionBreaching.h"
+#include "Drainage/GroundStatistics.h"
 #include "Drainage/ValleySpreading.h"
 #include "Landscapes/HeightMatching.h"
 #include "Landscapes/LandscapeMeasures.h"
 #include "Landscapes/LandscapeStep.h"
 #include "Landscapes/LongWaves.h"
+#include "Landscapes/RockHardness.h"
 #include "Numerics/ParameterCheck.h"
 #include "Numerics/RandomStream.h"
 
@@ -34,6 +36,7 @@ struct GrowthLevel
 };
 constexpr std::array<GrowthLevel, 3> Levels{ { { 4, 80 }, { 2, 40 }, { 1, 12 } } };
 constexpr int StepsAnIteration = 8;
+constexpr double TimeAnIteration = 3.0; ///< of each of its steps, over the relief
 
 /// Area exponents of rivers, and the one where the place tells none.
 constexpr double LeastExponent = 0.35;
@@ -50,9 +53,23 @@ constexpr double ThresholdFactor = 1.1;
 constexpr std::size_t SteepQuantile = 999;
 constexpr double LeastSlopeFactor = 0.002;
 
-/// Least uplift, over that of the start.
-constexpr double SmallestMinimum = 0.05;
-constexpr double LargestMinimum = 0.8;
+/// Smoothing of heights whose ranks tell the rock [cells], and the power by which slopes of the place become hardness.
+constexpr double RockCells = 12.0;
+constexpr double FirstContrast = 3.0;
+constexpr double SmallestContrast = 0.1;
+constexpr double LargestContrast = 8.0;
+
+/// Uplift at the start, and the growth of its logarithm by that of the squared relief that is missing.
+constexpr double FirstUplift = 0.25;
+constexpr double UpliftGain = 0.1;
+
+/// Steps of the part of the matching of heights that is not linear, the errors of hypsometric integral and skewness at
+/// which a part is enough, and the limits of the linear one.
+constexpr double PartStep = 0.125;
+constexpr double IntegralTolerance = 0.028;
+constexpr double SkewTolerance = 0.14;
+constexpr double LeastScale = 0.85;
+constexpr double GreatestScale = 1.15;
 
 /// Tolerance of Kolmogorov's distance of slopes.
 constexpr double SlopeTolerance = 0.045;
@@ -82,7 +99,24 @@ std::string WhyTooSmall(const GridSamples& ground, const char* name)
     : std::string(name) + " has fewer than 16 rows or columns; no valleys can grow there.";
 }
 
-/// The steps of GrowLandscape(). Uplift is near 1, in any unit of time.
+/// Range of the middle three fifths of even quantiles.
+double SpreadOf(const std::vector<double>& quantiles)
+{
+  const std::size_t fifth = (quantiles.size() - 1) / 5;
+  return quantiles[4 * fifth] - quantiles[fifth];
+}
+
+std::vector<double> Between(const std::vector<double>& from, const std::vector<double>& to, double part)
+{
+  std::vector<double> values;
+  for (std::size_t n = 0; n < from.size(); ++n)
+  {
+    values.push_back(from[n] + part * (to[n] - from[n]));
+  }
+  return values;
+}
+
+/// The steps of GrowLandscape(). Uplift is below 1, in any unit of time.
 class Grower
 {
 public:
@@ -97,6 +131,8 @@ public:
     , Progress(std::move(progress))
     , Target(TargetOf(place, {}, parallel))
     , Wanted(MeasureLandscape(place, parallel))
+    , PlaceHeights(ShapeOf(place.Values))
+    , SlopeProfile(SlopesByHeight(place, RockCells, parallel))
     , Waves(terrain, this->Target, this->ShortestWave(), parameters.Seed, parallel)
   {
     this->Target.Measures.Concavity = this->Wanted.Concavity;
@@ -123,7 +159,7 @@ public:
     for (int iteration = 0; iteration < this->Iterations && least > 1.0; ++iteration)
     {
       ++this->Done;
-      this->Evolve(StepsAnIteration, 0.5 * this->Relief);
+      this->Evolve(StepsAnIteration, TimeAnIteration * this->Relief);
       GridSamples ground = this->Ground();
       const LandscapeMeasures measures = MeasureLandscape(ground, this->Parallel);
       const double misfit = this->MisfitOf(ground, measures);
@@ -135,7 +171,6 @@ public:
       }
     }
     BreachDepressions(best, BorderOutlets(best.Width, best.Height), BreachPath::LeastCost);
-    MatchHeights(best.Values, this->Target.Heights);
     return best;
   }
 
@@ -143,7 +178,8 @@ public:
   void TakeLaw(const Grower& other)
   {
     this->Law = other.Law;
-    this->Steering.Minimum = other.Steering.Minimum;
+    this->Contrast = other.Contrast;
+    this->Uplift = other.Uplift;
   }
 
   int IterationsDone() const { return this->Done; }
@@ -206,16 +242,17 @@ private:
     const PointMesh coarse = std::move(this->Mesh);
     this->Factor = factor;
     this->Guide = BlockMeans(this->Wide, factor);
-    this->Mesh = JitteredMesh(this->Guide.Width, this->Guide.Height, this->Guide.Spacing, this->Seed + factor);
+    this->Mesh = JitteredMesh(this->Guide.Width, this->Guide.Height, this->Guide.Spacing, this->Seed, factor);
+    this->SetRock();
     if (coarse.Points.empty())
     {
       this->Heights = this->RoughGuide();
-      this->Uplift.assign(this->Heights.size(), 1.0);
+      this->Hardness = this->Rock;
     }
     else
     {
       this->Heights = Refined(this->Heights, coarse.Width, coarse.Height);
-      this->Uplift = Refined(this->Uplift, coarse.Width, coarse.Height);
+      this->Hardness = Refined(this->Hardness, coarse.Width, coarse.Height);
     }
     for (CellIndex n = 0; n < this->Mesh.Count(); ++n)
     {
@@ -241,19 +278,95 @@ private:
     for (int step = 0; step < steps; ++step)
     {
       const MeshDrainage drainage = DrainMesh(this->Mesh, this->Heights, this->Parallel);
-      StepLandscape(this->Mesh, drainage, this->Law, this->Uplift, time, this->Heights, this->Parallel);
-      SteerUplift(steering, this->Heights, this->Guide, this->Uplift, this->Parallel);
+      StepLandscape(this->Mesh, drainage, this->Law, this->Uplift, this->Hardness, time, this->Heights, this->Parallel);
+      SteerUplift(steering, this->Heights, this->Guide, this->Rock, this->Hardness, this->Parallel);
+      this->SteerRelief();
       this->Progress(static_cast<double>(this->Steps++) / this->AllSteps);
     }
   }
 
-  /// Heights on the terrain's grid, with the distribution of the place.
+  /// Hardness of the rock by the height of the long waves, r = (S / S_mean)^c with the place's slopes at that rank.
+  void SetRock()
+  {
+    this->Rock = ProfileByHeight(this->Guide, RockCells / this->Factor, this->SlopeProfile, this->Parallel);
+    for (double& rock : this->Rock)
+    {
+      rock = std::pow(rock, this->Contrast);
+    }
+  }
+
+  /// Uplift by the relief that is missing, U' = U (Var_wanted / Var)^g.
+  void SteerRelief()
+  {
+    GridSamples ground = this->Guide;
+    ground.Values = this->Heights;
+    const double missing = this->Relief * this->Relief / Moments(ground).Variance;
+    this->Uplift *= std::clamp(std::pow(missing, UpliftGain), 0.8, 1.25);
+  }
+
+  /// Heights on the terrain's grid, with the distribution and the semivariances of the place.
   GridSamples Ground() const
   {
     GridSamples ground =
       PartOf(GridOf(this->Mesh, this->Heights), this->Before, this->Before, this->Terrain.Width, this->Terrain.Height);
-    MatchHeights(ground.Values, this->Target.Heights);
+    this->MatchPlace(ground);
     return ground;
+  }
+
+  /// From a straight line through mean and deviation as far to the place's ranks as its hypsometry needs, then scaled
+  /// about the mean. The full map would stretch lowlands, whose slopes are the rock's.
+  void MatchPlace(GridSamples& ground) const
+  {
+    std::vector<double> matched = ground.Values;
+    MatchHeights(matched, this->Target.Heights);
+    const SampleShape is = ShapeOf(ground.Values);
+    const double mean = this->PlaceHeights.Mean;
+    std::vector<double> line = ground.Values;
+    for (double& height : line)
+    {
+      height = mean + this->PlaceHeights.StandardDeviation / is.StandardDeviation * (height - is.Mean);
+    }
+    for (double part = PartStep; part <= 1.0; part += PartStep)
+    {
+      ground.Values = Between(line, matched, part);
+      if (this->HasHypsometry(ShapeOf(ground.Values)))
+      {
+        break;
+      }
+    }
+    const double scale = std::clamp(std::sqrt(this->MissingSemivariance(ground)), LeastScale, GreatestScale);
+    for (double& height : ground.Values)
+    {
+      height = mean + scale * (height - mean);
+    }
+  }
+
+  bool HasHypsometry(const SampleShape& is) const
+  {
+    const auto integral = [](const SampleShape& of) { return (of.Mean - of.Minimum) / (of.Maximum - of.Minimum); };
+    return std::abs(integral(is) - integral(this->PlaceHeights)) < IntegralTolerance &&
+      std::abs(is.Skew - this->PlaceHeights.Skew) < SkewTolerance;
+  }
+
+  /// Geometric mean over the lags of the semivariances that are wanted over those that are.
+  double MissingSemivariance(const GridSamples& ground) const
+  {
+    const std::vector<int> lags = SemivarianceLags(ground.Width, ground.Height);
+    const std::vector<double> semivariance = SemivarianceAlongAxes(ground, lags, this->Parallel);
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t n = 0; n < lags.size(); ++n)
+    {
+      const double wanted = this->WantedSemivariance(ground, lags[n]);
+      sum += std::isnan(wanted) ? 0.0 : std::log(wanted / semivariance[n]);
+      count += std::isnan(wanted) ? 0 : 1;
+    }
+    return count > 0 ? std::exp(sum / count) : 1.0;
+  }
+
+  double WantedSemivariance(const GridSamples& ground, int lag) const
+  {
+    return this->Target.Measures.SemivarianceAt(lag * 0.5 * (ground.Spacing[0] + ground.Spacing[1]));
   }
 
   /// Largest deviation from the place over its tolerance.
@@ -271,16 +384,15 @@ private:
     most = std::isnan(concavity) ? most : std::max(most, concavity);
     const std::vector<int> lags = SemivarianceLags(ground.Width, ground.Height);
     const std::vector<double> semivariance = SemivarianceAlongAxes(ground, lags, this->Parallel);
-    const double spacing = 0.5 * (ground.Spacing[0] + ground.Spacing[1]);
     for (std::size_t n = 0; n < lags.size(); ++n)
     {
-      const double wanted = this->Target.Measures.SemivarianceAt(lags[n] * spacing);
+      const double wanted = this->WantedSemivariance(ground, lags[n]);
       most = std::isnan(wanted) ? most : std::max(most, relative(semivariance[n], wanted, 0.1));
     }
     return most;
   }
 
-  /// Corrects the law, the least uplift and the long waves by what is missing.
+  /// Corrects the law, the contrast of rocks and the long waves by what is missing.
   void Correct(const GridSamples& ground, const LandscapeMeasures& is)
   {
     const LandscapeMeasures& shall = this->Wanted;
@@ -295,14 +407,16 @@ private:
         this->Law.AreaExponent + ExponentStep * std::clamp(missing, -0.15, 0.15), LeastExponent, GreatestExponent);
     }
     this->SetErodibility();
-    // uplift that differs more from place to place makes more gentle ground
+    // rock that differs more from place to place makes more gentle ground
     const double variation = shall.BlockVariation > 0.0 ? is.BlockVariation / shall.BlockVariation : 1.0;
     const double gentle = (is.GentleFraction + 0.02) / (shall.GentleFraction + 0.02);
-    this->Steering.Minimum = std::clamp(
-      this->Steering.Minimum * std::clamp(std::sqrt(variation * gentle), 0.7, 1.4), SmallestMinimum, LargestMinimum);
+    const double spread = SpreadOf(is.Slopes) / is.MeanSlope * shall.MeanSlope / SpreadOf(shall.Slopes);
+    const double by = std::clamp(std::pow(variation * gentle, -0.1) / spread, 0.85, 1.18);
+    this->Contrast = std::clamp(by * this->Contrast, SmallestContrast, LargestContrast);
     this->Waves.Correct(ground, this->Target.Measures, this->Parallel);
     this->SetLongWaves();
     this->Guide = this->Wide;
+    this->SetRock();
   }
 
   const GridSamples& Terrain;
@@ -314,6 +428,8 @@ private:
   CarvingProgress Progress;
   CarvingTarget Target;
   LandscapeMeasures Wanted;
+  SampleShape PlaceHeights;
+  std::vector<double> SlopeProfile; ///< of the place, by height
   LongWaves Waves;
   int Before = 0;
   std::array<int, 2> After{ 0, 0 };
@@ -325,7 +441,10 @@ private:
   GridSamples Guide; ///< long waves at the resolution of the level
   PointMesh Mesh;
   std::vector<double> Heights;
-  std::vector<double> Uplift;
+  std::vector<double> Rock;     ///< hardness by height alone
+  std::vector<double> Hardness; ///< of now
+  double Uplift = FirstUplift;
+  double Contrast = FirstContrast;
   int Done = 0; ///< iterations
   int Steps = 0;
   int AllSteps = 1;
@@ -337,9 +456,11 @@ std::string WhyInvalid(const GridSamples& terrain, const GrowthParameters& param
 {
   ParameterCheck check;
   check.Positive("Smoothing", parameters.Steering.Smoothing, "cells", 100.0);
-  check.Positive("Gain", parameters.Steering.Gain, "", 1.0);
+  check.Positive("Gain", parameters.Steering.Gain, "", 100.0);
   check.Positive("Minimum", parameters.Steering.Minimum, "", 1.0);
   check.Range("Maximum", parameters.Steering.Maximum, 1.0, 1e3);
+  check.Range("Range", parameters.Steering.Range, 1.001, 100.0);
+  check.Positive("Rate", parameters.Steering.Rate, "", 1.0);
   check.Count("MaximumIterations", parameters.MaximumIterations, 0, 100);
   check.Require(WhyTooSmall(terrain, "The terrain"));
   const auto isMissing = [](double height) { return std::isnan(height); };

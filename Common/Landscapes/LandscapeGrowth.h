@@ -37,11 +37,12 @@ double GrowthMemory(int width, int height);
  *
  * 1. Points at random, one a cell, at a quarter of the resolution, then at half of it, then at all of it, so that trunk
  *    valleys come first, with a margin that is cut off at the end.
- * 2. Each step routes water, solves rivers and hillslopes (StepLandscape), and steers the uplift to the long waves.
- * 3. Each iteration measures slopes, curvature, concavity and spectrum, corrects diffusivity, exponent, least uplift
- * and waves by what is missing, and goes on from where it is.
- * 4. The first that is within its tolerances, or else the best, is brought to the grid, breached where the grid lost
- * its way, and its heights are matched.
+ * 2. Each step routes water, solves rivers and hillslopes (StepLandscape), and steers the hardness of the rock, which
+ *    follows the place's slopes by height, to the long waves.
+ * 3. Each iteration measures slopes, curvature, concavity and spectrum, corrects diffusivity, exponent, contrast of
+ *    rocks and waves by what is missing, and goes on from where it is.
+ * 4. The first that is within its tolerances, or else the best, is brought to the grid, its heights are matched, and
+ *    it is breached where the grid lost its way.
  *
  * On more than 2^18 cells the law is fitted on the middle 288 x 288 first. The result does not depend on the threads.
  */

@@ -44,19 +44,21 @@ std::string WhyInvalid(const LandscapeLaw& law)
   return check.Reason();
 }
 
-void StepLandscape(const PointMesh& mesh, const MeshDrainage& drainage, const LandscapeLaw& law,
-  const std::vector<double>& uplift, double time, std::vector<double>& heights, const ParallelFor& parallel)
+void StepLandscape(const PointMesh& mesh, const MeshDrainage& drainage, const LandscapeLaw& law, double uplift,
+  const std::vector<double>& hardness, double time, std::vector<double>& heights, const ParallelFor& parallel)
 {
   std::vector<double> start(heights.size());
   std::vector<double> incision(heights.size(), 0.0);
   parallel(heights.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)
     {
-      // z0 / dt + U, and K A^m / d
-      start[n] = heights[n] / time + uplift[n];
+      // z0 / dt + U h^1/2, and K A^m / d h^-1/2
+      const double root = std::sqrt(hardness[n]);
+      start[n] = heights[n] / time + uplift * root;
       const CellIndex link = drainage.Link[n];
       incision[n] =
         link < 0 ? 0.0 : law.Erodibility * std::pow(drainage.Area[n], law.AreaExponent) / mesh.Distance[link];
+      incision[n] /= root;
     }
   });
   const double threshold = law.ThresholdSlope * law.ThresholdSlope;

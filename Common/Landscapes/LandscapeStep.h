@@ -17,7 +17,8 @@ namespace littoral
  *   dz/dt = U - K A^m S + div(D grad z / (1 - (|grad z| / S_c)^2))
  *
  * with the slope S to the receiver and the drainage area A. Between two points |grad z| is the slope from one to the
- * other. A steady state without hillslopes has S = U / K A^-m.
+ * other. A steady state without hillslopes has S = U / K A^-m. Rock of a hardness h rises and resists, with U sqrt(h)
+ * and K / sqrt(h): slopes of rivers go with h, and soft ground is dissected more finely.
  */
 struct LandscapeLaw
 {
@@ -32,9 +33,9 @@ struct LandscapeLaw
 std::string WhyInvalid(const LandscapeLaw& law);
 
 /// Implicit time step [a], stable for any: two passes of Gauss and Seidel from the outlets upstream, each point after
-/// its receiver. `uplift` is U at each point [m/a]; the rim stays.
-void StepLandscape(const PointMesh& mesh, const MeshDrainage& drainage, const LandscapeLaw& law,
-  const std::vector<double>& uplift, double time, std::vector<double>& heights,
+/// its receiver. `uplift` is U [m/a], `hardness` h at each point, positive; the rim stays.
+void StepLandscape(const PointMesh& mesh, const MeshDrainage& drainage, const LandscapeLaw& law, double uplift,
+  const std::vector<double>& hardness, double time, std::vector<double>& heights,
   const ParallelFor& parallel = SerialFor);
 
 }

@@ -34,14 +34,14 @@ constexpr double LeastArea = 0.05;
 
 using IntegerPoint = boost::polygon::point_data<std::int32_t>;
 
-std::vector<IntegerPoint> JitteredPoints(const PointMesh& mesh, double unit, int seed)
+std::vector<IntegerPoint> JitteredPoints(const PointMesh& mesh, double unit, int seed, int draw)
 {
   const RandomStream random(seed, RandomPurpose::LandscapePoints);
   std::vector<IntegerPoint> points;
   const CellIndex count = mesh.Width * mesh.Height;
   for (CellIndex n = 0; n < count; ++n)
   {
-    const std::array<double, 2> u = random.UniformPair(n, 0);
+    const std::array<double, 2> u = random.UniformPair(n, draw);
     const int column = n % mesh.Width;
     const int row = n / mesh.Width;
     const double jitter = mesh.IsRim(n) ? 0.0 : InnerPart;
@@ -184,14 +184,14 @@ bool PointMesh::IsRim(CellIndex point) const
   return i == 0 || j == 0 || i == this->Width - 1 || j == this->Height - 1;
 }
 
-PointMesh JitteredMesh(int width, int height, const std::array<double, 2>& spacing, int seed)
+PointMesh JitteredMesh(int width, int height, const std::array<double, 2>& spacing, int seed, int draw)
 {
   PointMesh mesh;
   mesh.Width = width;
   mesh.Height = height;
   mesh.Spacing = spacing;
   const double unit = std::min(spacing[0], spacing[1]) / UnitsACell;
-  const std::vector<IntegerPoint> points = JitteredPoints(mesh, unit, seed);
+  const std::vector<IntegerPoint> points = JitteredPoints(mesh, unit, seed, draw);
   for (const IntegerPoint& point : points)
   {
     mesh.Points.push_back({ point.x() * unit, point.y() * unit });

@@ -34,8 +34,9 @@ struct PointMesh
   bool IsRim(CellIndex point) const;
 };
 
-/// Points that are uniform in the inner nine tenths of each cell's sides, by a seed.
-PointMesh JitteredMesh(int width, int height, const std::array<double, 2>& spacing, int seed);
+/// Points that are uniform in the inner nine tenths of each cell's sides, by a seed and a draw: meshes of two draws
+/// share no numbers.
+PointMesh JitteredMesh(int width, int height, const std::array<double, 2>& spacing, int seed, int draw = 0);
 
 /// Grid of the heights of a mesh: linear in each triangle, at every half cell, then smoothed over half a cell.
 GridSamples GridOf(const PointMesh& mesh, const std::vector<double>& heights);

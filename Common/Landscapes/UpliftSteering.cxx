@@ -13,27 +13,41 @@ namespace littoral
 namespace
 {
 
-/// Largest change of ln U at once.
-constexpr double LargestChange = 0.3;
+/// L - z about its mean, after the Gauss filter.
+std::vector<double> LongErrors(
+  const std::vector<double>& heights, const GridSamples& longWaves, double smoothing, const ParallelFor& parallel)
+{
+  GridSamples errors = longWaves;
+  for (std::size_t n = 0; n < heights.size(); ++n)
+  {
+    errors.Values[n] -= heights[n];
+  }
+  const double mean = Moments(errors).Mean;
+  for (double& error : errors.Values)
+  {
+    error -= mean;
+  }
+  SmoothGrid(errors.Values, errors.Width, errors.Height, smoothing, parallel);
+  return errors.Values;
+}
 
 }
 
 void SteerUplift(const UpliftSteering& steering, const std::vector<double>& heights, const GridSamples& longWaves,
-  std::vector<double>& uplift, const ParallelFor& parallel)
+  const std::vector<double>& rock, std::vector<double>& hardness, const ParallelFor& parallel)
 {
-  std::vector<double> errors(heights.size());
-  for (std::size_t n = 0; n < errors.size(); ++n)
-  {
-    errors[n] = longWaves.Values[n] - heights[n];
-  }
-  SmoothGrid(errors, longWaves.Width, longWaves.Height, steering.Smoothing, parallel);
-  // U' = U exp(g e / s)
-  const double gain = steering.Gain / std::sqrt(Moments(longWaves).Variance);
-  for (std::size_t n = 0; n < errors.size(); ++n)
-  {
-    const double change = std::clamp(gain * errors[n], -LargestChange, LargestChange);
-    uplift[n] = std::clamp(uplift[n] * std::exp(change), steering.Minimum, steering.Maximum);
-  }
+  const std::vector<double> errors = LongErrors(heights, longWaves, steering.Smoothing, parallel);
+  const double range = std::log(steering.Range);
+  const double gain = steering.Gain / (range * std::sqrt(Moments(longWaves).Variance));
+  parallel(errors.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      // h' = h (r / h e^(ln R x / sqrt(1 + x^2)))^q
+      const double x = gain * errors[n];
+      const double wanted = std::log(rock[n] / hardness[n]) + range * x / std::sqrt(1.0 + x * x);
+      hardness[n] = std::clamp(hardness[n] * std::exp(steering.Rate * wanted), steering.Minimum, steering.Maximum);
+    }
+  });
 }
 
 }

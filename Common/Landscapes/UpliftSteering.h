@@ -11,23 +11,27 @@
 namespace littoral
 {
 
-/// Uplift that follows the long waves of a random field.
+/// Steering of a landscape to the long waves of a random field, by the hardness of its rock and its uplift.
 struct UpliftSteering
 {
   double Smoothing = 5.0; ///< standard deviation of the Gauss filter that leaves the long waves [cells], positive
-  double Gain = 0.2;      ///< growth of ln U at an error of one standard deviation, positive
-  double Minimum = 0.08;  ///< least uplift over that of the start, positive
-  double Maximum = 10.0;  ///< greatest uplift over that of the start
+  double Gain = 4.0;      ///< growth of ln h at an error of one standard deviation, where it is small; positive
+  double Range = 4.0;     ///< largest factor by which an error changes the hardness, above 1
+  double Rate = 0.2;      ///< part of the way to what is wanted that a step goes, 0 to 1
+  double Minimum = 0.1;   ///< least hardness, positive
+  double Maximum = 20.0;  ///< greatest hardness
 };
 
 /**
- * Multiplies the uplift at each point where the heights' long waves are below those that are wanted, and divides it
- * where they are above: U' = U exp(g G(L - z) / s), with the Gauss filter G, the gain g and the standard deviation s of
- * L. A landscape in a steady state then has the long waves of L, as far as water can leave them, under an uplift that
- * is itself a smooth random field.
+ * Moves the hardness of each point towards that of its rock, r, times what the error of its long waves asks for:
+ *
+ *   ln h' = (1 - q) ln h + q (ln r + ln R x / sqrt(1 + x^2)),  x = g G(L - z - mean(L - z)) / (s ln R)
+ *
+ * with the Gauss filter G, the gain g, the range R, the rate q and the standard deviation s of L. Where water cannot
+ * follow the long waves, as in their closed basins, the hardness so stays within the range, and no plain is left.
  */
 void SteerUplift(const UpliftSteering& steering, const std::vector<double>& heights, const GridSamples& longWaves,
-  std::vector<double>& uplift, const ParallelFor& parallel = SerialFor);
+  const std::vector<double>& rock, std::vector<double>& hardness, const ParallelFor& parallel = SerialFor);
 
 }
 

@@ -5,6 +5,7 @@
 #include "Landscapes/HeightMatching.h"
 #include "Landscapes/LandscapeStep.h"
 #include "Landscapes/LongWaves.h"
+#include "Landscapes/RockHardness.h"
 #include "Landscapes/UpliftSteering.h"
 
 #include <gtest/gtest.h>
@@ -44,16 +45,17 @@ std::vector<double> SlopesOf(const PointMesh& mesh, const MeshDrainage& drainage
 }
 
 /// Landscape after so many steps from a rough plain.
-std::vector<double> Evolved(const PointMesh& mesh, const LandscapeLaw& law, double uplift, double time, int steps)
+std::vector<double> Evolved(
+  const PointMesh& mesh, const LandscapeLaw& law, double uplift, double time, int steps, double hardness = 1.0)
 {
   const RandomStream random(5, RandomPurpose::ElevationLines);
   int n = 0;
   std::vector<double> heights =
     HeightsOn(mesh, [&](double, double) { return mesh.IsRim(n) ? 0.0 * n++ : random.UniformPair(n++, 0)[0]; });
-  const std::vector<double> rate(heights.size(), uplift);
+  const std::vector<double> rock(heights.size(), hardness);
   for (int step = 0; step < steps; ++step)
   {
-    StepLandscape(mesh, DrainMesh(mesh, heights), law, rate, time, heights);
+    StepLandscape(mesh, DrainMesh(mesh, heights), law, uplift, rock, time, heights);
   }
   return heights;
 }
@@ -83,6 +85,17 @@ TEST(PointMesh, CellsOfVoronoiPaveTheGroundAndPlanesHaveNoCurvature)
     area += mesh.Area[n];
   }
   EXPECT_NEAR(area / (34.0 * 24.0 * 70.0 * 90.0), 1.0, 0.02);
+}
+
+TEST(PointMesh, DrawsShareNoPoints)
+{
+  const std::array<double, 2> unit{ 1.0, 1.0 };
+  const PointMesh one = JitteredMesh(20, 20, unit, 3, 1);
+  const PointMesh two = JitteredMesh(20, 20, unit, 2, 2);
+  const PointMesh three = JitteredMesh(20, 20, unit, 3, 2);
+  EXPECT_EQ(one.Points, JitteredMesh(20, 20, unit, 3, 1).Points);
+  EXPECT_NE(one.Points[45], two.Points[45]);
+  EXPECT_NE(one.Points[45], three.Points[45]);
 }
 
 TEST(PointMesh, PlanesStayPlanesOnTheGrid)
@@ -200,24 +213,73 @@ TEST(LandscapeStep, RefusesWhatNoLandscapeFollows)
   EXPECT_EQ(WhyInvalid(law), "ThresholdSlope is 0; it must be positive and finite.");
 }
 
-TEST(UpliftSteering, GrowsByTheErrorOverTheDeviation)
+TEST(LandscapeStep, HardRockRisesAndResists)
 {
-  const GridSamples wanted = RandomGround(30, 20, { 10.0, 10.0 }, 3);
-  std::vector<double> heights = wanted.Values;
-  std::vector<double> uplift(heights.size(), 2.0);
-  UpliftSteering steering;
-  SteerUplift(steering, heights, wanted, uplift);
-  EXPECT_NEAR(uplift[77], 2.0, 1e-12);
-  const double deviation = std::sqrt(Moments(wanted).Variance);
-  for (double& height : heights)
+  const PointMesh mesh = JitteredMesh(24, 30, { 50.0, 50.0 }, 2);
+  LandscapeLaw law;
+  law.Erodibility = 2e-4;
+  law.Diffusivity = 0.0;
+  law.ThresholdSlope = 1e6;
+  law.MinimumSlope = 0.0;
+  const std::vector<double> heights = Evolved(mesh, law, 1e-3, 1e9, 60, 3.0);
+  const MeshDrainage drainage = DrainMesh(mesh, heights);
+  const std::vector<double> slopes = SlopesOf(mesh, drainage, heights);
+  for (CellIndex n = 0; n < mesh.Count(); ++n)
   {
-    height -= 0.5 * deviation;
+    // S = U h^1/2 / (K h^-1/2) A^-m
+    EXPECT_NEAR(mesh.IsRim(n) ? 3.0 : slopes[n] * std::sqrt(drainage.Area[n]) * 2e-4 / 1e-3, 3.0, 1e-4);
   }
-  SteerUplift(steering, heights, wanted, uplift);
-  EXPECT_NEAR(uplift[77], 2.0 * std::exp(0.2 * 0.5), 1e-12);
-  steering.Maximum = 1.5;
-  SteerUplift(steering, heights, wanted, uplift);
-  EXPECT_EQ(uplift[77], 1.5);
+  // hillslopes without rivers: z = U h^1/2 / (2D) x (L - x)
+  law.Erodibility = 0.0;
+  law.Diffusivity = 2.0;
+  const std::vector<double> one = Evolved(mesh, law, 0.01, 1e9, 100);
+  const std::vector<double> four = Evolved(mesh, law, 0.01, 1e9, 100, 4.0);
+  EXPECT_NEAR(four[15 * 24 + 12] / one[15 * 24 + 12], 2.0, 1e-2);
+}
+
+TEST(UpliftSteering, GoesTowardsTheRockAndTheErrorWithinTheRange)
+{
+  const GridSamples wanted = Ground(32, 20, { 10.0, 10.0 }, [](double x, double) { return x < 155.0 ? -7.0 : 7.0; });
+  const std::vector<double> rock(wanted.Values.size(), 2.0);
+  std::vector<double> hardness(rock.size(), 1.0);
+  UpliftSteering steering;
+  steering.Smoothing = 1.0;
+  steering.Rate = 1.0;
+  SteerUplift(steering, wanted.Values, wanted, rock, hardness);
+  EXPECT_NEAR(hardness[77], 2.0, 1e-12);
+  // an error of one deviation and of a far greater one, with a mean that does not count
+  for (const double errors : { 1.0, 1e6 })
+  {
+    std::vector<double> heights = wanted.Values;
+    for (double& height : heights)
+    {
+      height = height - errors * height + 100.0;
+    }
+    SteerUplift(steering, heights, wanted, rock, hardness);
+    const double deviation = std::sqrt(Moments(wanted).Variance);
+    const double x = 4.0 * 7.0 * errors / (deviation * std::log(4.0));
+    EXPECT_NEAR(hardness[31], 2.0 * std::pow(4.0, x / std::sqrt(1.0 + x * x)), 1e-5);
+    EXPECT_NEAR(hardness[0], 4.0 / hardness[31], 1e-5);
+  }
+  steering.Rate = 0.25;
+  hardness.assign(rock.size(), 1.0);
+  SteerUplift(steering, wanted.Values, wanted, rock, hardness);
+  EXPECT_NEAR(hardness[77], std::pow(2.0, 0.25), 1e-12);
+}
+
+TEST(RockHardness, ProfileKnowsTheSlopesOfTwoGrounds)
+{
+  // low ground of slope 1 that goes on as high ground of slope 3, without smoothing to speak of
+  const GridSamples place =
+    Ground(200, 80, { 1.0, 1.0 }, [](double x, double) { return x < 100.0 ? x : 100.0 + 3.0 * (x - 100.0); });
+  const std::vector<double> profile = SlopesByHeight(place, 0.1);
+  ASSERT_EQ(profile.size(), 64u);
+  EXPECT_NEAR(profile[10], 1.0 / 2.0, 0.01);
+  EXPECT_NEAR(profile[50], 3.0 / 2.0, 0.03);
+  GridSamples other = Ground(90, 50, { 7.0, 7.0 }, [](double, double y) { return -y; });
+  const std::vector<double> rock = ProfileByHeight(other, 0.1, profile);
+  EXPECT_EQ(rock[90 * 48 + 30], profile[1]);
+  EXPECT_EQ(rock[90 * 10 + 3], profile[64 * 39 / 50]);
 }
 
 TEST(HeightMatching, ExponentialHeightsBecomeUniform)
