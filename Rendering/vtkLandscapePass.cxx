@@ -129,7 +129,7 @@ void TouchLights(vtkLightCollection* lights)
  */
 double KeyOf(double luminance)
 {
-  const auto key = [](double candelas) { return this->Quality == Fast ? FastPixelSize : 1.03 - 2.0 / (2.0 + std::log10(candelas + 1.0)); };
+  const auto key = [](double candelas) { return 1.03 - 2.0 / (2.0 + std::log10(candelas + 1.0)); };
   constexpr double brightDay = 3e4;
   return key(1e3 * luminance) / key(brightDay);
 }
@@ -634,7 +634,7 @@ void vtkLandscapePass::TakeCamera(vtkRenderer* renderer)
 //----------------------------------------------------------------------------
 double vtkLandscapePass::GetPixelSize()
 {
-  const double sharpest = 1.0;
+  const double sharpest = this->Quality == Fast ? FastPixelSize : 1.0;
   return std::max(sharpest, this->Draft ? this->DraftPixelSize : 1.0);
 }
 
