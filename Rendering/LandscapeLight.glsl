@@ -87,6 +87,11 @@ float landscapeWithin(vec3 at)
 float landscapeReachesSoftly(int map, vec3 at, float towards);
 #endif
 
+// The first map that there may be: a processor that draws takes the time of all in a loop.
+#ifndef LandscapeFirstMap
+#define LandscapeFirstMap 0
+#endif
+
 // Part of the sun that is seen from a place; the first map that covers it tells, and fades into the next at its rim.
 float landscapeSunSeen(vec3 placeV, vec3 normalV, float towards)
 {
@@ -97,7 +102,7 @@ float landscapeSunSeen(vec3 placeV, vec3 normalV, float towards)
   float lift = 0.5 + 2.0 * sqrt(max(0.0, 1.0 - towards * towards));
   float seen = 0.0;
   float left = 1.0;
-  for (int map = 0; map < 3; ++map)
+  for (int map = LandscapeFirstMap; map < 3; ++map)
   {
     if (left <= 0.0)
     {

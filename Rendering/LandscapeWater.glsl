@@ -137,7 +137,7 @@ float landscapeDither()
 float landscapeSunThrough(vec3 placeV)
 {
 #ifndef LandscapeNoShadows
-  for (int map = 0; map < 3; ++map)
+  for (int map = LandscapeFirstMap; map < 3; ++map)
   {
     vec3 at = (landscapeToMap[map] * vec4(placeV, 1.0)).xyz;
     if (landscapeTexel[map] > 0.0 && landscapeWithin(at) >= 1.0)

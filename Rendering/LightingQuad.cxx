@@ -295,6 +295,7 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   defined += light.HasShore() ? "#define LandscapeHasShore 1\n" : "#define LandscapeHasShore 0\n";
   defined += light.Wetness > 0.0 ? "#define LandscapeIsWet 1\n" : "#define LandscapeIsWet 0\n";
   defined += light.HasShadows() ? "" : "#define LandscapeNoShadows\n";
+  defined += "#define LandscapeFirstMap " + std::string(light.Maps.Has(0) ? "0\n" : light.Maps.Has(1) ? "1\n" : "2\n");
   defined += light.HasSoftShadows() ? "#define LandscapeSoftShadows\n" : "";
   defined += light.HasOcclusion() ? "" : "#define LandscapeNoOcclusion\n";
   defined += light.FogExtinction > 0.0 ? "" : "#define LandscapeNoFog\n";

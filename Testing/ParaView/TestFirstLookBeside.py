@@ -8,6 +8,7 @@ import quick
 from first_looks import SIZE
 from mistakes import Messages
 from paraview import simple
+from states import visible
 from window import picture, small_view
 
 
@@ -110,6 +111,24 @@ def check_view_after_table():
     simple.Delete(scene)
 
 
+def check_terrain_over_survey():
+    """A terrain that takes the place of the map of its survey brings its light, as one that is alone does."""
+    survey = simple.QuadratPoints(Quadrats=[4, 4], Size=[120.0, 120.0])
+    heights = simple.Calculator(Input=survey, ResultArrayName="Elevation", Function="700+sin(coordsX/17)")
+    view = small_view(SIZE)
+    simple.Show(heights, view)
+    simple.ResetCamera(view)
+    simple.Render(view)
+    assert len(visible(view)) == 1, visible(view)
+    terrain = simple.ConditionalTerrain(Input=heights, Grid=new_terrain(), Model="Simple Exponential",
+                                        StandardDeviation=1.0, Range=30.0)
+    simple.Show(terrain, view)
+    simple.Render(view)
+    shown = visible(view)
+    assert len(shown) == 2 and any(name.startswith("Light") for name in shown), shown
+    simple.Delete(view)
+
+
 def check_first_data_after_mistake():
     """What had no data at first, for want of a grid, is looked at once it has some, from the same side."""
     survey = simple.Calculator(Input=simple.QuadratPoints(Quadrats=[6, 6], Size=[120.0, 120.0]),
@@ -143,4 +162,5 @@ check_forest_on_map()
 check_twin_on_raster()
 check_kelp_under_sea()
 check_view_after_table()
+check_terrain_over_survey()
 check_first_data_after_mistake()

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython together=views
-"""Macros: a forest of a CSV file has its trees and their heights; a twin has the grid and the variance of its place."""
+"""Macros: a forest of a CSV file has its trees and their heights; a twin has the grid and the variance of its place; a
+film has the light of what moves in equal steps."""
 import contextlib
 import io
 import os
@@ -10,8 +11,11 @@ import tempfile
 
 import numpy as np
 import quick
+from littoral import film
 from paraview import servermanager, simple
+from player import picture as picture_of
 from states import visible
+from window import small_view
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 MACROS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "paraview-plugin", "Macros")
@@ -85,6 +89,59 @@ assert (heights[0] != heights[1]).any()
 ratio = heights[1].std() / heights[0].std()
 assert 0.4 < ratio < 2.5, ratio
 print("a twin has", ratio, "times the standard deviation of its place")
+
+
+
+def said_by(macro):
+    said = io.StringIO()
+    with contextlib.redirect_stdout(said):
+        run(macro)
+    return said.getvalue()
+
+
+def moving_board():
+    """A view, without light and smoothed edges, of a white board that moves by 64 pixels a frame to the right."""
+    view = small_view([240, 60])
+    view.UseColorPaletteForBackground, view.BackgroundColorMode, view.Background = 0, "Single Color", [0.0, 0.0, 0.0]
+    board = simple.Box(XLength=60.0, YLength=40.0, ZLength=1.0)
+    shown = simple.Show(board, view)
+    shown.AmbientColor, shown.Ambient, shown.Diffuse = [1.0, 1.0, 1.0], 1.0, 0.0
+    scene = simple.GetAnimationScene()
+    scene.PlayMode, scene.StartTime, scene.EndTime, scene.NumberOfFrames = "Sequence", 0.0, 2.0, 3
+    track = simple.GetAnimationTrack("Center", 0, board)
+    track.KeyFrames = [simple.CompositeKeyFrame(KeyTime=time, KeyValues=[end]) for time, end in enumerate((40.3, 168.3))]
+    simple.Render(view)
+    view.UseFXAA, view.CameraParallelProjection, view.CameraParallelScale = 0, 1, 30.0
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [120, 0, 50], [120, 0, 0], [0, 1, 0]
+
+
+def check_film(folder):
+    """Behind and before a board that moves while the shutter is half open the light is k/8, for 4 pixels each."""
+    frames, save = [], film.save_film
+
+    def watched(filename, pictures, frames_per_second):
+        frames.extend(picture_of(picture)[30, :, 0] / 255.0 for picture in pictures)
+        save(filename, pictures, frames_per_second)
+
+    film.save_film, home = watched, os.environ["HOME"]
+    os.environ["HOME"] = folder
+    for name in ("film.ogv", "film-2.ogv"):
+        assert said_by("film_with_motion_blur.py") == f"{os.path.join(folder, name)} has 3 frames of 8 pictures each.\n"
+        with open(os.path.join(folder, name), "rb") as file:
+            assert file.read(4) == b"OggS"
+    film.save_film, os.environ["HOME"] = save, home
+    for frame, codes in enumerate(frames[:2]):  # after the end nothing moves
+        light = np.where(codes <= 0.04045, codes / 12.92, ((codes + 0.055) / 1.055) ** 2.4)  # IEC 61966-2-1
+        steps, counts = np.unique(np.round(8.0 * light, 1), return_counts=True)
+        assert np.abs(steps - np.arange(9)).max() < 0.11 and (counts[1:8] == 8).all(), (frame, steps, counts)
+
+
+simple.ResetSession()
+assert said_by("film_with_motion_blur.py").startswith("Select a view in three dimensions ")
+moving_board()
+with tempfile.TemporaryDirectory() as films:
+    check_film(films)
+print("a film has the light of what moves")
 
 # Something else selected, or nothing: one sentence, and nothing is made.
 for selected in (simple.Sphere(), None):

@@ -684,13 +684,6 @@ void NaturalDisplay::SetUpView(int port)
   {
     LightView(view, mood);
   }
-  vtkPVXMLElement* look = this->LookOf(0);
-  const bool bringsLight =
-    look && look != this->Scene && look->GetNumberOfNestedElements() > 0 && TakesLandscapeLight(view);
-  if (bringsLight)
-  {
-    MakeScene(this->Owner, look, view);
-  }
   const char* eye = this->Hint("eye");
   const char* target = this->Hint("target");
   const char* elevation = this->Hint("elevation");
@@ -705,10 +698,16 @@ void NaturalDisplay::SetUpView(int port)
   const bool isFromSide = place.IsFixed || (elevation && std::strtod(elevation, nullptr) < 90.0);
   place.IsOfFlatData = data && isFromSide && (IsLevel(data->GetBounds()) || IsPoint(data->GetBounds()));
   place.IsOnMap = isMap && isFromSide;
-  place.IsBesideLight = bringsLight;
   if (place.IsOnMap)
   {
-    HideAll(view);
+    HideAll(view); // and what takes its place is alone
+  }
+  vtkPVXMLElement* look = this->LookOf(0);
+  place.IsBesideLight =
+    look && look != this->Scene && look->GetNumberOfNestedElements() > 0 && TakesLandscapeLight(view);
+  if (place.IsBesideLight)
+  {
+    MakeScene(this->Owner, look, view);
   }
   place.Elevation = elevation ? std::strtod(elevation, nullptr) : 0.0;
   place.Closer = closer ? std::strtod(closer, nullptr) : 1.0;
