@@ -17,7 +17,9 @@
 #include "vtkObjectFactory.h"
 #include "vtkTable.h"
 
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -33,7 +35,7 @@ constexpr int NumberOfQuantiles = 101;
 /// Largest stream threshold [cells].
 constexpr long long MaximumStreamThreshold = 1000000000;
 
-void WriteNumbers(const littoral::GroundStatistics& ground, vtkTable* table)
+void WriteNumbers(const littoral::GroundStatistics& ground, double cellArea, vtkTable* table)
 {
   using Ground = littoral::GroundStatistics;
   const std::vector<Ground> row{ ground };
@@ -53,6 +55,10 @@ void WriteNumbers(const littoral::GroundStatistics& ground, vtkTable* table)
   column("BifurcationRatio", [](const Ground& of) { return of.Horton.Bifurcation; });
   column("LengthRatio", [](const Ground& of) { return of.Horton.Length; });
   column("AreaRatio", [](const Ground& of) { return of.Horton.Area; });
+  column("ThresholdSlope", [](const Ground& of) { return of.ThresholdSlope; });
+  column("HeadArea", [=](const Ground& of) { return of.Channels.HeadCells * cellArea; });
+  column("ChannelHeads", [](const Ground& of) { return of.Channels.Heads; });
+  column("DrainageDensity", [](const Ground& of) { return of.Channels.Density; });
 }
 
 void WriteProfile(const littoral::GroundStatistics& ground, double cellArea, vtkTable* table)
@@ -93,6 +99,23 @@ void WriteStreams(const std::vector<littoral::StreamOrderClass>& streams, vtkTab
   littoral::AddColumn(table, "MeanArea", streams, [](const Class& of) { return of.MeanArea; });
 }
 
+void WriteForms(const std::array<double, littoral::GeomorphonForms>& shares, vtkTable* table)
+{
+  std::vector<int> forms(shares.size());
+  std::iota(forms.begin(), forms.end(), 1);
+  littoral::AddColumn(table, "Form", forms, [](int form) { return form; });
+  littoral::AddColumn(table, "Name", forms, [](int form) { return std::string(littoral::NameOf(form)); });
+  littoral::AddColumn(table, "Share", shares, [](double share) { return share; });
+}
+
+void WriteRelief(const std::vector<littoral::StreamDistanceBin>& relief, vtkTable* table)
+{
+  using Bin = littoral::StreamDistanceBin;
+  littoral::AddColumn(table, "Distance", relief, [](const Bin& bin) { return bin.Distance; });
+  littoral::AddColumn(table, "Height", relief, [](const Bin& bin) { return bin.Height; });
+  littoral::AddColumn(table, "Cells", relief, [](const Bin& bin) { return static_cast<int>(bin.Count); });
+}
+
 }
 
 //----------------------------------------------------------------------------
@@ -100,8 +123,10 @@ vtkGroundStatisticsFilter::vtkGroundStatisticsFilter()
   : StreamThreshold(100)
   , UseSeaLevel(false)
   , SeaLevel(0.0)
+  , SearchRadius(10)
+  , Flatness(1.0)
 {
-  this->SetNumberOfOutputPorts(4);
+  this->SetNumberOfOutputPorts(6);
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
 
@@ -136,6 +161,8 @@ int vtkGroundStatisticsFilter::RequestData(
   check.Count("StreamThreshold", this->StreamThreshold, 2, MaximumStreamThreshold);
   check.Finite("SeaLevel", this->SeaLevel, "m");
   littoral::Require(check.Reason());
+  const littoral::GeomorphonSearch search{ this->SearchRadius, this->Flatness };
+  littoral::Require(littoral::WhyInvalid(search));
   auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Input");
   const littoral::GridSamples heights = littoral::ReadHeights(
     image, this->GetInputArrayToProcess(0, inputVector), this->GetInputArrayInformation(0), "Input", Memory);
@@ -145,12 +172,15 @@ int vtkGroundStatisticsFilter::RequestData(
   littoral::RequireRelief(heights, "Input");
   this->SetProgressText("Measuring ground");
   const littoral::GroundStatistics ground = littoral::DescribeGround(
-    heights, outlets, this->StreamThreshold, littoral::AbortableFor(this), littoral::PollOf(this));
+    heights, outlets, this->StreamThreshold, littoral::AbortableFor(this), littoral::PollOf(this), search);
   this->UpdateProgress(0.8);
-  WriteNumbers(ground, vtkTable::GetData(outputVector, 0));
-  WriteProfile(ground, heights.Spacing[0] * heights.Spacing[1], vtkTable::GetData(outputVector, 1));
+  const double cellArea = heights.Spacing[0] * heights.Spacing[1];
+  WriteNumbers(ground, cellArea, vtkTable::GetData(outputVector, 0));
+  WriteProfile(ground, cellArea, vtkTable::GetData(outputVector, 1));
   WriteDistributions(heights, vtkTable::GetData(outputVector, 2));
   WriteStreams(ground.Streams, vtkTable::GetData(outputVector, 3));
+  WriteForms(ground.Forms, vtkTable::GetData(outputVector, 4));
+  WriteRelief(ground.Relief, vtkTable::GetData(outputVector, 5));
   this->UpdateProgress(1.0);
   return 1;
 }
@@ -170,4 +200,6 @@ void vtkGroundStatisticsFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StreamThreshold: " << this->StreamThreshold << "\n";
   os << indent << "UseSeaLevel: " << (this->UseSeaLevel ? "on" : "off") << "\n";
   os << indent << "SeaLevel: " << this->SeaLevel << "\n";
+  os << indent << "SearchRadius: " << this->SearchRadius << "\n";
+  os << indent << "Flatness: " << this->Flatness << "\n";
 }

@@ -15,14 +15,20 @@
  * `MeanSlope` [m/m] and `SlopeSkewness` (size of the gradient by central differences), `CurvatureStandardDeviation`
  * [1/m] and `CurvatureSkewness` (five-point Laplacian of inner cells, above 0 in valleys), `Concavity` and `Steepness`
  * (S = Steepness A^-Concavity, S the slope to the receiver, A [m^2]; see output 1), `HackExponent` (longest flow length
- * over A), `BifurcationRatio`, `LengthRatio` and `AreaRatio` (Horton's R_B, R_L, R_A; see output 3). NaN where the grid
- * is too small for a number. Hack's exponent and Horton's ratios hardly tell a random surface from real ground.
+ * over A), `BifurcationRatio`, `LengthRatio` and `AreaRatio` (Horton's R_B, R_L, R_A; see output 3), `ThresholdSlope`
+ * [m/m] (that a hundredth of the cells exceeds), `HeadArea` [m^2] (drainage area at which channels begin, the break of
+ * slope and area), `ChannelHeads` (their number) and `DrainageDensity` [1/m] (length of channels over the area). NaN
+ * where the grid is too small for a number. Hack's exponent and Horton's ratios hardly tell a random surface from real
+ * ground.
  *
  * Output 1: a vtkTable with a row per bin of drainage area, 20 of equal ratio from 100 cells to a tenth of the grid:
  * `DrainageArea` [m^2], `Slope` [m/m] (mean; 0 on flats and in depressions), `PowerLaw` [m/m], `Cells`. Output 2: a
  * vtkTable of the distributions with 101 rows: `Fraction` of the cells below, `Elevation` [m], `Slope` [m/m],
  * `Curvature` [1/m]. Output 3: a vtkTable with a row per Strahler order: `Order`, `Streams`, `MeanLength` [m],
- * `MeanArea` [m^2].
+ * `MeanArea` [m^2]. Output 4: a vtkTable of geomorphons (Jasiewicz & Stepinski 2013) with a row per form: `Form` (1 to
+ * 10, as of r.geomorphon of GRASS), `Name`, `Share` of the inner cells. Output 5: a vtkTable of the relief beside
+ * streams with a row per distance, 1 to 10 cells: mean `Distance` [m] to the stream cell that cells drain to, mean `Height`
+ * above it [m], `Cells`.
  *
  * The whole image is requested, and some 100 bytes of memory for each of its points. Piece 0 holds the whole tables,
  * other pieces are empty. A bad input or property is reported as one error.
@@ -71,6 +77,23 @@ public:
   vtkGetMacro(SeaLevel, double);
   ///@}
 
+  ///@{
+  /**
+   * Radius of the search for geomorphons [cells of the longer spacing], 1 to 10000; default 10. Lines of sight end
+   * before it.
+   */
+  vtkSetMacro(SearchRadius, int);
+  vtkGetMacro(SearchRadius, int);
+  ///@}
+
+  ///@{
+  /**
+   * Angle above or below the horizon up to which lines of sight of geomorphons are level [degrees], 0 to 45; default 1.
+   */
+  vtkSetMacro(Flatness, double);
+  vtkGetMacro(Flatness, double);
+  ///@}
+
 protected:
   vtkGroundStatisticsFilter();
   ~vtkGroundStatisticsFilter() override;
@@ -82,6 +105,8 @@ protected:
   int StreamThreshold;
   bool UseSeaLevel;
   double SeaLevel;
+  int SearchRadius;
+  double Flatness;
 
 private:
   vtkGroundStatisticsFilter(const vtkGroundStatisticsFilter&) = delete;

@@ -14,6 +14,9 @@ namespace littoral
 namespace
 {
 
+constexpr std::size_t ThresholdPercent = 99;
+constexpr int ReliefCells = 10;
+
 /// Calls visit(cell) for the cells that have all four neighbours, row by row.
 template <typename Visit>
 void ForEachInner(const GridSamples& heights, const Visit& visit)
@@ -138,13 +141,16 @@ double HackExponent(const std::vector<double>& lengths, const std::vector<CellIn
 }
 
 GroundStatistics DescribeGround(const GridSamples& heights, const OutletMask& outlets, CellIndex threshold,
-  const ParallelFor& parallel, const Poll& poll)
+  const ParallelFor& parallel, const Poll& poll, const GeomorphonSearch& search)
 {
   const CellLattice lattice(heights);
   GroundStatistics ground;
   ground.Measures = MeasureGround(heights, outlets, parallel, poll);
   ground.Steepness = SteepnessOf(ground.Measures, lattice.CellArea());
-  ground.Slopes = ShapeOf(GradientsOf(heights));
+  const std::vector<double> slopes = GradientsOf(heights);
+  ground.Slopes = ShapeOf(slopes);
+  ground.ThresholdSlope =
+    slopes.empty() ? std::numeric_limits<double>::quiet_NaN() : EvenQuantiles(slopes, 101)[ThresholdPercent];
   ground.Curvature = ShapeOf(LaplaciansOf(heights));
   poll();
   const FlowRouting routing = RouteFlow(heights, outlets, parallel, poll);
@@ -153,6 +159,9 @@ GroundStatistics DescribeGround(const GridSamples& heights, const OutletMask& ou
   ground.Hack = HackExponent(LongestFlowLengths(routing, lattice), cells, threshold);
   ground.Streams = ClassesByOrder(FindStreams(heights, routing, cells, threshold).Rivers);
   ground.Horton = RatiosOf(ground.Streams);
+  ground.Channels = ChannelsOf(heights, routing, cells);
+  ground.Relief = HeightsAboveStreams(heights, routing, cells, threshold, ReliefCells);
+  ground.Forms = SharesOf(GeomorphonsOf(heights, search, parallel));
   return ground;
 }
 

@@ -7,7 +7,9 @@
 #include "Drainage/DrainageOutlets.h"
 #include "Drainage/GroundMeasures.h"
 #include "Drainage/StreamNetwork.h"
+#include "Drainage/StreamRelief.h"
 #include "Numerics/Parallel.h"
+#include "Terrain/Geomorphons.h"
 #include "Terrain/GridSamples.h"
 
 #include <vector>
@@ -50,14 +52,19 @@ struct GroundStatistics
   double Hack = 0.0;      ///< exponent h of Hack's law
   HortonRatios Horton{};
   std::vector<StreamOrderClass> Streams;
+  double ThresholdSlope = 0.0; ///< slope that a hundredth of the cells exceeds [m/m]
+  ChannelDensity Channels;
+  std::vector<StreamDistanceBin> Relief;       ///< heights above streams, 1 to 10 cells off them
+  std::array<double, GeomorphonForms> Forms{}; ///< shares of geomorphons
 };
 
 /**
  * Statistics of a grid without missing values that is not constant, of three rows and columns or more. Streams, and the
- * cells of Hack's law, begin where `threshold` cells drain. The order of sums does not depend on the threads.
+ * cells of Hack's law, begin where `threshold` cells drain; geomorphons are those of `search`. The order of sums does
+ * not depend on the threads.
  */
 GroundStatistics DescribeGround(const GridSamples& heights, const OutletMask& outlets, CellIndex threshold = 100,
-  const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
+  const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll, const GeomorphonSearch& search = {});
 
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace littoral
 {
@@ -51,15 +52,22 @@ struct SightLines
     this->HasCells = true;
   }
 
-  /// Nadir angle less zenith angle, 90 + d - (90 - b) [rad]; 0 where nothing is seen.
-  double Difference() const { return this->HasCells ? std::atan(this->Up) + std::atan(this->Down) : 0.0; }
+  /// 1 for a higher direction, -1 for a lower one, 0 for a level one.
+  int Sign(double flatness) const
+  {
+    const double up = std::atan(this->Up);
+    const double down = std::atan(this->Down);
+    const bool isLevel = !this->HasCells || std::max(std::abs(up), std::abs(down)) <= flatness;
+    // nadir less zenith angle, 90 + d - (90 - b) = b + d
+    return isLevel ? 0 : (up + down > 0.0 ? 1 : (up + down < 0.0 ? -1 : 0));
+  }
 };
 
 SightLines Look(const GridSamples& heights, int i, int j, int direction, double radius)
 {
   SightLines lines;
   const double step = std::hypot(StepX[direction] * heights.Spacing[0], StepY[direction] * heights.Spacing[1]);
-  const int last = std::max(1, static_cast<int>(std::ceil(radius / step)));
+  const int last = std::max(1, static_cast<int>(std::ceil(radius / step)) - 1);
   const double height = heights.At(i, j);
   for (int n = 1; n <= last; ++n)
   {
@@ -84,9 +92,9 @@ Geomorphon FormAt(const GridSamples& heights, int i, int j, double radius, doubl
   int higher = 0;
   for (int direction = 0; direction < Directions; ++direction)
   {
-    const double difference = Look(heights, i, j, direction, radius).Difference();
-    lower += difference < -flatness ? 1 : 0;
-    higher += difference > flatness ? 1 : 0;
+    const int sign = Look(heights, i, j, direction, radius).Sign(flatness);
+    lower += sign < 0 ? 1 : 0;
+    higher += sign > 0 ? 1 : 0;
   }
   return FormOf(lower, higher);
 }

@@ -33,19 +33,20 @@ constexpr int GeomorphonForms = 10;
 /// Lines of sight of geomorphons.
 struct GeomorphonSearch
 {
-  int Radius = 10;       ///< length of the lines [cells of the longer spacing], 1 to 10 000
-  double Flatness = 1.0; ///< difference of zenith and nadir angle up to which a direction is level [degrees], 0 to 45
+  int Radius = 10;       ///< what lines of sight end before [cells of the longer spacing], 1 to 10 000
+  double Flatness = 1.0; ///< angle up to which lines of sight are level [degrees], 0 to 45
 };
 
 /// Why a search is invalid, with the name of the parameter; empty when it is not.
 std::string WhyInvalid(const GeomorphonSearch& search);
 
 /**
- * Forms of the inner cells by what they see (Jasiewicz & Stepinski 2013): along each of the eight directions the
- * steepest lines of sight upwards and downwards, of the angles b and d above the horizon, make a direction higher where
- * b + d > t, lower where b + d < -t, and level between, t the flatness: b + d is the nadir angle less the zenith angle.
- * The numbers of lower and of higher directions tell the form. A line ends with the first cell at the radius or beyond,
- * and at the border; cells of the border and missing ones have none, and missing ones are not seen.
+ * Forms of the inner cells by what they see (Jasiewicz & Stepinski 2013), along the eight directions: with the angles b
+ * and d above the horizon of the steepest lines of sight upwards and downwards, a direction is level where neither is
+ * above the flatness in size, else higher where b + d > 0, and lower where it is below: b + d is the nadir angle less
+ * the zenith angle. The numbers of lower and of higher directions tell the form, as in r.geomorphon of GRASS. A line
+ * has the cells nearer than the radius, at least one, as far as the border; cells of the border and missing ones have
+ * no form, and missing ones are not seen. Unlike there a line of one slope all along is not level if it is steep.
  */
 std::vector<Geomorphon> GeomorphonsOf(
   const GridSamples& heights, const GeomorphonSearch& search, const ParallelFor& parallel = SerialFor);

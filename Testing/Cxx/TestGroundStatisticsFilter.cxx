@@ -48,7 +48,7 @@ bool Fails(const char* word, vtkImageData* image, const std::function<void(vtkGr
     spoil(statistics);
   }
   bool good = FailsNaming(word, statistics);
-  for (int port = 0; port < 4; ++port)
+  for (int port = 0; port < 6; ++port)
   {
     good &= Check(Output(statistics, port)->GetNumberOfColumns() == 0, "a refused input leaves a table");
   }
@@ -65,7 +65,7 @@ bool NumbersAreKnown()
   statistics->SetStreamThreshold(5);
   statistics->Update();
   vtkTable* numbers = Output(statistics, 0);
-  bool good = Check(numbers->GetNumberOfRows() == 1 && numbers->GetNumberOfColumns() == 15, "not a row of 15");
+  bool good = Check(numbers->GetNumberOfRows() == 1 && numbers->GetNumberOfColumns() == 19, "not a row of 19");
   good &= Check(std::abs(Value(numbers, "DepressionFraction") - 6.0 / 1200.0) < 1e-15, "another share of sunk cells");
   statistics->SetInputData(Image(40, 30, 1, Ramp));
   statistics->Update();
@@ -80,6 +80,13 @@ bool NumbersAreKnown()
   vtkTable* streams = Output(statistics, 3);
   good &= Check(streams->GetNumberOfRows() == 1, "parallel streams have orders");
   good &= Check(Value(streams, "Streams") == 28.0, "not a stream in each inner row");
+  vtkTable* forms = Output(statistics, 4);
+  good &= Check(forms->GetNumberOfRows() == 10 && Value(forms, "Share", 5) == 1.0, "a ramp is no slope");
+  good &=
+    Check(forms->GetValueByName(5, "Name").ToString() == "slope" && Value(forms, "Form", 5) == 6.0, "other names");
+  vtkTable* relief = Output(statistics, 5); // cells 10 to 40 m off are 1 to 3 cells of 14.1 m off
+  good &= Check(relief->GetNumberOfRows() == 3, "other distances to streams");
+  good &= Check(std::abs(Value(relief, "Height", 1) / Value(relief, "Distance", 1) - 0.3) < 1e-9, "another relief");
   return good;
 }
 
@@ -167,6 +174,8 @@ bool BadInput()
   passed &= Fails("'Depth'", good,
     [](Filter* filter) { filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Depth"); });
   passed &= Fails("StreamThreshold", good, [](Filter* filter) { filter->SetStreamThreshold(1); });
+  passed &= Fails("SearchRadius", good, [](Filter* filter) { filter->SetSearchRadius(0); });
+  passed &= Fails("Flatness", good, [](Filter* filter) { filter->SetFlatness(46.0); });
   passed &= Fails("SeaLevel", good, [](Filter* filter) { filter->SetSeaLevel(NaN); });
   return passed;
 }

@@ -69,19 +69,19 @@ TEST(Geomorphons, SeeAsFarAsTheRadiusAndAboveTheFlatness)
 {
   // walls 60 m to the east and to the west, 30 m high
   const auto walls = [](double x, double) { return std::abs(x) > 55.0 ? 30.0 : 0.0; };
-  EXPECT_EQ(FormOfMiddle(walls, { 7, 1.0 }), Geomorphon::Flat); // two directions alone
-  // the diagonal sees it at 84.9 m under 19.5 degrees, and goes one cell of 14.1 m beyond 80 m
-  EXPECT_EQ(FormOfMiddle(walls, { 8, 1.0 }), Geomorphon::Valley);
-  EXPECT_EQ(FormOfMiddle(walls, { 8, 19.4 }), Geomorphon::Valley);
-  EXPECT_EQ(FormOfMiddle(walls, { 8, 19.6 }), Geomorphon::Flat);
+  EXPECT_EQ(FormOfMiddle(walls, { 8, 1.0 }), Geomorphon::Flat); // two directions alone
+  // the diagonal sees it at 84.9 m under 19.5 degrees, which is nearer than 90 m
+  EXPECT_EQ(FormOfMiddle(walls, { 9, 1.0 }), Geomorphon::Valley);
+  EXPECT_EQ(FormOfMiddle(walls, { 9, 19.4 }), Geomorphon::Valley);
+  EXPECT_EQ(FormOfMiddle(walls, { 9, 19.6 }), Geomorphon::Flat);
   const auto ring = [](double x, double y) { return std::hypot(x, y) > 55.0 ? 30.0 : 0.0; };
   EXPECT_EQ(FormOfMiddle(ring, { 3, 1.0 }), Geomorphon::Flat);
-  EXPECT_EQ(FormOfMiddle(ring, { 5, 1.0 }), Geomorphon::Footslope); // the four diagonals
-  EXPECT_EQ(FormOfMiddle(ring, { 6, 1.0 }), Geomorphon::Pit);
-  EXPECT_EQ(FormOfMiddle(ring, { 6, 26.6 }), Geomorphon::Footslope); // the diagonals see it under 27.9 degrees
-  // on a plane a direction of slope s is level where 2 atan(s) is below the flatness: diagonals have s / sqrt(2)
+  EXPECT_EQ(FormOfMiddle(ring, { 6, 1.0 }), Geomorphon::Footslope); // the four diagonals
+  EXPECT_EQ(FormOfMiddle(ring, { 7, 1.0 }), Geomorphon::Pit);
+  EXPECT_EQ(FormOfMiddle(ring, { 7, 26.6 }), Geomorphon::Footslope); // the diagonals see it under 27.9 degrees
+  // on a plane a direction of slope s is level where atan(s) is below the flatness: diagonals have s / sqrt(2)
   const auto plane = [](double x, double) { return 0.1 * x; };
-  const double diagonal = 2.0 * std::atan(0.1 / std::sqrt(2.0)) * 180.0 / Pi;
+  const double diagonal = std::atan(0.1 / std::sqrt(2.0)) * 180.0 / Pi;
   EXPECT_EQ(FormOfMiddle(plane, { 3, diagonal - 0.01 }), Geomorphon::Slope);
   EXPECT_EQ(FormOfMiddle(plane, { 3, diagonal + 0.01 }), Geomorphon::Flat);
 }
