@@ -64,7 +64,10 @@ public:
   void ForNext(const Visit& visit) const
   {
     const std::size_t count = std::min(this->Heap.size(), Children + 1);
-    std::for_each(this->Heap.data(), this->Heap.data() + count, [&](const Entry& entry) { visit(entry.Cell); });
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      visit(this->Heap[n].Cell);
+    }
   }
 
   /// Takes the lowest cell out.
