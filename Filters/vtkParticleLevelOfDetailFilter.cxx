@@ -41,6 +41,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -78,15 +79,15 @@ constexpr double WayStep = 0.1;
 /// Particles that are fog go by steps of this length where all go the same way: much less than the cells of fog [m].
 constexpr double FogStep = 0.005;
 
-/// The ways between multiples of WayStep about some ways. A multiple counts to those above it: one that all have gone
-/// asks for no choice of its own.
+/// The ways between multiples of WayStep about some ways. A multiple but 0 counts to those above it: one that all have
+/// gone asks for no choice of its own.
 littoral::Box RoundedWays(const littoral::Box& ways)
 {
-  littoral::Box rounded{ WayStep * glm::floor(ways.Low / WayStep), WayStep * glm::ceil(ways.High / WayStep) };
+  littoral::Box rounded{ WayStep * glm::floor(ways.Low / WayStep), littoral::Vector3(0.0) };
   for (int axis = 0; axis < 3; ++axis)
   {
-    const bool isMultiple = rounded.High[axis] <= rounded.Low[axis] && ways.High[axis] != 0.0;
-    rounded.High[axis] += isMultiple ? WayStep : 0.0;
+    const double above = WayStep * (std::floor(ways.High[axis] / WayStep) + 1.0);
+    rounded.High[axis] = ways.High[axis] == 0.0 ? 0.0 : above;
   }
   return rounded;
 }

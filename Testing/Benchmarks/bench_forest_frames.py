@@ -4,10 +4,11 @@
 
     build/bin/littoral-env xvfb-run -a python3 Testing/Benchmarks/bench_forest_frames.py [TREES [VIEWS]]
 
-TREES: default 1000; VIEWS: default 12, but 2 with neither, where all trees are drawn in any view. It takes minutes. Views
-from within, spread over places and headings, are drawn in software, 480 x 270: a frame is the update of the scatter and
-its drawing. More than 2000 trees are not made in full: gains are then over levels without cells. Printed are means of processor time [s] of all threads and the gains beside the paper's; what is slower with
-levels than without is marked.
+TREES: default 1000; VIEWS: default 12, but 2 with neither, where all trees are drawn in any view. It takes minutes.
+Views from within, spread over places and headings, are drawn in software, 480 x 270: a frame is the update of the
+scatter and its drawing. More than 2000 trees are not made in full: gains are then over levels without cells. Printed
+are means of processor time [s] of all threads and the gains beside the paper's; what is slower with levels than
+without is marked.
 """
 
 import math

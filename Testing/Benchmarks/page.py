@@ -186,7 +186,8 @@ def page(results, charts, sets, threads, scenes, silence, peers=(), no_peers="")
     """The whole report."""
     lines = ["# Benchmarks of Littoral", "", "## Machine", "", *table(("what", "which"), machine()),
              "## Limits of the machine", "", *of_machine(results), "## Kernels", "", *of_kernels(results),
-             "## Sets of instructions", "", *of_sets(sets), "## Two threads", "", *of_threads(threads), "## Beside other tools", "", *of_peers(peers, no_peers, results),
+             "## Sets of instructions", "", *of_sets(sets), "## Two threads", "", *of_threads(threads),
+             "## Beside other tools", "", *of_peers(peers, no_peers, results),
              "## The papers", "", *papers.lines(results, table),
              "## Cost over size", "", *of_sizes(scaling.series_of(results), charts),
              "## Frames of the scenes", "", *of_frames(scenes, silence)]
