@@ -99,6 +99,15 @@ std::string WhyTooSmall(const GridSamples& ground, const char* name)
     : std::string(name) + " has fewer than 16 rows or columns; no valleys can grow there.";
 }
 
+/// Makes missing what is missing in another grid.
+void TakeHoles(const GridSamples& from, GridSamples& grid)
+{
+  for (std::size_t n = 0; n < grid.Values.size(); ++n)
+  {
+    grid.Values[n] = std::isnan(from.Values[n]) ? from.Values[n] : grid.Values[n];
+  }
+}
+
 /// Range of the middle three fifths of even quantiles.
 double SpreadOf(const std::vector<double>& quantiles)
 {
@@ -486,9 +495,9 @@ std::string WhyInvalid(const GridSamples& terrain, const GrowthParameters& param
   check.Count("MaximumIterations", parameters.MaximumIterations, 0, 100);
   check.Require(WhyTooSmall(terrain, "The terrain"));
   const auto isMissing = [](double height) { return std::isnan(height); };
-  if (check.IsGood() && std::any_of(terrain.Values.begin(), terrain.Values.end(), isMissing))
+  if (check.IsGood() && std::all_of(terrain.Values.begin(), terrain.Values.end(), isMissing))
   {
-    check.Require("Heights are missing; only whole grids can be grown.");
+    check.Require("The terrain has no heights.");
   }
   return check.Reason();
 }
@@ -520,7 +529,9 @@ CarvingReport GrowLandscape(GridSamples& terrain, const GridSamples& measured, c
   GrowthParameters whole = parameters;
   const bool isLarge = terrain.Values.size() > MaximumCellsToFit;
   whole.MaximumIterations = isLarge ? std::min(LargeIterations, whole.MaximumIterations) : whole.MaximumIterations;
-  const OutletMask border = BorderOutlets(terrain.Width, terrain.Height);
+  const GridSamples given = terrain;
+  const OutletMask rim = RimOutlets(given);
+  FillHoles(terrain);
   CarvingReport report;
   Grower grower(terrain, place, whole, parallel,
     [&](double part) { progress(isLarge ? PartWork + (1.0 - PartWork) * part : part); });
@@ -532,9 +543,10 @@ CarvingReport GrowLandscape(GridSamples& terrain, const GridSamples& measured, c
     grower.TakeLaw(fit);
   }
   const GroundMeasures& target = grower.TargetMeasures();
-  report.Before = MeasureGround(terrain, border, parallel, NoPoll, target.MaximumArea);
+  report.Before = MeasureGround(given, rim, parallel, NoPoll, target.MaximumArea);
   terrain = grower.Grow();
-  report.After = MeasureGround(terrain, border, parallel, NoPoll, target.MaximumArea);
+  TakeHoles(given, terrain);
+  report.After = MeasureGround(terrain, rim, parallel, NoPoll, target.MaximumArea);
   report.Iterations = grower.IterationsDone();
   report.UnmetTargets = UnmetTargets(report.After, target);
   report.HasConverged = report.UnmetTargets.empty();
