@@ -344,8 +344,8 @@ private:
     return ground;
   }
 
-  /// From a straight line through mean and deviation as far to the place's ranks as its hypsometry needs, then scaled
-  /// about the mean. The full map would stretch lowlands, whose slopes are the rock's.
+  /// Maps heights from a straight line through mean and deviation as far to the place's ranks as its hypsometry needs,
+  /// then scales them about the mean. The full map would stretch lowlands, whose slopes are the rock's.
   void MatchPlace(GridSamples& ground) const
   {
     std::vector<double> matched = ground.Values;
