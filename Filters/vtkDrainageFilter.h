@@ -113,8 +113,8 @@ public:
 
   ///@{
   /**
-   * Growth in place of carving; default off. Used only with Carve; needs a target, Outlets Border and a terrain without
-   * missing values, of 16 rows and columns or more, as the target. ChannelThreshold and ValleyWidth do not count.
+   * Growth in place of carving; default off. Used only with Carve; needs a target, Outlets Border and 16 rows and
+   * columns or more, as the target. ChannelThreshold and ValleyWidth do not count.
    */
   vtkSetMacro(Grow, bool);
   vtkGetMacro(Grow, bool);

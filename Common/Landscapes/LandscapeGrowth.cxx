@@ -55,7 +55,7 @@ constexpr double LeastSlopeFactor = 0.002;
 
 /// Smoothing of heights whose ranks tell the rock [cells], and the power by which slopes of the place become hardness.
 constexpr double RockCells = 12.0;
-constexpr double FirstContrast = 3.0;
+constexpr double FirstContrast = 4.5;
 constexpr double SmallestContrast = 0.1;
 constexpr double LargestContrast = 8.0;
 
@@ -72,7 +72,7 @@ constexpr double LeastScale = 0.85;
 constexpr double GreatestScale = 1.15;
 
 /// Tolerance of Kolmogorov's distance of slopes.
-constexpr double SlopeTolerance = 0.045;
+constexpr double SlopeTolerance = 0.04;
 
 /// Height of the rim below the long waves, and the first roughness, over the deviation of short waves.
 constexpr double RimDepth = 0.5;
@@ -99,11 +99,42 @@ std::string WhyTooSmall(const GridSamples& ground, const char* name)
     : std::string(name) + " has fewer than 16 rows or columns; no valleys can grow there.";
 }
 
+/// Makes missing what is missing in another grid.
+void TakeHoles(const GridSamples& from, GridSamples& grid)
+{
+  for (std::size_t n = 0; n < grid.Values.size(); ++n)
+  {
+    grid.Values[n] = std::isnan(from.Values[n]) ? from.Values[n] : grid.Values[n];
+  }
+}
+
 /// Range of the middle three fifths of even quantiles.
 double SpreadOf(const std::vector<double>& quantiles)
 {
   const std::size_t fifth = (quantiles.size() - 1) / 5;
   return quantiles[4 * fifth] - quantiles[fifth];
+}
+
+/// Deviations over their tolerances: none is above Most. Squares sums their squares, as far as one that is out of
+/// reach, as of rivers that a window lacks, counts.
+struct Misfit
+{
+  double Most = 0.0;
+  double Squares = 0.0;
+
+  void Add(double deviation)
+  {
+    constexpr double most = 2.0;
+    this->Most = std::isnan(deviation) ? this->Most : std::max(this->Most, deviation);
+    const double counted = std::min(deviation, most);
+    this->Squares += std::isnan(deviation) ? 0.0 : counted * counted;
+  }
+};
+
+/// |z / wanted - 1|; 0 where nothing is wanted.
+double RelativeError(double value, double wanted)
+{
+  return wanted > 0.0 ? std::abs(value / wanted - 1.0) : 0.0;
 }
 
 std::vector<double> Between(const std::vector<double>& from, const std::vector<double>& to, double part)
@@ -155,16 +186,16 @@ public:
       this->Evolve(level.Steps, this->Relief);
     }
     GridSamples best = this->Ground();
-    double least = this->MisfitOf(best, MeasureLandscape(best, this->Parallel));
-    for (int iteration = 0; iteration < this->Iterations && least > 1.0; ++iteration)
+    Misfit least = this->MisfitOf(best, MeasureLandscape(best, this->Parallel));
+    for (int iteration = 0; iteration < this->Iterations && least.Most > 1.0; ++iteration)
     {
       ++this->Done;
       this->Evolve(StepsAnIteration, TimeAnIteration * this->Relief);
       GridSamples ground = this->Ground();
       const LandscapeMeasures measures = MeasureLandscape(ground, this->Parallel);
-      const double misfit = this->MisfitOf(ground, measures);
+      const Misfit misfit = this->MisfitOf(ground, measures);
       this->Correct(ground, measures);
-      if (misfit < least)
+      if (misfit.Most <= 1.0 || misfit.Squares < least.Squares)
       {
         least = misfit;
         best = std::move(ground);
@@ -313,8 +344,8 @@ private:
     return ground;
   }
 
-  /// Maps ranks from a straight line through mean and deviation as far to the place's ranks as its hypsometry needs,
-  /// then scaled about the mean. The full map would stretch lowlands, whose slopes are the rock's.
+  /// Maps heights from a straight line through mean and deviation as far to the place's ranks as its hypsometry needs,
+  /// then scales them about the mean. The full map would stretch lowlands, whose slopes are the rock's.
   void MatchPlace(GridSamples& ground) const
   {
     std::vector<double> matched = ground.Values;
@@ -369,27 +400,27 @@ private:
     return this->Target.Measures.SemivarianceAt(lag * 0.5 * (ground.Spacing[0] + ground.Spacing[1]));
   }
 
-  /// Largest deviation from the place over its tolerance.
-  double MisfitOf(const GridSamples& ground, const LandscapeMeasures& is) const
+  /// Deviations from the place over their tolerances.
+  Misfit MisfitOf(const GridSamples& ground, const LandscapeMeasures& is) const
   {
     const LandscapeMeasures& shall = this->Wanted;
-    const auto relative = [](double value, double wanted, double tolerance) {
-      return wanted > 0.0 ? std::abs(value / wanted - 1.0) / tolerance : 0.0;
-    };
-    double most = std::max({ relative(is.MeanSlope, shall.MeanSlope, 0.1),
-      relative(is.CurvatureDeviation, shall.CurvatureDeviation, 0.2),
-      relative(is.BlockVariation, shall.BlockVariation, 0.3), std::abs(is.GentleFraction - shall.GentleFraction) / 0.05,
-      KolmogorovDistance(is.Slopes, shall.Slopes) / SlopeTolerance });
-    const double concavity = std::abs(is.Concavity - shall.Concavity) / 0.15;
-    most = std::isnan(concavity) ? most : std::max(most, concavity);
+    Misfit misfit;
+    misfit.Add(RelativeError(is.MeanSlope, shall.MeanSlope) / 0.1);
+    misfit.Add(RelativeError(is.CurvatureDeviation, shall.CurvatureDeviation) / 0.2);
+    misfit.Add(RelativeError(is.BlockVariation, shall.BlockVariation) / 0.3);
+    misfit.Add(std::abs(is.GentleFraction - shall.GentleFraction) / 0.05);
+    misfit.Add(KolmogorovDistance(is.Slopes, shall.Slopes) / SlopeTolerance);
+    misfit.Add(std::abs(is.Concavity - shall.Concavity) / 0.15);
     const std::vector<int> lags = SemivarianceLags(ground.Width, ground.Height);
     const std::vector<double> semivariance = SemivarianceAlongAxes(ground, lags, this->Parallel);
+    double most = 0.0;
     for (std::size_t n = 0; n < lags.size(); ++n)
     {
       const double wanted = this->WantedSemivariance(ground, lags[n]);
-      most = std::isnan(wanted) ? most : std::max(most, relative(semivariance[n], wanted, 0.1));
+      most = std::isnan(wanted) ? most : std::max(most, RelativeError(semivariance[n], wanted));
     }
-    return most;
+    misfit.Add(most / 0.1);
+    return misfit;
   }
 
   /// Corrects the law, the contrast of rocks and the long waves by what is missing.
@@ -399,7 +430,7 @@ private:
     // steeper and sharper ground than the place's needs more creep
     const double steep = is.MeanSlope / shall.MeanSlope;
     const double sharp = is.CurvatureDeviation / shall.CurvatureDeviation;
-    this->Law.Diffusivity *= std::clamp(std::pow(steep * sharp, 0.4), 0.7, 1.4);
+    this->Law.Diffusivity *= std::clamp(std::pow(steep * sharp, 0.8), 0.6, 1.5);
     const double missing = shall.Concavity - is.Concavity;
     if (!std::isnan(missing))
     {
@@ -464,9 +495,9 @@ std::string WhyInvalid(const GridSamples& terrain, const GrowthParameters& param
   check.Count("MaximumIterations", parameters.MaximumIterations, 0, 100);
   check.Require(WhyTooSmall(terrain, "The terrain"));
   const auto isMissing = [](double height) { return std::isnan(height); };
-  if (check.IsGood() && std::any_of(terrain.Values.begin(), terrain.Values.end(), isMissing))
+  if (check.IsGood() && std::all_of(terrain.Values.begin(), terrain.Values.end(), isMissing))
   {
-    check.Require("Heights are missing; only whole grids can be grown.");
+    check.Require("The terrain has no heights.");
   }
   return check.Reason();
 }
@@ -498,7 +529,9 @@ CarvingReport GrowLandscape(GridSamples& terrain, const GridSamples& measured, c
   GrowthParameters whole = parameters;
   const bool isLarge = terrain.Values.size() > MaximumCellsToFit;
   whole.MaximumIterations = isLarge ? std::min(LargeIterations, whole.MaximumIterations) : whole.MaximumIterations;
-  const OutletMask border = BorderOutlets(terrain.Width, terrain.Height);
+  const GridSamples given = terrain;
+  const OutletMask rim = RimOutlets(given);
+  FillHoles(terrain);
   CarvingReport report;
   Grower grower(terrain, place, whole, parallel,
     [&](double part) { progress(isLarge ? PartWork + (1.0 - PartWork) * part : part); });
@@ -510,9 +543,10 @@ CarvingReport GrowLandscape(GridSamples& terrain, const GridSamples& measured, c
     grower.TakeLaw(fit);
   }
   const GroundMeasures& target = grower.TargetMeasures();
-  report.Before = MeasureGround(terrain, border, parallel, NoPoll, target.MaximumArea);
+  report.Before = MeasureGround(given, rim, parallel, NoPoll, target.MaximumArea);
   terrain = grower.Grow();
-  report.After = MeasureGround(terrain, border, parallel, NoPoll, target.MaximumArea);
+  TakeHoles(given, terrain);
+  report.After = MeasureGround(terrain, rim, parallel, NoPoll, target.MaximumArea);
   report.Iterations = grower.IterationsDone();
   report.UnmetTargets = UnmetTargets(report.After, target);
   report.HasConverged = report.UnmetTargets.empty();

@@ -44,7 +44,8 @@ double GrowthMemory(int width, int height);
  * 4. The first that is within its tolerances, or else the best, is brought to the grid, its heights are matched, and
  *    it is breached where the grid lost its way.
  *
- * On more than 2^18 cells the law is fitted on the middle 288 x 288 first. The result does not depend on the threads.
+ * Missing heights are filled smoothly, grown over and missing again: water leaves at their rim, too. On more than 2^18
+ * cells the law is fitted on the middle 288 x 288 first. The result does not depend on the threads.
  */
 CarvingReport GrowLandscape(GridSamples& terrain, const GridSamples& place, const GrowthParameters& parameters,
   const ParallelFor& parallel = SerialFor, const CarvingProgress& progress = NoProgress);

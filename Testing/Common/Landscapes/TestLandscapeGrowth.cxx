@@ -129,12 +129,40 @@ TEST(LandscapeGrowth, SameBytesOnAnyThreads)
   EXPECT_NE(one.Values, other.Values);
 }
 
+TEST(LandscapeGrowth, LeavesHolesAndDrainsIntoThem)
+{
+  const GridSamples place = PlaceWithRivers(60, 50);
+  GridSamples ground = RandomGround(60, 50, { 50.0, 50.0 }, 5);
+  const auto isHole = [](int i, int j) { return (i - 25) * (i - 25) + (j - 20) * (j - 20) < 64 || i + j < 20; };
+  for (int j = 0; j < 50; ++j)
+  {
+    for (int i = 0; i < 60; ++i)
+    {
+      ground.At(i, j) = isHole(i, j) ? std::numeric_limits<double>::quiet_NaN() : ground.At(i, j);
+    }
+  }
+  GrowthParameters parameters;
+  parameters.MaximumIterations = 1;
+  ASSERT_EQ(WhyInvalid(ground, parameters), "");
+  const CarvingReport report = GrowLandscape(ground, place, parameters);
+  for (int j = 0; j < 50; ++j)
+  {
+    for (int i = 0; i < 60; ++i)
+    {
+      EXPECT_EQ(std::isnan(ground.At(i, j)), isHole(i, j));
+    }
+  }
+  EXPECT_EQ(FloodDepressions(ground, RimOutlets(ground)).DepressionCells, 0u);
+  EXPECT_EQ(report.After.DepressionFraction, 0.0);
+  EXPECT_GT(report.Before.DepressionFraction, 0.0);
+}
+
 TEST(LandscapeGrowth, RefusesWhatCannotGrow)
 {
   GridSamples ground = RandomGround(40, 30, { 50.0, 50.0 }, 5);
   EXPECT_EQ(WhyInvalid(ground, GrowthParameters{}), "");
-  ground.Values[3] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(WhyInvalid(ground, GrowthParameters{}), "Heights are missing; only whole grids can be grown.");
+  ground.Values.assign(ground.Values.size(), std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(WhyInvalid(ground, GrowthParameters{}), "The terrain has no heights.");
   EXPECT_EQ(WhyInvalid(RandomGround(40, 15, { 50.0, 50.0 }, 5), GrowthParameters{}),
     "The terrain has fewer than 16 rows or columns; no valleys can grow there.");
   GrowthParameters parameters;
