@@ -37,7 +37,7 @@ namespace
 constexpr double MiddleShare = 0.15; // of the distance, to which the near map reaches
 constexpr double Slack = 1.25;       // of a map's radius over what it must cover: turns by some degrees move none
 constexpr double HasteSlack = 2.0;   // the same in haste: a drag moves few
-constexpr double HasteTexel = 1.0;   // the longest texels of maps of all, which no drag moves, in haste [m]
+constexpr double HasteTexel = 0.6;   // the longest texels of maps of all, which no drag moves, in haste [m]
 
 constexpr double LeavesToldApart = 0.2; // the longest texels of maps in which they are [m]
 
