@@ -40,7 +40,6 @@
 #include "vtkRenderer.h"
 #include "vtkSequencePass.h"
 #include "vtkTextureObject.h"
-#include "vtkTimeStamp.h"
 #include "vtkTranslucentPass.h"
 #include "vtkVolumetricPass.h"
 
@@ -50,6 +49,7 @@
 #include <cstring>
 #include <functional>
 #include <iterator>
+#include <string>
 #include <vector>
 
 namespace
@@ -160,7 +160,7 @@ struct vtkLandscapePass::Internals
   vtkSmartPointer<vtkMultiProcessController> Controller;
   bool HasMaps = false;  ///< of the next picture
   bool HasTold = false;  ///< what the graphics driver lacks
-  vtkTimeStamp Reported; ///< of the last mistake
+  std::string Reported; ///< the last mistake
 
   void DrawCover(vtkRenderer* renderer);
   void DrawOpaque(const vtkRenderState* state, bool isWater);
@@ -650,11 +650,11 @@ void vtkLandscapePass::Render(const vtkRenderState* state)
   vtkRenderer* renderer = state->GetRenderer();
   Internals& own = *this->Own;
   const std::string reason = renderer->GetSelector() ? std::string() : this->WhyInvalid();
-  if (!reason.empty() && own.Reported < this->GetMTime())
+  if (!reason.empty() && own.Reported != reason)
   {
-    own.Reported.Modified();
     vtkErrorMacro(<< reason);
   }
+  own.Reported = renderer->GetSelector() ? own.Reported : reason;
   if (renderer->GetSelector() || !reason.empty())
   {
     own.Plain->Render(state);

@@ -646,6 +646,11 @@ bool TestBadInput()
   good &= Check(errors->GetError() &&
       errors->GetErrorMessage().find("Turbidity is 0.5; it must be from 1 to 10.") != std::string::npos,
     "A turbidity of 0.5 is told as: " + errors->GetErrorMessage());
+  // Once, also while one drags
+  errors->Clear();
+  picture.Pass->SetDraft(true);
+  picture.Draw();
+  good &= Check(!errors->GetError(), "A mistake is told with each picture.");
   return good;
 }
 
