@@ -147,7 +147,7 @@ std::array<double, GeomorphonForms> SharesOf(const std::vector<Geomorphon>& form
   return shares;
 }
 
-const char* NameOf(int form)
+std::string NameOf(int form)
 {
   constexpr std::array<const char*, GeomorphonForms> names{ "flat", "peak", "ridge", "shoulder", "spur", "slope",
     "hollow", "footslope", "valley", "pit" };
