@@ -104,7 +104,7 @@ void WriteForms(const std::array<double, littoral::GeomorphonForms>& shares, vtk
   std::vector<int> forms(shares.size());
   std::iota(forms.begin(), forms.end(), 1);
   littoral::AddColumn(table, "Form", forms, [](int form) { return form; });
-  littoral::AddColumn(table, "Name", forms, [](int form) { return std::string(littoral::NameOf(form)); });
+  littoral::AddColumn(table, "Name", forms, [](int form) { return littoral::NameOf(form); });
   littoral::AddColumn(table, "Share", shares, [](double share) { return share; });
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 namespace littoral
 {
@@ -22,16 +23,16 @@ constexpr std::array<int, Directions> StepY{ 0, 1, 1, 1, 0, -1, -1, -1 };
 /// Forms by the number of lower directions (rows) and of higher ones, figure 4 of Jasiewicz & Stepinski (2013), by
 /// their initials: Flat, Peak, Ridge, sHoulder, spUr, Slope, hOllow, fooTslope, Valley, pIt; '.' where they are above
 /// eight.
-constexpr std::array<const char*, 9> FormTable{ { "FFFTTVVVI", "FFTTTVVV.", "FHSSOOV..", "HHSSSO...", "HHUSS....",
+constexpr std::array<std::string_view, 9> FormTable{ { "FFFTTVVVI", "FFTTTVVV.", "FHSSOOV..", "HHSSSO...", "HHUSS....",
   "RRUU.....", "RRR......", "RR.......", "P........" } };
 constexpr const char* Initials = ".FPRHUSOTVI";
 
 /// Form of numbers of lower and of higher directions.
 Geomorphon FormOf(int lower, int higher)
 {
-  const char initial = FormTable[lower][higher];
+  const std::string_view row = FormTable[lower];
   int form = 0;
-  while (Initials[form] != initial)
+  while (Initials[form] != row[higher])
   {
     ++form;
   }
@@ -147,7 +148,7 @@ std::array<double, GeomorphonForms> SharesOf(const std::vector<Geomorphon>& form
   return shares;
 }
 
-const char* NameOf(int form)
+std::string NameOf(int form)
 {
   constexpr std::array<const char*, GeomorphonForms> names{ "flat", "peak", "ridge", "shoulder", "spur", "slope",
     "hollow", "footslope", "valley", "pit" };

@@ -55,7 +55,7 @@ std::vector<Geomorphon> GeomorphonsOf(
 std::array<double, GeomorphonForms> SharesOf(const std::vector<Geomorphon>& forms);
 
 /// Name of form 1 to 10.
-const char* NameOf(int form);
+std::string NameOf(int form);
 
 }
 
