@@ -134,24 +134,22 @@ bool TestRiver()
 /// above.
 bool TestBanksAcross()
 {
-  const auto seen = [](double width, double elevation) {
-    Picture picture;
-    picture.Pass->SetSkyToEven();
-    picture.Pass->SetOcclusionRadius(0.0);
-    const Color black{ 100.0, 100.0, 100.0 };
-    picture.Pass->SetWaterAbsorption(black.data());
-    picture.Pass->SetWaterSlopeVariance(0.0);
-    picture.Pass->SetWaterLevel(-100.0);
-    const auto river = Level(100.0, 0.0);
-    vtkNew<vtkFloatArray> widths;
-    widths->SetName("ChannelWidth");
-    widths->SetNumberOfValues(river->GetNumberOfPoints());
+  Picture picture;
+  picture.Pass->SetSkyToEven();
+  picture.Pass->SetOcclusionRadius(0.0);
+  const Color black{ 100.0, 100.0, 100.0 };
+  picture.Pass->SetWaterAbsorption(black.data());
+  picture.Pass->SetWaterSlopeVariance(0.0);
+  picture.Pass->SetWaterLevel(-100.0);
+  const auto river = Level(100.0, 0.0);
+  vtkNew<vtkFloatArray> widths;
+  widths->SetName("ChannelWidth");
+  widths->SetNumberOfValues(river->GetNumberOfPoints());
+  river->GetPointData()->AddArray(widths);
+  vtkLandscapePass::SetMaterial(picture.Add(river, 0.2), vtkLandscapePass::River);
+  const auto seen = [&](double width, double elevation) {
     widths->Fill(width);
-    if (width > 0.0)
-    {
-      river->GetPointData()->AddArray(widths);
-    }
-    vtkLandscapePass::SetMaterial(picture.Add(river, 0.2), vtkLandscapePass::River);
+    widths->Modified();
     const double a = Radians(elevation);
     picture.Look({ 0.0, -20.0 * std::cos(a), 20.0 * std::sin(a) }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
     picture.Draw();

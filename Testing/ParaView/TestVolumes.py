@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvbatch mpi=1,2
+# run-with: pvbatch mpi=1,2,3 tier=all
 """SaveData writes volumes: an image, a series, blocks, and the same bytes on any number of ranks; or says what it lacks."""
 import os
 import resource
