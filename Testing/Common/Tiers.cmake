@@ -12,6 +12,7 @@ set(standard_TestAtmosphere
 set(all_TestAtmosphere Atmosphere.RecordedPathsAreThoseOfManyMore) # some of them in RecordedPathsAreThoseOfToday too
 set(standard_TestBeamModes BeamModes.ShapesDoNotCancel)
 set(standard_TestCoarseGround CoarseGround.LargeGroundIsCarvedByItTheSameOnAnyThreads)
+set(standard_TestCovarianceModels *HankelTransformOfTheSpectrumIsTheCovariance/Spherical)
 set(standard_TestCurveEnvelope CurveEnvelope.RejectsARandomPatternAsOftenAsItsLevel)
 set(standard_TestDetrendedWindow
   DetrendedWindow.AgreesWithTheMatricesOfAllValues TurningBandsPlane.IsTheOneFittedToTheField)
