@@ -189,12 +189,11 @@ struct Pair
 {
   Row High;
   Row Impostors;
-  vtkSmartPointer<vtkImpostorMapper> Mapper;
 
   explicit Pair(vtkReevesTreeSource* oak)
   {
     this->High.AddHigh(oak);
-    this->Mapper = this->Impostors.AddImpostors(oak);
+    this->Impostors.AddImpostors(oak);
   }
 
   std::array<Row*, 2> Both() { return { &this->High, &this->Impostors }; }

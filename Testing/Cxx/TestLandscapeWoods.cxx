@@ -21,7 +21,7 @@ namespace
 bool TestWoods()
 {
   bool good = true;
-  for (const double cover : { 0.0, 0.15, 0.9, 0.457 })
+  for (const double cover : { 0.0, 0.15, 0.5, 0.9, 0.457 })
   {
     const bool isLush = cover == 0.457;
     Picture picture;
