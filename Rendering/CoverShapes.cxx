@@ -7,6 +7,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -19,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace littoral
 {
@@ -31,47 +33,65 @@ const glm::dvec3 Up(0.0, 0.0, 1.0);
 
 constexpr double MeanUp = 0.75; // part of the blades' normal that is upward, as of the grass that they stand for
 
+constexpr int StripPoints = 5; // of an element
+
+/// An array with a name for the points of some elements, and the place of its first value.
+template <typename Array>
+typename Array::ValueType* Room(Array* array, const char* name, int components, vtkIdType points)
+{
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(points);
+  return array->GetPointer(0);
+}
+
 /// Arrays of the elements.
 class Strips
 {
 public:
-  Strips()
+  explicit Strips(int count)
   {
+    const vtkIdType points = static_cast<vtkIdType>(StripPoints) * count;
+    vtkNew<vtkFloatArray> places;
+    vtkNew<vtkFloatArray> feet;
+    vtkNew<vtkFloatArray> normals;
+    vtkNew<vtkUnsignedCharArray> shades;
+    this->Places = Room(places.Get(), "Points", 3, points);
+    this->Feet = Room(feet.Get(), "Foot", 2, points);
+    this->Normals = Room(normals.Get(), "Normals", 3, points);
+    this->Shades = Room(shades.Get(), "Shade", 3, points);
     this->Data->SetPoints(vtkNew<vtkPoints>());
+    this->Data->GetPoints()->SetData(places);
+    this->Data->GetPointData()->AddArray(feet);
+    this->Data->GetPointData()->SetNormals(normals);
+    this->Data->GetPointData()->SetScalars(shades);
+    vtkNew<vtkIdTypeArray> numbers;
+    vtkIdType* number = Room(numbers.Get(), "Numbers", 1, points);
+    std::iota(number, number + points, 0);
     this->Data->SetStrips(vtkNew<vtkCellArray>());
-    this->Feet->SetName("Foot");
-    this->Feet->SetNumberOfComponents(2);
-    this->Normals->SetName("Normals");
-    this->Normals->SetNumberOfComponents(3);
-    this->Shades->SetName("Shade");
-    this->Shades->SetNumberOfComponents(3);
-    this->Data->GetPointData()->AddArray(this->Feet);
-    this->Data->GetPointData()->SetNormals(this->Normals);
-    this->Data->GetPointData()->SetScalars(this->Shades);
+    this->Data->GetStrips()->SetData(StripPoints, numbers);
   }
 
+  /// The next point; five make a strip.
   void AddPoint(const std::array<double, 2>& foot, const glm::dvec3& at, const glm::dvec3& normal, const Color3& color)
   {
-    this->Data->GetPoints()->InsertNextPoint(at.x, at.y, at.z);
-    this->Feet->InsertNextTuple2(foot[0], foot[1]);
-    this->Normals->InsertNextTuple3(normal.x, normal.y, normal.z);
-    this->Shades->InsertNextTuple3(color[0], color[1], color[2]);
-  }
-
-  /// A strip of the last five points.
-  void EndStrip()
-  {
-    const vtkIdType first = this->Data->GetNumberOfPoints() - 5;
-    const vtkIdType strip[5] = { first, first + 1, first + 2, first + 3, first + 4 };
-    this->Data->GetStrips()->InsertNextCell(5, strip);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      *this->Places++ = static_cast<float>(at[axis]);
+      *this->Normals++ = static_cast<float>(normal[axis]);
+      *this->Shades++ = static_cast<unsigned char>(color[static_cast<std::size_t>(axis)]);
+    }
+    *this->Feet++ = static_cast<float>(foot[0]);
+    *this->Feet++ = static_cast<float>(foot[1]);
   }
 
   vtkNew<vtkPolyData> Data;
 
 private:
-  vtkNew<vtkFloatArray> Feet;
-  vtkNew<vtkFloatArray> Normals;
-  vtkNew<vtkUnsignedCharArray> Shades;
+  float* Places;
+  float* Feet;
+  float* Normals;
+  unsigned char* Shades;
 };
 
 Color3 Scaled(const Color3& color, double factor)
@@ -110,7 +130,6 @@ void AddBlade(const CoverTile& tile, const Chance& chance, Strips& strips)
     add(t, 1.0);
   }
   add(1.0, 0.0);
-  strips.EndStrip();
 }
 
 /// A leaf of a length in a direction, which rises and falls by a parabola, widest at its middle.
@@ -130,7 +149,6 @@ void AddLeaf(const std::array<double, 2>& foot, double around, double length, do
   add(0.5, -1.0);
   add(0.5, 1.0);
   add(1.0, 0.0);
-  strips.EndStrip();
 }
 
 /// A leaf of a rosette of five, darker than grass.
@@ -160,7 +178,6 @@ void AddFlower(const CoverTile& tile, const Chance& chance, Strips& strips)
       middle + tile.Width * (0.7 + 0.3 * chance.Form[1]) * (std::cos(a) * right + std::sin(a) * top);
     strips.AddPoint(chance.Foot, at, normal, Scaled(Kinds[cell % 4], 0.85 + 0.15 * chance.Form[1]));
   }
-  strips.EndStrip();
 }
 
 /// A fallen leaf [m].
@@ -191,7 +208,6 @@ void AddStone(int half, const Chance& chance, Strips& strips)
   strips.AddPoint(chance.Foot, top, Up, color);
   addRim(3 * half + 2);
   addRim(3 * half + 3);
-  strips.EndStrip();
 }
 
 Chance ChanceOf(const RandomStream& random, int element)
@@ -226,7 +242,8 @@ std::vector<int> ByCells(const CoverTile& tile, const RandomStream& random, std:
   std::vector<std::vector<int>> cells(static_cast<std::size_t>(Cells) * Cells);
   for (int element = 0; element < tile.Count; ++element)
   {
-    const std::array<double, 2> foot = ChanceOf(random, element - element % tile.Group()).Foot;
+    const auto object = static_cast<std::uint64_t>(element - element % tile.Group());
+    const std::array<double, 2> foot = random.UniformPair(object, 0);
     const int cell = static_cast<int>(Cells * foot[0]) + Cells * static_cast<int>(Cells * foot[1]);
     cells[static_cast<std::size_t>(cell)].push_back(element);
   }
@@ -244,7 +261,7 @@ std::vector<int> ByCells(const CoverTile& tile, const RandomStream& random, std:
 
 vtkSmartPointer<vtkPolyData> CoverShapes(const CoverTile& tile, std::vector<int>& ends)
 {
-  Strips strips;
+  Strips strips(tile.Count);
   const RandomStream random(tile.Count, RandomPurpose::GrassBlades);
   for (const int element : ByCells(tile, random, ends))
   {

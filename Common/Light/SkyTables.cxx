@@ -4,6 +4,7 @@
 
 #include "Geometry/OctahedronMap.h"
 #include "Numerics/Constants.h"
+#include "Numerics/SimdClones.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,15 +61,30 @@ std::vector<Sample> SamplesOf(const SkyTables& sky)
   return samples;
 }
 
-/// E = integral of L cos
-Vector3 LightOnPlane(const std::vector<Sample>& samples, const Vector3& normal)
+/// Planes by the components of their normals, and the light that each receives.
+struct Planes
 {
-  Vector3 light(0.0);
+  static constexpr int Count = SkyTables::LightSize;
+  double Normal[3][Count];
+  double Light[3][Count]{};
+};
+
+/// E = integral of L cos, of many planes side by side as vectors of the processor
+LITTORAL_SIMD_CLONES
+void AddLight(const std::vector<Sample>& samples, Planes& planes)
+{
   for (const Sample& sample : samples)
   {
-    light += std::max(glm::dot(normal, sample.Direction), 0.0) * sample.Light;
+    for (int n = 0; n < Planes::Count; ++n)
+    {
+      const double cosine = planes.Normal[0][n] * sample.Direction.x + planes.Normal[1][n] * sample.Direction.y +
+        planes.Normal[2][n] * sample.Direction.z;
+      const double part = cosine > 0.0 ? cosine : 0.0;
+      planes.Light[0][n] += part * sample.Light.x;
+      planes.Light[1][n] += part * sample.Light.y;
+      planes.Light[2][n] += part * sample.Light.z;
+    }
   }
-  return light;
 }
 
 }
@@ -133,11 +149,21 @@ SkyTables TabulateSky(
   parallel(SkyTables::LightSize, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row)
     {
+      Planes planes;
+      const double v = 2.0 * static_cast<double>(row) / (SkyTables::LightSize - 1.0) - 1.0;
       for (int column = 0; column < SkyTables::LightSize; ++column)
       {
-        const double v = 2.0 * static_cast<double>(row) / (SkyTables::LightSize - 1.0) - 1.0;
-        const double u = 2.0 * column / (SkyTables::LightSize - 1.0) - 1.0;
-        sky.Light.At(column, static_cast<int>(row)) = LightOnPlane(samples, OctahedronNormal(u, v));
+        const Vector3 normal = OctahedronNormal(2.0 * column / (SkyTables::LightSize - 1.0) - 1.0, v);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          planes.Normal[axis][column] = normal[axis];
+        }
+      }
+      AddLight(samples, planes);
+      for (int column = 0; column < SkyTables::LightSize; ++column)
+      {
+        sky.Light.At(column, static_cast<int>(row)) = { planes.Light[0][column], planes.Light[1][column],
+          planes.Light[2][column] };
       }
     }
   });
