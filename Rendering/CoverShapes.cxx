@@ -35,9 +35,9 @@ constexpr double MeanUp = 0.75; // part of the blades' normal that is upward, as
 
 constexpr int StripPoints = 5; // of an element
 
-/// An array with a name for the points of some elements, and the place of its first value.
+/// Names an array, makes room for some points, and returns the place of its first value.
 template <typename Array>
-typename Array::ValueType* Room(Array* array, const char* name, int components, vtkIdType points)
+typename Array::ValueType* Allocate(Array* array, const char* name, int components, vtkIdType points)
 {
   array->SetName(name);
   array->SetNumberOfComponents(components);
@@ -56,17 +56,17 @@ public:
     vtkNew<vtkFloatArray> feet;
     vtkNew<vtkFloatArray> normals;
     vtkNew<vtkUnsignedCharArray> shades;
-    this->Places = Room(places.Get(), "Points", 3, points);
-    this->Feet = Room(feet.Get(), "Foot", 2, points);
-    this->Normals = Room(normals.Get(), "Normals", 3, points);
-    this->Shades = Room(shades.Get(), "Shade", 3, points);
+    this->Places = Allocate(places.Get(), "Points", 3, points);
+    this->Feet = Allocate(feet.Get(), "Foot", 2, points);
+    this->Normals = Allocate(normals.Get(), "Normals", 3, points);
+    this->Shades = Allocate(shades.Get(), "Shade", 3, points);
     this->Data->SetPoints(vtkNew<vtkPoints>());
     this->Data->GetPoints()->SetData(places);
     this->Data->GetPointData()->AddArray(feet);
     this->Data->GetPointData()->SetNormals(normals);
     this->Data->GetPointData()->SetScalars(shades);
     vtkNew<vtkIdTypeArray> numbers;
-    vtkIdType* number = Room(numbers.Get(), "Numbers", 1, points);
+    vtkIdType* number = Allocate(numbers.Get(), "Numbers", 1, points);
     std::iota(number, number + points, 0);
     this->Data->SetStrips(vtkNew<vtkCellArray>());
     this->Data->GetStrips()->SetData(StripPoints, numbers);
@@ -210,10 +210,15 @@ void AddStone(int half, const Chance& chance, Strips& strips)
   addRim(3 * half + 3);
 }
 
+std::array<double, 2> FootOf(const RandomStream& random, int element)
+{
+  return random.UniformPair(static_cast<std::uint64_t>(element), 0);
+}
+
 Chance ChanceOf(const RandomStream& random, int element)
 {
   const auto object = static_cast<std::uint64_t>(element);
-  return { random.UniformPair(object, 0), random.UniformPair(object, 1), random.UniformPair(object, 2) };
+  return { FootOf(random, element), random.UniformPair(object, 1), random.UniformPair(object, 2) };
 }
 
 void AddElement(const CoverTile& tile, const RandomStream& random, int element, Strips& strips)
@@ -242,8 +247,7 @@ std::vector<int> ByCells(const CoverTile& tile, const RandomStream& random, std:
   std::vector<std::vector<int>> cells(static_cast<std::size_t>(Cells) * Cells);
   for (int element = 0; element < tile.Count; ++element)
   {
-    const auto object = static_cast<std::uint64_t>(element - element % tile.Group());
-    const std::array<double, 2> foot = random.UniformPair(object, 0);
+    const std::array<double, 2> foot = FootOf(random, element - element % tile.Group());
     const int cell = static_cast<int>(Cells * foot[0]) + Cells * static_cast<int>(Cells * foot[1]);
     cells[static_cast<std::size_t>(cell)].push_back(element);
   }
