@@ -117,8 +117,8 @@ function (littoral_add_script_entry entry label script runner line others)
   endforeach ()
 endfunction ()
 
-# littoral_add_groups(<label> <runner>): an entry for each group of the scripts of this directory, by together.py beside
-# them. They begin first, being the longest.
+# littoral_add_groups(<label> <runner>): an entry for each group of the scripts that this directory adds. They begin first,
+# being the longest.
 function (littoral_add_groups label runner)
   littoral_find_runner(program "${runner}")
   get_property(groups DIRECTORY PROPERTY LITTORAL_GROUPS)
@@ -128,11 +128,11 @@ function (littoral_add_groups label runner)
       return ()
     endif ()
     get_property(scripts DIRECTORY PROPERTY "LITTORAL_GROUP_${group}")
-    list(TRANSFORM scripts REPLACE "^.*/([^/]*)[.]py$" "\\1" OUTPUT_VARIABLE names)
+    list(TRANSFORM scripts REPLACE "[.]py$" "" OUTPUT_VARIABLE names)
     set(folder "${CMAKE_BINARY_DIR}/Testing/Output/${label}.${group}")
     file(MAKE_DIRECTORY "${folder}")
     littoral_add_script_run("${label}.${group}" "${label}" standard "${folder}" "${scripts}"
-      "${program}" "${CMAKE_CURRENT_SOURCE_DIR}/together.py" ${names})
+      "${program}" "${PROJECT_SOURCE_DIR}/Testing/ParaView/together.py" ${names})
     set_tests_properties("${label}.${group}" PROPERTIES COST 100)
   endforeach ()
 endfunction ()

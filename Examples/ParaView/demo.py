@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvbatch args=output args=--quick
+# run-with: pvbatch together=ParaView args=output args=--quick
 """Measured terrain and its synthetic twin, point patterns, a walk through a forest, and an underwater scene.
 
     pvbatch demo.py [FOLDER]

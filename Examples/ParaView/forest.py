@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvbatch args=. args=128 args=72 args=2 args=--quick
+# run-with: pvbatch together=ParaView args=. args=128 args=72 args=2 args=--quick
 """A walk through a forest in the wind, on measured terrain.
 
     ./littoral gui Examples/ParaView/forest.py      opens it in ParaView

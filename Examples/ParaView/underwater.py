@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvbatch args=. args=128 args=72 args=2 args=--quick
+# run-with: pvbatch together=ParaView args=. args=128 args=72 args=2 args=--quick
 """Under the waves: the surface from below, kelp on a sandy bed with stones, particles that fade into fog.
 
     ./littoral gui Examples/ParaView/underwater.py      opens it in ParaView

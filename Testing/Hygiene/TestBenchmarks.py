@@ -2,18 +2,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The report of benchmarks: times of programs as a table, shares of limits, cost over size, frames, what is slower."""
 
+import contextlib
 import csv
+import io
 import json
 import os
-import subprocess
+import runpy
 import sys
 import tempfile
 import unittest
 import xml.etree.ElementTree
+from types import SimpleNamespace
+from unittest import mock
 
-REPORT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Benchmarks", "report.py")
+BENCHMARKS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Benchmarks")
+sys.path.insert(0, BENCHMARKS)
 #: A program that writes what Google Benchmark writes, its arguments among it.
-PROGRAM = """#!{python}
+PROGRAM = """#!{python} -IS
 import json, sys
 words = dict(word.split("=", 1) for word in sys.argv[1:])
 results = json.load(open(__file__ + ".json"))
@@ -24,7 +29,7 @@ with open(words["--benchmark_out"], "w") as out:
 sys.exit(results.get("exit", 0))
 """
 #: A ParaView that measures a scene.
-PVPYTHON = """#!{python}
+PVPYTHON = """#!{python} -IS
 import json, sys
 script, scene, frames, out = sys.argv[1:]
 parts = {{"update": [0.2, 0.3], "in Littoral": [0.05, 0.06], "render": [float(frames), 7.0]}}
@@ -38,18 +43,12 @@ def result(name, time, unit="ms", **more):
 
 
 class Benchmarks(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.compiled = folder.name  # of the report
-
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
         self.program = self.make("bench_waves", PROGRAM.format(python=sys.executable))
-        self.environment = {"PATH": self.folder, "VTK_SMP_MAX_THREADS": "2", "PYTHONPYCACHEPREFIX": self.compiled}
+        self.environment = {"PATH": self.folder, "VTK_SMP_MAX_THREADS": "2"}
 
     def make(self, name, script):
         """A program; returns its path."""
@@ -60,8 +59,17 @@ class Benchmarks(unittest.TestCase):
         return path
 
     def run_report(self, *words):
-        return subprocess.run([sys.executable, REPORT, *words], cwd=self.folder, text=True, env=self.environment,
-                              capture_output=True, check=False)
+        """Runs report.py as a program, in this process, whose start takes longer."""
+        report, out, err = os.path.join(BENCHMARKS, "report.py"), io.StringIO(), io.StringIO()
+        with contextlib.chdir(self.folder), mock.patch.dict(os.environ, self.environment, clear=True), \
+                mock.patch.object(sys, "argv", [report, *words]), \
+                contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), self.assertRaises(SystemExit) as end:
+            runpy.run_path(report, run_name="__main__")
+        code = end.exception.code
+        if isinstance(code, str):  # sys.exit writes it
+            err.write(f"{code}\n")
+            code = 1
+        return SimpleNamespace(returncode=code, stdout=out.getvalue(), stderr=err.getvalue())
 
     def report(self, results, *words, **more):
         with open(self.program + ".json", "w") as file:
@@ -285,7 +293,6 @@ class Benchmarks(unittest.TestCase):
         self.assertIn("| bench_drainage | Flood/size | 100 to 1000 | 1.00 |  | a queue by height |\n", text)
 
     def test_classes_run_on_one_thread_and_on_two_in_turn(self):
-        sys.path.insert(0, os.path.dirname(REPORT))
         import page
         import report
         import threads
@@ -306,7 +313,6 @@ class Benchmarks(unittest.TestCase):
         self.assertIn("| vtkbench_orbits | Turn | 12 | 5 | 2.40 |", page.of_threads(found))
 
     def test_kernels_are_measured_with_each_set_of_instructions(self):
-        sys.path.insert(0, os.path.dirname(REPORT))
         import instruction_sets
         import page
         import report

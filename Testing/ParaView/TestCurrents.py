@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython together=waters
+# run-with: pvpython together=looks
 """Particles, currents and drift in ParaView: tables of boxes, repeatable currents, times, a state file."""
 
 import os

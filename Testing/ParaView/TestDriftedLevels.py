@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython together=waters
+# run-with: pvpython together=looks
 """Levels of particles that are chosen before a uniform current moves them, as in the example underwater.py: after its 6 s,
 0.5 m, the picture is nearly that of levels chosen where the particles are, whose fog goes by steps of 5 mm, and the water as
 turbid. After 5 m it is not."""

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython together=waters
+# run-with: pvpython together=looks
 """Save Animation of a swaying tree and of a sea: its frames differ, and are those that are drawn one by one. Frames
 with motion blur are the means of the light of pictures at their times."""
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython together=waters
+# run-with: pvpython together=looks
 """The representation Fog absorbs by Beer's law, whatever its sample distance, from outside and from within.
 
 White fog before blue has the red 255 (1 - exp(-tau)) with tau the integral of the extinction along the ray.

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython together=waters
+# run-with: pvpython together=looks
 """Particles in waves that follow the camera in levels of detail, and their fog, by the proxies."""
 
 import numpy as np

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython together=waters
+# run-with: pvpython together=looks
 """TestScenes.py for the sea, with its foam, and the length of its films beside others and after them."""
 
 import quick

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython together=waters
+# run-with: pvpython together=looks
 """Seaweeds in ParaView: presets, every property, first look, a bed of them on the sea's floor."""
 
 import numpy as np

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython together=waters
+# run-with: pvpython together=looks
 """Seaweed Deformation and Plant Wake from ParaView: inputs, properties, times, and particles that feel the plants."""
 import numpy as np
 import quick

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython together=waters
+# run-with: pvpython together=looks
 """TestScenes.py for Underwater, and its first look: wide, and up to where Snell's window is."""
 
 import math

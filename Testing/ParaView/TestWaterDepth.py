@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython together=waters
+# run-with: pvpython together=looks
 """The depth of Underwater moves its bed, its particles and its eyes along, also by undo and redo."""
 
 import numpy as np

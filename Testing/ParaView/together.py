@@ -2,13 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Scripts that share one process, whose start takes longer than most of them: each in a session and a folder of its own.
 
-    together.py NAME...
+    together.py SCRIPT...
 
-One that fails does not keep the others from running. The processor time of each is printed for Testing/Tiers/check.py.
+A script is the name of one beside this, or a path, both without .py; it has the arguments of its first run-with line. One
+that fails does not keep the others from running. The processor time of each is printed for Testing/Tiers/check.py.
 """
 
 import gc
 import os
+import re
 import runpy
 import sys
 import traceback
@@ -34,13 +36,21 @@ def run(*names, run_name="<run_path>"):
         reset()
 
 
-def run_apart(name):
+def arguments_of(script):
+    with open(os.path.join(HERE, f"{script}.py"), encoding="utf-8") as file:
+        line = re.search("^# run-with:.*", file.read(1000), re.MULTILINE)
+    return re.findall(r"args=(\S+)", line[0]) if line else []
+
+
+def run_apart(script):
     """A script as it runs alone; whether it passed."""
+    name = os.path.basename(script)
     begin, top, passed = os.times(), os.getcwd(), True
     os.makedirs(name, exist_ok=True)
     os.chdir(name)
+    sys.argv[1:] = arguments_of(script)
     try:
-        run(name, run_name="__main__")
+        run(script, run_name="__main__")
     except SystemExit as end:
         reset()
         passed = end.code == 125  # skipped
@@ -61,5 +71,4 @@ def run_all(*names):
 
 
 if __name__ == "__main__":
-    scripts, sys.argv = sys.argv[1:], sys.argv[:1]
-    run_all(*scripts)
+    run_all(*sys.argv[1:])
