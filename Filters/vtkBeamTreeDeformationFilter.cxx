@@ -8,7 +8,7 @@
 #include "Data/Inputs.h"
 #include "Data/SwayBlocks.h"
 #include "Numerics/ParameterCheck.h"
-#include "Pipeline/LastChange.h"
+#include "Pipeline/DataStamp.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
@@ -50,8 +50,7 @@ void AttachFrequencies(const std::vector<double>& frequencies, vtkDataObject* pl
 class vtkBeamTreeDeformationFilter::vtkInternals
 {
 public:
-  // Inputs are held, so that no other object gets their addresses.
-  std::vector<std::pair<vtkSmartPointer<vtkDataObject>, vtkMTimeType>> Inputs;
+  std::vector<littoral::DataStamp> Inputs;
   vtkMTimeType Properties = 0;
   littoral::SwayBlocks Plants;
 };
@@ -208,8 +207,7 @@ void vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputVector, 
   {
     for (int index = 0; index < inputVector[port]->GetNumberOfInformationObjects(); ++index)
     {
-      vtkDataObject* data = vtkDataObject::GetData(inputVector[port], index);
-      internals->Inputs.emplace_back(data, littoral::LastChange(data));
+      internals->Inputs.push_back(littoral::StampOf(vtkDataObject::GetData(inputVector[port], index)));
     }
   }
   if (this->Internals && this->Internals->Plants.IsWhole() && this->Internals->Inputs == internals->Inputs &&

@@ -15,7 +15,7 @@
 #include "Geometry/TextureAtlas.h"
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
-#include "Pipeline/LastChange.h"
+#include "Pipeline/DataStamp.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Plants/PlantScatter.h"
@@ -116,6 +116,7 @@ struct Plants
   std::vector<littoral::PlantPlace> Places;
   std::vector<littoral::PlantPlace> MediumPlaces; ///< where sites have dimensions
   std::unique_ptr<littoral::SceneCells> Cells;
+  littoral::MergedBlocks Merged; ///< as last shown
 };
 
 }
@@ -449,7 +450,8 @@ void vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* 
   const std::vector<littoral::PlantPlace>& places =
     request.Places.empty() ? this->Internals->Scene.Places : request.Places;
   littoral::ScatterMerge merge(
-    this->Internals->Species, places, request.Shown, this->FaceCamera ? &request.Seen : nullptr);
+    this->Internals->Species, places, request.Shown, this->FaceCamera ? &request.Seen : nullptr,
+    this->Internals->Scene.Merged);
   const std::string plants = "A forest of " + std::to_string(request.Shown.size()) + " plants, " +
     std::to_string(merge.GetNumberOfPlants(littoral::PlantLevel::High)) + " of them in full,";
   const char* remedy = "switch on UseLevels and UseCulling, lower NearDistance, or set VisibleDistance";
@@ -465,6 +467,7 @@ void vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* 
   merge.AddTo(output);
   littoral::WriteTable(places, request.Shown, output->GetFieldData());
   this->WriteCounters(request, merge.GetNumberOfPolygons(), merge.GetBytes(), output->GetFieldData());
+  this->Internals->Scene.Merged = merge.TakeBlocks();
   littoral::KeepRanges(output, littoral::PollOf(this));
 }
 

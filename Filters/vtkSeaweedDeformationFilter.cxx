@@ -5,10 +5,12 @@
 #include "Data/Blocks.h"
 #include "Data/CurrentInputs.h"
 #include "Data/Inputs.h"
+#include "Data/PlantBlocks.h"
 #include "Data/SeaStateTable.h"
 #include "Data/SeaweedSceneBlocks.h"
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/DataStamp.h"
 #include "Pipeline/MarchingRequests.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
@@ -49,8 +51,7 @@ void AddCounter(vtkDataObject* data, const char* name, std::int64_t value)
 class vtkSeaweedDeformationFilter::vtkInternals : public littoral::MarchingRequests<littoral::SeaweedScene>
 {
 public:
-  vtkSmartPointer<vtkDataObject> Plants;
-  vtkMTimeType PlantsTime = 0;
+  std::vector<littoral::DataStamp> Plants; ///< of the blocks in full, which alone are read
   std::vector<littoral::SeaweedSkinBlock> Skins;
   littoral::SeaweedFrames Frames;
 };
@@ -226,16 +227,16 @@ void vtkSeaweedDeformationFilter::TakeInputs(vtkInformationVector** inputVector,
   littoral::SeaweedScene& scene = this->Internals->Scene;
   littoral::TakeSnapshots(scene.Currents, scene.GetGrid(), scene.NextMoments(), inputVector[CurrentsPort],
     this->VelocityArray, littoral::VelocityInterpolation::Linear);
-  vtkDataObject* plants = vtkDataObject::GetData(inputVector[PlantsPort]);
-  const vtkMTimeType plantsTime = std::max(plants->GetMTime(), plants->GetUpdateTime());
-  const bool areRead =
-    scene.HasPlants() && this->Internals->Plants == plants && this->Internals->PlantsTime == plantsTime;
-  if (areRead)
+  std::vector<littoral::DataStamp> plants;
+  for (const char* name : { littoral::plant::Skeleton, littoral::plant::Skin, littoral::plant::Leaves })
+  {
+    plants.push_back(littoral::StampOf(littoral::PlantPartOf(blocks, littoral::plant::High, name)));
+  }
+  if (scene.HasPlants() && this->Internals->Plants == plants)
   {
     return;
   }
   this->Internals->Plants = plants;
-  this->Internals->PlantsTime = plantsTime;
   this->TakePlants(inputVector[SeaPort], blocks);
 }
 
@@ -384,7 +385,7 @@ void vtkSeaweedDeformationFilter::Write(
 //----------------------------------------------------------------------------
 void vtkSeaweedDeformationFilter::Fail(vtkInformation* request, vtkDataObject* output)
 {
-  this->Internals->Plants = nullptr;
+  this->Internals->Plants.clear();
   this->Internals->Skins.clear();
   this->Internals->MarchingRequests::Fail(request, output);
 }

@@ -10,6 +10,7 @@
 #include "Data/Tables.h"
 #include "Geometry/ViewFrustum.h"
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/DataStamp.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Terrain/GroundColor.h"
@@ -53,8 +54,8 @@ class vtkTerrainLevelOfDetailFilter::vtkInternals
 public:
   std::optional<littoral::TerrainPyramid> Pyramid;
   std::vector<double> Wetness; ///< of each sample, or none
-  vtkMTimeType ImageTime = 0;
-  vtkMTimeType HeightsTime = 0;
+  littoral::DataStamp Image;
+  littoral::ArrayStamp Heights;
   int TileSize = 0;
   int Levels = 0;
 };
@@ -449,7 +450,9 @@ void vtkTerrainLevelOfDetailFilter::CheckHeights(vtkDataArray* heights)
 void vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataArray* heights)
 {
   vtkInternals& internals = *this->Internals;
-  if (internals.Pyramid && internals.ImageTime == image->GetMTime() && internals.HeightsTime == heights->GetMTime() &&
+  const littoral::DataStamp stamp = littoral::StampOf(image);
+  const littoral::ArrayStamp heightsStamp = littoral::StampOf(heights);
+  if (internals.Pyramid && internals.Image == stamp && internals.Heights == heightsStamp &&
     internals.TileSize == this->TileSize && internals.Levels == this->NumberOfLevels)
   {
     return;
@@ -477,8 +480,8 @@ void vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataAr
   }
   internals.Pyramid.emplace(std::move(samples), this->TileSize, this->NumberOfLevels, littoral::AbortableFor(this));
   internals.Wetness = littoral::SpreadWetness(image, heights, littoral::AbortableFor(this));
-  internals.ImageTime = image->GetMTime();
-  internals.HeightsTime = heights->GetMTime();
+  internals.Image = stamp;
+  internals.Heights = heightsStamp;
   internals.TileSize = this->TileSize;
   internals.Levels = this->NumberOfLevels;
 }

@@ -221,14 +221,15 @@ float landscapeCloudAt(vec2 place, float soft)
 {
   const float scale = 8.0; // so that the noise repeats itself after 32 km
   vec2 at = (landscapeCloudEye.xy + place) / scale;
+  float least = mix(0.80, 0.22, landscapeClouds.x);
   float n = 0.0;
   float weight = 0.5;
-  for (int octave = 0; octave < (soft > 0.0 ? 3 : 6); ++octave)
+  // Octaves that come add between 0 and twice their first weight: none is left that could change what is clear or whole.
+  for (int octave = 0; octave < (soft > 0.0 ? 3 : 6) && n + 2.0 * weight > least - soft && n < least + 0.14 + soft; ++octave)
   {
     n += weight * landscapeNoise(at, exp2(float(7 - octave)), uint(20 + octave)).x;
     weight *= 0.5;
   }
-  float least = mix(0.80, 0.22, landscapeClouds.x);
   return smoothstep(least - soft, least + 0.14 + soft, n);
 }
 

@@ -8,6 +8,7 @@
 #include "vtkNew.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace littoral
 {
@@ -21,24 +22,28 @@ constexpr std::size_t PolygonsAtOnce = 100000;
 }
 
 ScatterMerge::ScatterMerge(const ScatterPrototypes& prototypes, const std::vector<PlantPlace>& places,
-  const std::vector<ShownPlant>& shown, const View* facing)
+  const std::vector<ShownPlant>& shown, const View* facing, const MergedBlocks& last)
   : Species(prototypes)
   , Places(places)
   , Facing(facing)
 {
   for (const ShownPlant& plant : shown)
   {
-    this->Shown[static_cast<int>(plant.Level)].push_back(plant.Place);
+    this->Blocks.Shown[static_cast<int>(plant.Level)].push_back(plant.Place);
   }
   this->Merges.reserve(NumberOfParts);
   const double girthBytes = HasGirths(places) ? sizeof(double) : 0.0;
   this->Bytes = (TableBytes + girthBytes) * static_cast<double>(shown.size());
   for (int part = 0; part < NumberOfParts; ++part)
   {
-    const bool isCards = part == LowPart && facing;
-    this->Merges.emplace_back(isCards ? prototypes.FacingLow : prototypes.Parts[part], places,
-      this->Shown[static_cast<int>(LevelOfPart[part])]);
+    const auto level = static_cast<std::size_t>(LevelOfPart[part]);
+    this->Merges.emplace_back(
+      this->AreCards(part) ? prototypes.FacingLow : prototypes.Parts[part], places, this->Blocks.Shown[level]);
     this->Bytes += this->Merges.back().GetBytes();
+    if (!this->AreCards(part) && this->Blocks.Shown[level] == last.Shown[level])
+    {
+      this->Blocks.Parts[part] = last.Parts[part];
+    }
   }
   for (int part : { SkeletonPart, SkinPart, LeavesPart })
   {
@@ -60,23 +65,36 @@ std::size_t ScatterMerge::Begin()
 {
   for (int part = 0; part < NumberOfParts; ++part)
   {
-    this->Merges[part].Allocate();
-    const std::size_t plants = this->Merges[part].GetNumberOfPlants();
-    const std::size_t polygons = std::max<std::size_t>(1, this->Merges[part].GetNumberOfCells());
-    const std::size_t atOnce = std::clamp<std::size_t>(PolygonsAtOnce * plants / polygons, 1, 1024);
-    for (std::size_t plant = 0; plant < plants; plant += atOnce)
+    if (!this->Blocks.Parts[part])
     {
-      this->Jobs.push_back({ part, plant, std::min(plant + atOnce, plants) });
+      this->Make(part);
     }
   }
   return this->Jobs.size();
+}
+
+void ScatterMerge::Make(int part)
+{
+  this->Merges[part].Allocate();
+  this->Blocks.Parts[part] = this->Merges[part].GetOutput();
+  if (this->Species.Textures[part])
+  {
+    this->Blocks.Parts[part]->GetFieldData()->ShallowCopy(this->Species.Textures[part]);
+  }
+  const std::size_t plants = this->Merges[part].GetNumberOfPlants();
+  const std::size_t polygons = std::max<std::size_t>(1, this->Merges[part].GetNumberOfCells());
+  const std::size_t atOnce = std::clamp<std::size_t>(PolygonsAtOnce * plants / polygons, 1, 1024);
+  for (std::size_t plant = 0; plant < plants; plant += atOnce)
+  {
+    this->Jobs.push_back({ part, plant, std::min(plant + atOnce, plants) });
+  }
 }
 
 void ScatterMerge::Do(std::size_t job)
 {
   const auto [part, plant, end] = this->Jobs[job];
   this->Merges[part].Fill(plant, end);
-  for (std::size_t index = plant; part == LowPart && this->Facing && index < end; ++index)
+  for (std::size_t index = plant; this->AreCards(part) && index < end; ++index)
   {
     this->PlaceCard(index);
   }
@@ -92,19 +110,23 @@ void ScatterMerge::AddTo(vtkMultiBlockDataSet* output) const
   for (int part = 0; part < NumberOfParts; ++part)
   {
     const char* name = PartKinds[part].Name ? PartKinds[part].Name : PartKinds[part].Level;
-    vtkPolyData* block = this->Merges[part].GetOutput();
-    if (this->Species.Textures[part])
-    {
-      block->GetFieldData()->ShallowCopy(this->Species.Textures[part]);
-    }
-    AddBlock(levels[static_cast<int>(LevelOfPart[part])], name, block);
+    AddBlock(levels[static_cast<int>(LevelOfPart[part])], name, this->Blocks.Parts[part]);
   }
+}
+
+MergedBlocks ScatterMerge::TakeBlocks()
+{
+  if (this->Facing)
+  {
+    this->Blocks.Parts[LowPart] = nullptr;
+  }
+  return std::move(this->Blocks);
 }
 
 void ScatterMerge::PlaceCard(std::size_t plant)
 {
   const PlantMerge& merge = this->Merges[LowPart];
-  const PlantPlace& place = this->Places[this->Shown[static_cast<int>(PlantLevel::Low)][plant]];
+  const PlantPlace& place = this->Places[this->Blocks.Shown[static_cast<int>(PlantLevel::Low)][plant]];
   if (!this->Species.Shapes[place.Species])
   {
     return;

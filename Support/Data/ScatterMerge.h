@@ -8,6 +8,8 @@
 #include "Data/ScatterPrototypes.h"
 #include "Plants/PlantLevels.h"
 
+#include "vtkSmartPointer.h"
+
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -17,18 +19,26 @@
 namespace littoral
 {
 
+/// Blocks, and the places of the plants in each level. A later merge of the same prototypes and places takes those blocks
+/// whose plants are the same ones, so that what depends on them is not made anew where a camera moves.
+struct MergedBlocks
+{
+  std::array<std::vector<int>, 3> Shown;
+  std::array<vtkSmartPointer<vtkPolyData>, NumberOfParts> Parts; ///< null: to be made
+};
+
 /// All blocks of the shown plants.
 class ScatterMerge
 {
 public:
   /// Merge of the shown plants; with a view, far plants face its eye.
   ScatterMerge(const ScatterPrototypes& prototypes, const std::vector<PlantPlace>& places,
-    const std::vector<ShownPlant>& shown, const View* facing);
+    const std::vector<ShownPlant>& shown, const View* facing, const MergedBlocks& last);
   ScatterMerge(const ScatterMerge&) = delete;
   ScatterMerge& operator=(const ScatterMerge&) = delete;
 
   double GetBytes() const { return this->Bytes; }
-  std::size_t GetNumberOfPlants(PlantLevel level) const { return this->Shown[static_cast<int>(level)].size(); }
+  std::size_t GetNumberOfPlants(PlantLevel level) const { return this->Blocks.Shown[static_cast<int>(level)].size(); }
   bool HasTooManyNodes() const
   {
     return this->Merges[SkeletonPart].GetNumberOfPoints() > std::numeric_limits<int>::max();
@@ -44,11 +54,14 @@ public:
   /// Adds the blocks to the output.
   void AddTo(vtkMultiBlockDataSet* output) const;
 
+  /// Blocks for a later merge: without cards that face the eye of this one.
+  MergedBlocks TakeBlocks();
+
 private:
   const ScatterPrototypes& Species;
   const std::vector<PlantPlace>& Places;
   const View* Facing;
-  std::array<std::vector<int>, 3> Shown; ///< places, of each level
+  MergedBlocks Blocks;
   std::vector<PlantMerge> Merges;
   /// Some plants of a part.
   struct Job
@@ -59,6 +72,9 @@ private:
   };
   std::vector<Job> Jobs;
   double Bytes = 0.0;
+
+  bool AreCards(int part) const { return part == LowPart && this->Facing; }
+  void Make(int part);
 
   /// Points, normals and texture coordinates of the card of a far plant.
   void PlaceCard(std::size_t plant);

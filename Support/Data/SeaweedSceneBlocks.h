@@ -12,21 +12,23 @@
 #include "Seaweed/SeaweedScene.h"
 #include "Seaweed/SeaweedSkin.h"
 
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
 #include <array>
 #include <string>
 #include <vector>
 
 class vtkMultiBlockDataSet;
-class vtkPolyData;
 
 namespace littoral
 {
 
-/// A block of vertices that follow the skeleton. It is not kept alive.
+/// A block of vertices that follow the skeleton.
 struct SeaweedSkinBlock
 {
   const char* Name;
-  vtkPolyData* Rest;
+  vtkSmartPointer<vtkPolyData> Rest; ///< a shallow copy of the same arrays may come in its place
   SeaweedSkin Skin;
   SkinBinding Binding;
   RigidBinding Rigid;

@@ -50,7 +50,7 @@ private:
   {
     const char* Level;
     const char* Name;
-    vtkPolyData* Rest = nullptr;
+    vtkSmartPointer<vtkPolyData> Rest;
     SkinBinding Binding;
   };
 
