@@ -449,9 +449,8 @@ void vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* 
 {
   const std::vector<littoral::PlantPlace>& places =
     request.Places.empty() ? this->Internals->Scene.Places : request.Places;
-  littoral::ScatterMerge merge(
-    this->Internals->Species, places, request.Shown, this->FaceCamera ? &request.Seen : nullptr,
-    this->Internals->Scene.Merged);
+  littoral::ScatterMerge merge(this->Internals->Species, places, request.Shown,
+    this->FaceCamera ? &request.Seen : nullptr, this->Internals->Scene.Merged);
   const std::string plants = "A forest of " + std::to_string(request.Shown.size()) + " plants, " +
     std::to_string(merge.GetNumberOfPlants(littoral::PlantLevel::High)) + " of them in full,";
   const char* remedy = "switch on UseLevels and UseCulling, lower NearDistance, or set VisibleDistance";

@@ -19,8 +19,8 @@
 namespace littoral
 {
 
-/// Blocks, and the places of the plants in each level. A later merge of the same prototypes and places takes those blocks
-/// whose plants are the same ones, so that what depends on them is not made anew where a camera moves.
+/// Blocks, and the places of the plants in each level. A later merge of the same prototypes and places takes those
+/// blocks whose plants are the same ones, so that what depends on them is not made anew where a camera moves.
 struct MergedBlocks
 {
   std::array<std::vector<int>, 3> Shown;

@@ -17,8 +17,9 @@ namespace littoral
 {
 
 /**
- * Arrays of a data object and of all blocks in it, and its numbers and names. A shallow copy has the same stamp: ParaView
- * makes one anew for each consumer that asks for other arrays, so that the time of the data object says nothing.
+ * Arrays of a data object and of all blocks in it, and its numbers and names. A shallow copy has the same stamp:
+ * ParaView makes one anew for each consumer that asks for other arrays, so that the time of the data object says
+ * nothing.
  */
 struct DataStamp
 {
