@@ -83,7 +83,7 @@ vec3 landscapeRipples(vec2 place, float footprint)
 }
 
 // Light of the sun at a place relative to the eye and a depth, on the mean of a footprint [m], over that below level water.
-// Scattered light is even.
+// Light that is scattered is blurred with it, down to the last depth, and below that even.
 float landscapeGathered(vec2 place, float depth, float footprint)
 {
   if (landscapeHasRipples == 0)
@@ -100,7 +100,7 @@ float landscapeGathered(vec2 place, float depth, float footprint)
   float k = min(log(max(depth, 0.01) / 0.75) / log(3.0), 3.0);
   float gathered = k < 0.0 ? mix(1.0, light.x, depth / 0.75)
                            : dot(light, max(vec4(0.0), 1.0 - abs(vec4(k, k - 1.0, k - 2.0, k - 3.0))));
-  return mix(1.0, gathered, exp(-landscapeScattering.y * depth / s.z));
+  return mix(1.0, gathered, exp(-landscapeScattering.y * max(depth - 20.25, 0.0) / s.z));
 }
 
 // Part of light from the sun's direction that water scatters into a line of sight along d, a steradian.
@@ -150,19 +150,31 @@ float landscapeSunThrough(vec3 placeV)
 }
 
 // What gathered light and shadows change in the light that water scatters into a line of sight from the eye: shafts, the
-// sum of b p (V I - 1) E exp(-K z - c l) over parts of the line that send the same light.
+// sum of b p (V I - 1) E exp(-K z - c l) over parts of the line that send the same light. Along the sun's rays light is
+// about the same, so that the line crosses by q = d_xy - d_z s_xy / s_z a metre patterns as sharp as its taps are dense.
 vec3 landscapeShafts(vec3 d, float way)
 {
   const int steps = 12;
+  const int taps = 3;
   vec3 c = landscapeAbsorption + landscapeScattering;
+  vec3 s = landscapeSunInWater();
+  float crossed = length(d.xy - d.z / s.z * s.xy);
   float all_ = 1.0 - exp(-c.y * way);
   float within = landscapeDither();
   vec3 sum = vec3(0.0);
   for (int step_ = 0; step_ < steps; ++step_)
   {
+    float light = 0.0;
+    for (int tap = 0; tap < taps; ++tap)
+    {
+      float left = 1.0 - all_ * (float(taps * step_ + tap) + within) / float(taps * steps);
+      float at = -log(left) / c.y;
+      float footprint = 0.3 * crossed * all_ / (float(taps * steps) * left * c.y);
+      light += landscapeGathered(d.xy * at, max(landscapeBelow - d.z * at, 0.0), footprint) / float(taps);
+    }
     float l = -log(1.0 - all_ * (float(step_) + within) / float(steps)) / c.y;
     float depth = max(landscapeBelow - d.z * l, 0.0);
-    float light = landscapeGathered(d.xy * l, depth, 0.3) * landscapeSunThrough(l * d * landscapeToWorld);
+    light *= landscapeSunThrough(l * d * landscapeToWorld);
     sum += (light - 1.0) * exp(-landscapeDownward() * depth - (c - c.y) * l);
   }
   return landscapeScattering * landscapePhase(d) * landscapeSunBelow() * sum * all_ / (c.y * float(steps));
