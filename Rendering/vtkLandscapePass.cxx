@@ -206,6 +206,7 @@ void vtkLandscapePass::Internals::TakeSurfaces(const vtkRenderState* state)
   const auto drawWater = [&] { this->DrawOpaque(state, true); };
   this->Quad.TakeSurfaces(
     state->GetRenderer(), drawSurfaces, this->Light.HasWater ? std::function<void()>(drawWater) : nullptr);
+  this->Quad.RaiseWoods(state->GetRenderer(), this->Light);
 }
 
 //----------------------------------------------------------------------------
