@@ -79,9 +79,10 @@ void landscapeRaiseOn(int below, inout vec4 texel, inout vec4 surface, inout flo
     {
       float stand = landscapeNoise((landscapeWideEye + off.xy) / 16.0, 4.0, 9u).x;
       vec3 leaves = landscapeLeaves(crown.w, stand) * (0.75 + 0.5 * stand);
-      leaves *= mix(0.35, 1.0, smoothstep(-6.0, 0.0, high - crown.x));
+      leaves *= mix(0.5, 1.0, smoothstep(0.0, 0.7 * crown.x, high)); // dark below, as between crowns
+      vec3 facing = normalize(vec3(-crown.yz - normalize(off.xy), 1.0)); // what is seen of a crown is before its middle
       texel = vec4(landscapeCodeOf(leaves), 1.0);
-      surface = vec4(landscapeFolded(normalize(vec3(-crown.yz, 1.0)) * landscapeToWorld), 0.0, w);
+      surface = vec4(landscapeFolded(facing * landscapeToWorld), 0.0, w);
       // z = f / (f - n) (1 - n / w)
       float near = -landscapePlace(0.0).z;
       float far = -landscapePlace(1.0).z;
