@@ -32,6 +32,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace littoral
 {
