@@ -10,6 +10,7 @@
 #define LandscapeOver 6    // the surface of the water above such an eye
 #define LandscapeOpen 7    // water alone before such an eye, and what no light changes
 #define LandscapeShown 8   // what is lit, with the depths of surfaces
+#define LandscapeFringe 9  // surfaces, with crowns on ridges
 
 in vec2 texCoord;
 uniform sampler2D landscapeDrawn;   // of the kinds before
@@ -204,10 +205,18 @@ vec3 landscapeBehindLens()
 }
 #endif
 
+//VTK::Fringe::Dec
 void main()
 {
   vec4 surface = texture(landscapeSurface, texCoord);
   float depth = texture(landscapeDepth, texCoord).r;
+#if LandscapePart == LandscapeFringe
+  vec4 drawn = texture(landscapeAlbedo, texCoord);
+  landscapeRaise(drawn, surface, depth);
+  gl_FragData[0] = drawn;
+  gl_FragData[1] = surface;
+  gl_FragDepth = depth;
+#else
   bool isThere = surface.z > -1.5;
 #if LandscapeHasWater && LandscapePart != LandscapeBelow && LandscapePart != LandscapeOpen
   // Water before all else. The ground that a river lies on is coarser than its bands, and may be before it by a little.
@@ -385,6 +394,7 @@ void main()
   gl_FragData[0] = vec4(isPaint ? landscapeOfCode(code) : luminance, away);
 #else
   gl_FragData[0] = vec4(isPaint ? code : landscapeDisplayed(luminance), 1.0);
+#endif
 #endif
 #endif
 }

@@ -82,8 +82,24 @@ vec3 landscapeRipples(vec2 place, float footprint)
   return vec3(sqrt(0.5 * landscapeSlopeVariance) * slope, 0.5 * landscapeSlopeVariance * max(rest, 0.0));
 }
 
+// Shares of the light's four channels, at 0.75 m 3^k, at a depth: none at the surface; below the last channel light is
+// even as far as it is scattered.
+vec4 landscapeChannels(float depth)
+{
+  float k = clamp(log(max(depth, 0.75) / 0.75) / log(3.0), 0.0, 3.0);
+  float below = max(depth - 20.25, 0.0) / landscapeSunInWater().z;
+  return min(depth / 0.75, 1.0) * exp(-landscapeScattering.y * below) * max(vec4(0.0), 1.0 - abs(vec4(k, k - 1.0, k - 2.0, k - 3.0)));
+}
+
+// The channels where the sun's rays come through the surface, relative to the eye, on the mean of a footprint [m].
+vec4 landscapeLightBelow(vec2 above, float footprint)
+{
+  float texels = float(textureSize(landscapeRippleLight, 0).x);
+  float level = log2(max(footprint * texels / landscapeRippleSide, 1.0));
+  return textureLod(landscapeRippleLight, landscapeRippleEye.xy + above / landscapeRippleSide, level);
+}
+
 // Light of the sun at a place relative to the eye and a depth, on the mean of a footprint [m], over that below level water.
-// Scattered light is even.
 float landscapeGathered(vec2 place, float depth, float footprint)
 {
   if (landscapeHasRipples == 0)
@@ -91,16 +107,9 @@ float landscapeGathered(vec2 place, float depth, float footprint)
     return 1.0;
   }
   vec3 s = landscapeSunInWater();
-  vec2 at = landscapeRippleEye.xy + (place + s.xy / s.z * depth) / landscapeRippleSide;
   // In water the sun is 0.4 degrees wide.
-  float texels = float(textureSize(landscapeRippleLight, 0).x);
-  float level = log2(max(max(0.007 * depth, footprint) * texels / landscapeRippleSide, 1.0));
-  vec4 light = textureLod(landscapeRippleLight, at, level);
-  // The channels are at 0.75 m 3^k.
-  float k = min(log(max(depth, 0.01) / 0.75) / log(3.0), 3.0);
-  float gathered = k < 0.0 ? mix(1.0, light.x, depth / 0.75)
-                           : dot(light, max(vec4(0.0), 1.0 - abs(vec4(k, k - 1.0, k - 2.0, k - 3.0))));
-  return mix(1.0, gathered, exp(-landscapeScattering.y * depth / s.z));
+  vec4 light = landscapeLightBelow(place + s.xy / s.z * depth, max(0.007 * depth, footprint));
+  return 1.0 + dot(landscapeChannels(depth), light - 1.0);
 }
 
 // Part of light from the sun's direction that water scatters into a line of sight along d, a steradian.
@@ -150,20 +159,36 @@ float landscapeSunThrough(vec3 placeV)
 }
 
 // What gathered light and shadows change in the light that water scatters into a line of sight from the eye: shafts, the
-// sum of b p (V I - 1) E exp(-K z - c l) over parts of the line that send the same light.
+// sum of b p (V I - 1) E exp(-K z - c l) over parts of the line that send the same light, but for the last 2 % of it. The
+// line crosses the sun's rays, along which light is about the same, by q = d_xy - d_z s_xy / s_z a metre: patterns are as
+// sharp as its taps are dense.
 vec3 landscapeShafts(vec3 d, float way)
 {
-  const int steps = 12;
+  const int steps = 10;
+  const int taps = 3;
   vec3 c = landscapeAbsorption + landscapeScattering;
-  float all_ = 1.0 - exp(-c.y * way);
+  vec3 s = landscapeSunInWater();
+  vec2 q = d.xy - d.z / s.z * s.xy;
+  vec2 first = landscapeBelow / s.z * s.xy; // of the rays to the eye
+  float all_ = min(1.0 - exp(-c.y * way), 0.98);
   float within = landscapeDither();
+  float begin = 0.0;
   vec3 sum = vec3(0.0);
   for (int step_ = 0; step_ < steps; ++step_)
   {
-    float l = -log(1.0 - all_ * (float(step_) + within) / float(steps)) / c.y;
+    float end = -log(1.0 - all_ * float(step_ + 1) / float(steps)) / c.y;
+    float part = (end - begin) / float(taps);
+    float footprint = 0.2 * length(q) * part;
+    vec4 light = vec4(0.0);
+    for (int tap = 0; tap < taps; ++tap)
+    {
+      light += landscapeLightBelow(first + (begin + part * (float(tap) + within)) * q, footprint) / float(taps);
+    }
+    float l = mix(begin, end, within);
     float depth = max(landscapeBelow - d.z * l, 0.0);
-    float light = landscapeGathered(d.xy * l, depth, 0.3) * landscapeSunThrough(l * d * landscapeToWorld);
-    sum += (light - 1.0) * exp(-landscapeDownward() * depth - (c - c.y) * l);
+    float sunny = landscapeSunThrough(l * d * landscapeToWorld) * (1.0 + dot(landscapeChannels(depth), light - 1.0));
+    sum += (sunny - 1.0) * exp(-landscapeDownward() * depth - (c - c.y) * l);
+    begin = end;
   }
   return landscapeScattering * landscapePhase(d) * landscapeSunBelow() * sum * all_ / (c.y * float(steps));
 }

@@ -25,6 +25,17 @@ constexpr double SmallestLandscape = 250.0; // radius [m]
 }
 
 //----------------------------------------------------------------------------
+void Lighting::TakeRipples(bool areThere, double time)
+{
+  // Rays of the sun in water of the index n, sin t = cos e / n
+  constexpr double index = 1.333;
+  const double sine = std::sqrt(std::max(0.0, 1.0 - std::pow(this->Sky.GetTables().Sun.z, 2))) / index;
+  const double variance = areThere && this->HasWater ? this->WaterSlopeVariance : 0.0;
+  this->Ripples.Take(
+    time, variance, this->WaterMeshVariance, { 1.0 / std::sqrt(1.0 - sine * sine), this->WaterScattering.y });
+}
+
+//----------------------------------------------------------------------------
 void Lighting::Activate(vtkOpenGLRenderWindow* window)
 {
   this->Sky.Activate(window);

@@ -64,6 +64,7 @@ public:
   double ShoreRunUp = 0.0;                      ///< of waves on a shore [m]
   double WaterTime = 0.0;                       ///< [s]
   double WaterSlopeVariance = 0.0;              ///< of what their meshes do not have
+  double WaterMeshVariance = 0.0;               ///< of slopes of their meshes
   bool HasShafts = false;                       ///< whether the water between its waves' light is drawn
   glm::dvec3 WaterAbsorption = glm::dvec3(0.0); ///< [1/m]
   glm::dvec3 WaterScattering = glm::dvec3(0.0); ///< [1/m]
@@ -82,6 +83,9 @@ public:
 
   /// Whether what is out of focus is blurred.
   bool HasLens() const { return this->Aperture > 0.0 && !this->IsParallel; }
+
+  /// Waves at a time [s] if there are any, and what the sun sends through them.
+  void TakeRipples(bool areThere, double time);
 
   /// Between them, the textures are bound.
   void Activate(vtkOpenGLRenderWindow* window);

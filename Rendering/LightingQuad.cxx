@@ -4,6 +4,7 @@
 
 #include "BoundFrame.h"
 #include "LandscapeBark.h"
+#include "LandscapeFringe.h"
 #include "LandscapeGround.h"
 #include "LandscapeLight.h"
 #include "LandscapeNoise.h"
@@ -31,6 +32,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace littoral
 {
@@ -84,6 +86,7 @@ vtkShaderProgram* Ready(
     vtkShaderProgram::Substitute(source, "//VTK::Landscape::Dec",
       defined + LandscapeUnfolded + LandscapeNoise + LandscapeLight + LandscapeSoftShadow + LandscapeBark +
         LandscapeWoods + LandscapeGround + LandscapeWater + LandscapeWetness);
+    vtkShaderProgram::Substitute(source, "//VTK::Fringe::Dec", LandscapeFringe);
     quad = std::make_unique<vtkOpenGLQuadHelper>(window, Corners, source.c_str(), "");
   }
   else
@@ -129,6 +132,7 @@ void LightingQuad::Allocate(vtkOpenGLRenderWindow* window, int width, int height
   this->Height = height;
   this->Dry.Allocate(window, width, height);
   this->Wet = Layer();
+  this->Raised = Layer();
   this->Lit = nullptr;
   this->HasLit = false;
   this->HasContact = false;
@@ -188,6 +192,27 @@ void LightingQuad::Take(vtkOpenGLRenderWindow* window, const Layer& layer, const
   BoundFrame bound(window, this->Frame, { layer.Albedo, layer.Surface }, layer.Depth);
   bound.Clear(SurfacePass::Nothing);
   draw();
+}
+
+//----------------------------------------------------------------------------
+void LightingQuad::RaiseWoods(vtkRenderer* renderer, const Lighting& light)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  if (light.WoodCover <= 0.0 || !light.HasGround || light.IsInWater || light.IsParallel)
+  {
+    this->Raised.Clear(window);
+    return;
+  }
+  if (!this->Raised.Albedo)
+  {
+    this->Raised.Allocate(window, this->Width, this->Height);
+  }
+  this->AllocateLit(window, light.HasLens());
+  vtkOpenGLState::ScopedglDepthFunc depth(window->GetState());
+  BoundFrame bound(window, this->Frame, { this->Raised.Albedo, this->Raised.Surface }, this->Raised.Depth);
+  window->GetState()->vtkglDepthFunc(GL_ALWAYS);
+  this->DrawPart("LandscapeFringe", 0, renderer, light);
+  std::swap(this->Dry, this->Raised);
 }
 
 //----------------------------------------------------------------------------
@@ -365,6 +390,7 @@ void LightingQuad::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Dry.Clear(window);
   this->Wet.Clear(window);
+  this->Raised.Clear(window);
   this->Contact.ReleaseGraphicsResources(window);
   this->Glass.ReleaseGraphicsResources(window);
   PictureShader::Release({ &this->Lit, &this->Kinds }, window);

@@ -44,6 +44,9 @@ public:
   void TakeSurfaces(
     vtkRenderer* renderer, const std::function<void()>& drawSurfaces, const std::function<void()>& drawWater);
 
+  /// Puts crowns of woods on ridges of the surfaces that are taken.
+  void RaiseWoods(vtkRenderer* renderer, const Lighting& light);
+
   /// Draws the shade where things meet of the nearest of the surfaces that all processes have taken, together.
   void ShareContact(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes);
 
@@ -77,7 +80,8 @@ private:
 
   vtkNew<vtkOpenGLFramebufferObject> Frame;
   Layer Dry;
-  Layer Wet; ///< of water; empty if there is none
+  Layer Raised; ///< the next dry one; empty if there are no woods
+  Layer Wet;    ///< of water; empty if there is none
   vtkSmartPointer<vtkTextureObject> Lit;
   vtkSmartPointer<vtkTextureObject> Kinds;                           ///< of pixels, as depths
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Parts; ///< by what is defined in their shaders

@@ -58,13 +58,17 @@ vtkSmartPointer<vtkTextureObject> TextureOf(
 }
 
 //----------------------------------------------------------------------------
-void RippleTextures::Take(double time, double variance)
+void RippleTextures::Take(double time, double variance, double meshVariance, const ScatteringWay& down)
 {
-  if (variance == this->Variance && (variance <= 0.0 || this->Time == time))
+  const bool isSameWater = variance == this->Variance && meshVariance == this->MeshVariance &&
+    down.Length == this->Down.Length && down.Scattering == this->Down.Scattering;
+  if (isSameWater && (variance <= 0.0 || this->Time == time))
   {
     return;
   }
   this->Variance = variance;
+  this->MeshVariance = meshVariance;
+  this->Down = down;
   this->SlopeTexture = nullptr;
   if (!this->HasWaves())
   {
@@ -84,12 +88,21 @@ void RippleTextures::Take(double time, double variance)
     const auto y = static_cast<float>(slope.Y);
     this->Slopes.insert(this->Slopes.end(), { x, y, x * x + y * y });
   }
+  this->Gather(slopes);
+}
+
+//----------------------------------------------------------------------------
+void RippleTextures::Gather(const std::vector<SurfaceSlope>& slopes)
+{
+  const double deviation = std::sqrt(this->Variance + this->MeshVariance);
   this->Light.resize(Samples * Samples);
   OnThreads(Depths.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t channel = begin; channel < end; ++channel)
     {
-      const std::vector<double> light =
-        GatheredLight(slopes, Samples, Side, Refraction * Depths[channel] * std::sqrt(variance));
+      ScatteringWay way = this->Down;
+      way.Length *= Depths[channel];
+      const std::vector<double> light = ScatteredPattern(
+        GatheredLight(slopes, Samples, Side, Refraction * Depths[channel] * deviation), Samples / 2, Side, way);
       for (std::size_t place = 0; place < light.size(); ++place)
       {
         this->Light[4 * place + channel] = static_cast<float>(light[place]);

@@ -4,6 +4,7 @@
 #define LittoralRippleTextures_h
 
 #include "Sea/Ripples.h"
+#include "Sea/ScatteredPattern.h"
 
 #include "vtkSmartPointer.h"
 
@@ -25,8 +26,9 @@ namespace littoral
 class RippleTextures
 {
 public:
-  /// Waves at a time [s], with a variance of their slopes; level water without waves if it is 0.
-  void Take(double time, double variance);
+  /// Waves at a time [s], with a variance of their slopes; level water without waves if it is 0. Light is gathered by
+  /// these and by what a mesh has of waves. It goes down on a way that is longer than the depth, which is its length.
+  void Take(double time, double variance, double meshVariance, const ScatteringWay& down);
 
   bool HasWaves() const { return this->Variance > 0.0; }
 
@@ -40,9 +42,13 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  void Gather(const std::vector<SurfaceSlope>& slopes);
+
   std::optional<Ripples> Waves;
   std::optional<double> Time; ///< of the textures
   double Variance = 0.0;
+  double MeshVariance = 0.0;
+  ScatteringWay Down; ///< over the depth
   std::vector<float> Slopes;
   std::vector<float> Light;
   vtkSmartPointer<vtkTextureObject> SlopeTexture;

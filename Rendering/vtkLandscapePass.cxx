@@ -158,8 +158,8 @@ struct vtkLandscapePass::Internals
   std::vector<vtkProp*> Shown;
   std::vector<vtkProp*> Casters; // of shadows: what is shown but water
   vtkSmartPointer<vtkMultiProcessController> Controller;
-  bool HasMaps = false;  ///< of the next picture
-  bool HasTold = false;  ///< what the graphics driver lacks
+  bool HasMaps = false; ///< of the next picture
+  bool HasTold = false; ///< what the graphics driver lacks
   std::string Reported; ///< the last mistake
 
   void DrawCover(vtkRenderer* renderer);
@@ -206,6 +206,7 @@ void vtkLandscapePass::Internals::TakeSurfaces(const vtkRenderState* state)
   const auto drawWater = [&] { this->DrawOpaque(state, true); };
   this->Quad.TakeSurfaces(
     state->GetRenderer(), drawSurfaces, this->Light.HasWater ? std::function<void()>(drawWater) : nullptr);
+  this->Quad.RaiseWoods(state->GetRenderer(), this->Light);
 }
 
 //----------------------------------------------------------------------------
@@ -254,6 +255,7 @@ vtkLandscapePass::vtkLandscapePass()
   , WaterAbsorption{ 0.32, 0.08, 0.06 }
   , WaterScattering{ 0.06, 0.07, 0.07 }
   , WaterSlopeVariance(0.02)
+  , WaterMeshVariance(0.0)
   , WaterRipples(true)
   , WaterTime(0.0)
   , FoamThreshold(0.42)
@@ -492,7 +494,8 @@ void vtkLandscapePass::TakeLight()
   std::copy_n(this->WaterAbsorption, 3, &lighting.WaterAbsorption.x);
   std::copy_n(this->WaterScattering, 3, &lighting.WaterScattering.x);
   lighting.WaterSlopeVariance = this->WaterSlopeVariance;
-  lighting.Ripples.Take(this->WaterTime, lighting.HasWater && this->WaterRipples ? this->WaterSlopeVariance : 0.0);
+  lighting.WaterMeshVariance = this->WaterMeshVariance;
+  lighting.TakeRipples(this->WaterRipples, this->WaterTime);
   lighting.LightsColorMaps = this->LightsColorMaps;
   this->Own->Surfaces->SetLightsColorMaps(this->LightsColorMaps);
   lighting.HasShafts = this->GetQualityNow() != Fast;
@@ -742,6 +745,7 @@ void vtkLandscapePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WaterScattering: " << this->WaterScattering[0] << " " << this->WaterScattering[1] << " "
      << this->WaterScattering[2] << "\n";
   os << indent << "WaterSlopeVariance: " << this->WaterSlopeVariance << "\n";
+  os << indent << "WaterMeshVariance: " << this->WaterMeshVariance << "\n";
   os << indent << "WaterRipples: " << (this->WaterRipples ? "on" : "off") << "\n";
   os << indent << "WaterTime: " << this->WaterTime << "\n";
   os << indent << "FoamThreshold: " << this->FoamThreshold << "\n";

@@ -334,6 +334,14 @@ public:
   ///@}
   ///@{
   /**
+   * The same of the waves that its mesh has, 0 to 0.2: they gather the light below it too, but where their statistics
+   * tell and not where they are seen; default 0.
+   */
+  vtkSetClampMacro(WaterMeshVariance, double, 0.0, 0.2);
+  vtkGetMacro(WaterMeshVariance, double);
+  ///@}
+  ///@{
+  /**
    * Waves with these slopes, as far as pixels show them, and their light below the surface, in patterns and in shafts;
    * off: slopes by their statistics alone. Default on.
    */
@@ -509,6 +517,7 @@ private:
   double WaterAbsorption[3];
   double WaterScattering[3];
   double WaterSlopeVariance;
+  double WaterMeshVariance;
   bool WaterRipples;
   double WaterTime;
   double FoamThreshold;

@@ -178,6 +178,89 @@ bool TestShadow()
     Check(places[0] > 50 && std::abs(open - 1.0) < 0.05, "Open ground is in the shadow of woods.");
 }
 
+/// Whether there is wood near the places of a ridge, seen from above, for columns of metres.
+std::vector<int> WoodsOnRidge(Picture& picture, const Color& middle)
+{
+  picture.Look({ middle[0], middle[1], 1000.0 }, middle, { 0.0, 1.0, 0.0 });
+  picture.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  picture.Renderer->GetActiveCamera()->SetParallelScale(0.5 * Height);
+  picture.Renderer->ResetCameraClippingRange();
+  picture.Draw();
+  std::vector<int> woods(Width);
+  for (int x = 0; x < Width; ++x)
+  {
+    for (int k = 0; k < 24 * 12; ++k)
+    {
+      const int at = std::clamp(x - 12 + k % 24, 0, Width - 1);
+      woods[x] += picture.LinearAt(at, Height / 2 - 13 + k / 24)[1] < 0.08 ? 1 : 0;
+    }
+  }
+  return woods;
+}
+
+/// Highest rows of what is before the sky, by columns, seen along a ground from 2 km away with pixels of 1 m.
+std::vector<int> OutlineOf(Picture& picture, const Color& middle)
+{
+  constexpr double eye = 3.0;
+  vtkCamera* camera = picture.Renderer->GetActiveCamera();
+  camera->ParallelProjectionOff();
+  camera->SetViewAngle(vtkMath::DegreesFromRadians(2.0 * std::atan(0.5 * Height / 2000.0)));
+  picture.Look({ middle[0], middle[1] - 2000.0, eye }, { middle[0], middle[1], eye }, { 0.0, 0.0, 1.0 });
+  picture.Draw();
+  std::vector<int> tops(Width, Height);
+  for (int x = 0; x < Width; ++x)
+  {
+    while (tops[x] > 0 && picture.LinearAt(x, tops[x] - 1)[1] > 0.5)
+    {
+      --tops[x];
+    }
+    tops[x] += static_cast<int>(eye) - Height / 2; // heights over the ground
+  }
+  return tops;
+}
+
+/// The edge of a level ground against the sky: where woods stand on it, the outline is raised by their crowns, 22 m at
+/// most, and where there are none in 12 m it is not.
+bool TestOutline()
+{
+  Picture picture;
+  picture.Pass->SetSkyToEven();
+  picture.Pass->SetOcclusionRadius(0.0);
+  picture.Pass->SetContactRadius(0.0);
+  picture.Pass->ShadowsOff();
+  picture.Pass->SetWoodCover(0.3);
+  picture.Pass->SetVisibility(1e8);
+  vtkLandscapePass::SetMaterial(
+    picture.Add(Plane({ -4000.0, -4000.0, 0.0 }, { 0.0, -4000.0, 0.0 }, { -4000.0, -500.0, 0.0 }), 0.4),
+    vtkLandscapePass::Ground);
+  int columns[2] = { 0, 0 };
+  int raised[2] = { 0, 0 };
+  double height = 0.0;
+  int highest = 0;
+  for (int part = 0; part < 6; ++part)
+  {
+    const Color middle{ -2700.0 + Width * part, -500.0, 0.0 };
+    const std::vector<int> woods = WoodsOnRidge(picture, middle);
+    const std::vector<int> tops = OutlineOf(picture, middle);
+    for (int x = 12; x < Width - 12; ++x)
+    {
+      highest = std::max(highest, tops[x]);
+      if (woods[x] == 0 || woods[x] > 200)
+      {
+        ++columns[woods[x] > 0];
+        raised[woods[x] > 0] += tops[x] > 4 ? 1 : 0;
+        height += woods[x] > 0 ? tops[x] : 0.0;
+      }
+    }
+  }
+  std::cout << "Of " << columns[1] << " columns with woods on a ridge " << raised[1] << " are raised, by "
+            << height / columns[1] << " m and " << highest << " m, of " << columns[0] << " without " << raised[0]
+            << "\n";
+  return Check(columns[0] > 100 && raised[0] == 0, "Crowns stand where there are no woods.") &&
+    Check(columns[1] > 100 && raised[1] > 0.7 * columns[1] && height > 10.0 * columns[1], "Woods have no outline.") &&
+    Check(highest <= 24, "Crowns are too high.");
+}
+
 /// A river's rims are darker than its middle, where an even sky is mirrored from above, if its data have banks.
 bool TestBanks()
 {
@@ -222,6 +305,7 @@ int TestLandscapeWoods(int, char*[])
   bool good = TestWoods();
   good &= TestStand();
   good &= TestShadow();
+  good &= TestOutline();
   good &= TestBanks();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -49,7 +49,7 @@ def compare(view, name):
     assert error < 15.0, f"{name}.png differs from its baseline by {error}"
 
 
-terrain = simple.TurningBandsTerrain(WholeExtent=[0, 200, 0, 150, 0, 0], Model="Spherical", Range=80.0)
+terrain = simple.TurningBandsTerrain(WholeExtent=[0, 200, 0, 150, 0, 0], Model="Spherical", Range=80.0, StandardDeviation=40.0)
 fit = simple.CovarianceFit(Input=terrain)
 fit.UpdatePipeline()
 best = [fit.GetDataInformation(0).GetArrayInformation("Model", 6).GetStringValue(k) for k in range(3)]

@@ -4,9 +4,11 @@
 # run-with: pvbatch mpi=1,2 tier=all
 """The first looks of a terrain, a sea, a flow and a wind: what one rank draws of all data, on one rank and on two."""
 
+import numpy as np
 import quick
 from first_looks import SIZE, check
-from paraview import simple
+from paraview import servermanager, simple
+from paraview.vtk.util.numpy_support import vtk_to_numpy
 from window import small_view
 
 
@@ -45,7 +47,17 @@ def check_own_light(terrain):
     simple.Delete(view)
 
 
+def check_slopes(terrain):
+    """Soil stays on nine tenths of the slopes of a square kilometre, as they are below 40 degrees."""
+    grid = servermanager.Fetch(terrain)
+    heights = vtk_to_numpy(grid.GetPointData().GetArray("Elevation")).reshape(grid.GetDimensions()[1::-1])
+    steepness = np.hypot(*np.gradient(heights, *grid.GetSpacing()[1::-1]))
+    share = (steepness < np.tan(np.radians(40.0))).mean()
+    assert share > 0.9, f"only {share:.2f} of the slopes are below 40 degrees"
+
+
 def check_four():
+    check_slopes(simple.TurningBandsTerrain())
     terrain = simple.TurningBandsTerrain(WholeExtent=[0, 128, 0, 128, 0, 0])
     ground = check("Turning Bands Terrain", terrain, "Relief", "RGB", "land", 0.12, display=check_lit)
     check_own_light(terrain)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvbatch mpi=1,2,3 tier=all
 """Landscape Light has the same picture of surfaces on one rank and spread over ranks, where those of one rank shade
-those of another, and of a sea, its bed and a river on 1, 2 and 3 ranks; the sky is there where nothing is, and where
+those of another, and of a sea, its bed, a river and woods on 1, 2 and 3 ranks; the sky is there where nothing is, and where
 pictures are composed in order."""
 
 import numpy as np
@@ -90,9 +90,17 @@ def check_sky(view, light):
     assert np.array_equal(seen[corners], opaque[corners]), "another sky beside glass"
 
 
+def compare_with_one(name, seen):
+    """A picture is that of one rank, on which this test runs first."""
+    if rank == 0:
+        np.save(f"{name}-{ranks}.npy", seen)
+        apart = np.abs(seen - np.load(f"{name}-1.npy")).max(axis=-1)
+        print(f"{name}, {ranks} ranks: {(apart > 1).mean():.2%} of the picture are another, by {apart.max()}", flush=True)
+        assert (apart > 1).mean() < 0.0005, f"{name}: another picture on {ranks} ranks"
+
+
 def check_water(view, light):
-    """A sea over its bed and a river in its valley, from above and in the water, are those of one rank, on which this
-    test runs first."""
+    """A sea over its bed and a river in its valley, from above and in the water, are those of one rank."""
     bed = simple.TurningBandsTerrain(WholeExtent=[0, 40, 0, 40, 0, 0], Spacing=[2.0, 2.0, 1.0], Origin=[-40.0, -40.0, 0.0],
                                      Mean=-3.0, StandardDeviation=1.2, Range=40.0)
     sea = simple.SeaSurface(Input=simple.SeaState(NumberOfTrains=20, WindSpeed=4.0, WaterDepth=6.0), Radius=40.0)
@@ -105,14 +113,21 @@ def check_water(view, light):
                              ("river", rivers, [3.0, -30.0, 60.0])):
         simple.Show(shown, view)
         look(view, eye)
-        seen = picture_of(view)
-        if rank == 0:
-            np.save(f"{name}-{ranks}.npy", seen)
-            one = np.load(f"{name}-1.npy")
-            apart = np.abs(seen - one).max(axis=-1)
-            print(f"{name}, {ranks} ranks: {(apart > 1).mean():.2%} of the picture are another, by {apart.max()}", flush=True)
-            assert (apart > 1).mean() < 0.0005, f"{name}: another picture on {ranks} ranks"
+        compare_with_one(name, picture_of(view))
         simple.Hide(shown, view)
+
+
+def check_woods(view, light):
+    """Hills with woods on their ridges, of which each rank has some."""
+    hills = simple.TurningBandsTerrain(WholeExtent=[0, 100, 0, 100, 0, 0], Spacing=[40.0, 40.0, 1.0], Mean=0.0,
+                                       Origin=[-2000.0, -2000.0, 0.0], StandardDeviation=120.0, Range=4000.0,
+                                       MinimumWavelength=400.0)
+    simple.Show(hills, view)
+    simple.Render(view)
+    simple.Show(light, view, WoodCover=0.5)
+    look(view, [0.0, -4500.0, 420.0])
+    view.CameraViewAngle = 7.0
+    compare_with_one("woods", picture_of(view))
 
 
 def main():
@@ -120,6 +135,7 @@ def main():
     wanted, seen = (pictures(view, light, spread) for spread in (0, 1))
     check_sky(view, light)
     check_water(small_view(SIZE), light)
+    check_woods(small_view(SIZE), light)
     for name in wanted:
         apart = np.abs(seen[name] - wanted[name]).max(axis=-1)
         print(f"{name}, {ranks} ranks: {(apart > 1).mean():.2%} of the picture are another, by {apart.max()}", flush=True)
