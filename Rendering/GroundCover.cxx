@@ -196,23 +196,34 @@ bool GroundCover::IsCellSeen(const CoverTile& tile, int column, int row, const S
 }
 
 //----------------------------------------------------------------------------
-/// The elements of the cells that a picture shows: of each, the first ones.
-std::vector<GroundCoverMapper::Run> GroundCover::RunsOf(int layer, const Sight& sight) const
+std::vector<int> GroundCover::SeenCells(const CoverTile& tile, const Sight& sight) const
+{
+  std::vector<int> seen;
+  for (int cell = 0; cell < Cells * Cells; ++cell)
+  {
+    if (this->IsCellSeen(tile, cell % Cells, cell / Cells, sight))
+    {
+      seen.push_back(cell);
+    }
+  }
+  return seen;
+}
+
+//----------------------------------------------------------------------------
+/// The elements of cells: of each, the first ones.
+std::vector<GroundCoverMapper::Run> GroundCover::RunsOf(int layer, const std::vector<int>& cells) const
 {
   const std::vector<int>& ends = this->Ends[layer];
   std::vector<GroundCoverMapper::Run> runs;
-  for (int cell = 0; cell < Cells * Cells; ++cell)
+  for (const int cell : cells)
   {
-    if (this->IsCellSeen(Tiles[layer], cell % Cells, cell / Cells, sight))
+    if (runs.empty() || runs.back().To != ends[cell])
     {
-      if (runs.empty() || runs.back().To != ends[cell])
-      {
-        runs.push_back({ ends[cell], ends[cell] });
-      }
-      const int group = Tiles[layer].Group();
-      const double groups = this->Shares[layer] * (ends[cell + 1] - ends[cell]) / group;
-      runs.back().To = ends[cell] + group * static_cast<int>(groups);
+      runs.push_back({ ends[cell], ends[cell] });
     }
+    const int group = Tiles[layer].Group();
+    const double groups = this->Shares[layer] * (ends[cell + 1] - ends[cell]) / group;
+    runs.back().To = ends[cell] + group * static_cast<int>(groups);
   }
   return runs;
 }
@@ -226,13 +237,18 @@ void GroundCover::Draw(vtkRenderer* renderer, const DepthMaps& maps)
   camera->GetFrustumPlanes(renderer->GetTiledAspectRatio(), sight.Planes);
   sight.Lowest = maps.GetLowest();
   sight.Highest = maps.GetHighest();
+  if (this->Eye.z - sight.Highest > 2.0 * this->Radius)
+  {
+    return; // blades fade with the height of the eye
+  }
   for (int k = 0; k < Layers; ++k)
   {
-    if (this->Shares[k] <= 0.0)
+    const CoverTile& tile = Tiles[k];
+    const std::vector<int> cells = this->Shares[k] > 0.0 ? this->SeenCells(tile, sight) : std::vector<int>();
+    if (cells.empty())
     {
       continue;
     }
-    const CoverTile& tile = Tiles[k];
     vtkActor* actor = this->Elements[k];
     if (!actor->GetMapper())
     {
@@ -242,7 +258,7 @@ void GroundCover::Draw(vtkRenderer* renderer, const DepthMaps& maps)
     const double side = tile.Side * this->Radius;
     const auto corner = [&](double x) { return side * std::floor(x / side); };
     this->Anchor = { corner(this->Eye.x), corner(this->Eye.y), std::floor(this->Eye.z) };
-    this->Mappers[k]->SetRuns(this->RunsOf(k, sight));
+    this->Mappers[k]->SetRuns(this->RunsOf(k, cells));
     actor->SetPosition(this->Anchor.x, this->Anchor.y, this->Anchor.z);
     actor->RenderOpaqueGeometry(renderer);
   }
@@ -262,6 +278,7 @@ void GroundCover::SetUniforms(vtkShaderProgram* program, const CoverTile& tile, 
   SetUniform(program, "coverSide", tile.Side * this->Radius);
   SetUniform(program, "coverFrom", tile.From * this->Radius);
   SetUniform(program, "coverReach", tile.Reach * this->Radius);
+  SetUniform(program, "coverTop", 2.0 * this->Radius);
   SetUniform(program, "coverHeight", this->Height);
   const Patches patches = PatchesOf(tile.Kind);
   SetUniform(program, "coverPatches", glm::dvec3(patches.Size, patches.From, patches.To));

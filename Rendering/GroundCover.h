@@ -37,7 +37,7 @@ public:
   GroundCover();
   ~GroundCover();
 
-  /// Height of blades [m], distance to which they are drawn [m].
+  /// Height of blades [m], distance to which they are drawn [m]; an eye twice as high over the ground sees none.
   void SetSize(double height, double radius);
 
   /// Parts of the herbs and flowers, the fallen leaves and the stones of the tiles that are drawn, 0 to 1.
@@ -58,7 +58,8 @@ public:
 private:
   void Prepare(int layer, const DepthMaps& maps);
   bool IsCellSeen(const CoverTile& tile, int column, int row, const Sight& sight) const;
-  std::vector<GroundCoverMapper::Run> RunsOf(int layer, const Sight& sight) const;
+  std::vector<int> SeenCells(const CoverTile& tile, const Sight& sight) const;
+  std::vector<GroundCoverMapper::Run> RunsOf(int layer, const std::vector<int>& cells) const;
   void SetUniforms(vtkShaderProgram* program, const CoverTile& tile, const DepthMaps& maps) const;
 
   std::array<vtkNew<vtkActor>, Layers> Elements;

@@ -9,6 +9,7 @@ uniform vec3 coverAnchor;      // modulo the period of the noise [m]
 uniform float coverSide;       // of the tile [m]
 uniform float coverFrom;       // distances of the first and the last blades [m]
 uniform float coverReach;
+uniform float coverTop;        // height of the eye over the ground from which there are none [m]
 uniform float coverHeight;     // [m]
 uniform vec3 coverPatches;     // size of the noise that says where there are some [m], and the values from where to where
 uniform int coverSized;        // 1: sizes are metres, else parts of the height of the grass

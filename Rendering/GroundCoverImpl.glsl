@@ -16,6 +16,7 @@
     (coverFrom > 0.0 ? smoothstep(coverFrom, 1.25 * coverFrom, coverAway) : 1.0);
   coverHigh *= coverSized == 1 ? 1.0 / coverHeight : (1.0 - 0.9 * coverGrowth.w) * (0.45 + 0.75 * coverTuft);
   coverHigh *= 1.0 - smoothstep(0.5, 0.9, coverSlope);
+  coverHigh *= 1.0 - smoothstep(0.8, 1.0, (coverEye.z - coverZ) / coverTop);
   for (float k = 0.0; k < coverPatches.z; k += 1.0) // a loop that does not begin takes no time
   {
     coverHigh *= smoothstep(coverPatches.y, coverPatches.z, landscapeNoise(coverAt + coverAnchor.xy, coverPatches.x, 8u).x);

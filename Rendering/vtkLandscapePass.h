@@ -259,7 +259,8 @@ public:
 
   ///@{
   /**
-   * Distance from the eye to which grass has blades on props of the material Ground [m], 0 for no grass; default 30.
+   * Distance from the eye to which grass has blades on props of the material Ground [m], 0 for no grass; default 30. An
+   * eye twice as high over the ground sees none.
    */
   vtkSetClampMacro(CoverRadius, double, 0.0, 200.0);
   vtkGetMacro(CoverRadius, double);

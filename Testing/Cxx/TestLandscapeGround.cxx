@@ -243,7 +243,7 @@ bool TestCoverKinds()
   return good & Check(herbs > 0.01 && herbs < 0.5 && stones > 0.001 && stones < 0.1, "There are no herbs or stones.");
 }
 
-/// Places with grass in a square of 2 m on a level ground, of 400, from 40 m above another place.
+/// Places with grass in a square of 2 m on a level ground, of 400, from another place.
 int GrassSeen(const Color& square, const Color& eye)
 {
   Picture picture;
@@ -253,7 +253,7 @@ int GrassSeen(const Color& square, const Color& eye)
   picture.Pass->SetContactRadius(0.0);
   picture.Pass->SetCoverHeight(2.0);
   vtkLandscapePass::SetMaterial(picture.Add(Level(60.0), 0.3), vtkLandscapePass::Ground);
-  picture.Look({ eye[0], eye[1], 40.0 }, square, { 0.0, 1.0, 0.0 });
+  picture.Look(eye, square, { 0.0, 1.0, 0.0 });
   picture.Renderer->GetActiveCamera()->SetViewAngle(8.0);
   picture.Renderer->ResetCameraClippingRange();
   picture.Draw();
@@ -273,18 +273,19 @@ int GrassSeen(const Color& square, const Color& eye)
   return grass;
 }
 
-/// As much grass is seen 23 m from the eye, where the tiles begin anew, as nearer to it.
+/// As much grass is seen 23 m from the eye, where the tiles begin anew, as nearer to it; none from 60 m up.
 bool TestGrassAround()
 {
   bool good = true;
   for (const Color& side : { Color{ -1.0, 0.0 }, Color{ 0.0, -1.0 } })
   {
     const Color square{ 0.3 + 23.0 * side[0], 0.3 + 23.0 * side[1], 0.0 };
-    const int far = GrassSeen(square, { 0.3, 0.3, 0.0 });
-    const int near = GrassSeen(square, { 0.3 + 6.0 * side[0], 0.3 + 6.0 * side[1], 0.0 });
+    const int far = GrassSeen(square, { 0.3, 0.3, 40.0 });
+    const int near = GrassSeen(square, { 0.3 + 6.0 * side[0], 0.3 + 6.0 * side[1], 40.0 });
     good &= Check(far > 40 && far > 0.9 * near,
       "Of 400 places " + std::to_string(far) + " have grass, from near by " + std::to_string(near));
   }
+  good &= Check(GrassSeen({ 0.3, 5.0, 0.0 }, { 0.3, 0.3, 61.0 }) == 0, "There is grass far below the eye.");
   return good;
 }
 
