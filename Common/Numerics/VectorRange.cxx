@@ -102,7 +102,7 @@ LITTORAL_SIMD_CLONES VectorRange RangeOf(const float* vectors, std::size_t count
   return range;
 }
 
-LITTORAL_SIMD_CLONES VectorRange RangeOf(const unsigned char* vectors, std::size_t count)
+LITTORAL_SIMD_CLONES VectorRange RangeOfBytes(const unsigned char* vectors, std::size_t count)
 {
   std::array<int, 3> low{ 255, 255, 255 };
   std::array<int, 3> high{ 0, 0, 0 };

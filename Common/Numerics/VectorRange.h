@@ -25,7 +25,7 @@ struct VectorRange
 VectorRange RangeOf(const float* vectors, std::size_t count);
 
 /// The same of vectors of bytes, such as colors.
-VectorRange RangeOf(const unsigned char* vectors, std::size_t count);
+VectorRange RangeOfBytes(const unsigned char* vectors, std::size_t count);
 
 /// The same of pairs, such as texture coordinates; the third component stays without values.
 VectorRange RangeOfPairs(const float* pairs, std::size_t count);

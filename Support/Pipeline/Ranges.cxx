@@ -152,7 +152,7 @@ void TupleRanges::AddTuples(const unsigned char* tuple, const unsigned char* end
 {
   if (tuple != end && components == 3)
   {
-    this->Add(RangeOf(tuple, static_cast<std::size_t>(end - tuple) / 3), 3);
+    this->Add(RangeOfBytes(tuple, static_cast<std::size_t>(end - tuple) / 3), 3);
     return;
   }
   this->AddTuples<unsigned char>(tuple, end, components);
