@@ -49,7 +49,7 @@ LITTORAL_INLINE double Blend(double x, double width)
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// Without the blends whose part is 0: to compute them takes most of the time.
+/// Weights, without the blends whose part is 0: to compute these takes most of the time.
 template <bool HasMiddle, bool HasFar, typename Real>
 LITTORAL_INLINE void WeighParts(const WeightRule& rule, const Real* places, std::size_t count, float* weights)
 {
