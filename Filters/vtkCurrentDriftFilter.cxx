@@ -86,19 +86,6 @@ void Shift(const littoral::Drifters& start, std::size_t first, const Vector3& wa
   }
 }
 
-/// Places that have all gone a way, and their ranges, which are found while places are in the cache.
-template <typename Real>
-void ShiftAll(const Real* from, std::size_t count, const Vector3& way, Real* to, littoral::TupleRanges& ranges)
-{
-  constexpr std::size_t some = 1024; // that stay in the first cache
-  for (std::size_t begin = 0; begin < count; begin += some)
-  {
-    const std::size_t end = std::min(count, begin + some);
-    littoral::ShiftTriples(from + 3 * begin, end - begin, way, to + 3 * begin);
-    ranges.AddTuples(to + 3 * begin, to + 3 * end, 3);
-  }
-}
-
 /// Runs a task on all points, some at a time, with progress from first to last. False when aborted.
 bool RunOnPoints(vtkAlgorithm* algorithm, std::size_t count, double first, double last, const littoral::RangeTask& task,
   std::size_t atOnce = PointsAtOnce)
@@ -444,14 +431,12 @@ bool vtkCurrentDriftFilter::WriteLeafAs(vtkPointSet* input, vtkPointSet* output,
   };
   auto* start = this->Internals->AreFree ? Array::SafeDownCast(input->GetPoints()->GetData()) : nullptr;
   const Vector3 way = isShift ? history.ClosedWay(currents) : Vector3(0.0);
-  std::vector<littoral::TupleRanges> ranges(isShift && start ? static_cast<std::size_t>(count) / ShiftedAtOnce + 1 : 0);
   const bool done = isShift
     ? RunOnPoints(
         this, static_cast<std::size_t>(count), 0.98, 1.0,
         [&](std::size_t begin, std::size_t end) {
           Real* to = places->GetPointer(0);
-          start ? ShiftAll(
-                    start->GetPointer(0) + 3 * begin, end - begin, way, to + 3 * begin, ranges[begin / ShiftedAtOnce])
+          start ? littoral::ShiftTriples(start->GetPointer(0) + 3 * begin, end - begin, way, to + 3 * begin)
                 : Shift(history.GetStart(), first, way, begin, end, to);
         },
         ShiftedAtOnce)
@@ -472,7 +457,7 @@ bool vtkCurrentDriftFilter::WriteLeafAs(vtkPointSet* input, vtkPointSet* output,
   }
   if (isShift && start)
   {
-    littoral::KeepRangesOfParts(places, ranges);
+    littoral::KeepShiftedRanges(start, way, places);
     littoral::KeepCommonWay(places, still.Start, way);
   }
   output->SetPoints(littoral::PointsWithRanges(places));

@@ -202,6 +202,7 @@ struct LevelBlock
   vtkSmartPointer<vtkIdTypeArray> Masters; ///< of Middle
   bool IsAsBefore = true;                  ///< with trains and weights as when it was made
   PlacesKey Key;
+  std::optional<littoral::TupleRanges> Ranges; ///< of its sorted places, as long as they stay
 };
 
 }
@@ -467,7 +468,11 @@ vtkPolyData* vtkParticleLevelOfDetailFilter::vtkInternals::Block(
   const bool isOwn = !isNew && block.Data->GetReferenceCount() == 1;
   const auto data = isOwn ? block.Data : vtkSmartPointer<vtkPolyData>::New();
   vtkPointData* arrays = data->GetPointData();
-  data->SetPoints(littoral::PointsOf<Array>(shown, kind, this->Memory));
+  if (!(block.Key.Source == key.Source))
+  {
+    block.Ranges.reset();
+  }
+  data->SetPoints(littoral::PointsOf<Array>(shown, kind, block.Ranges, this->Memory));
   if (isNew)
   {
     data->SetVerts(this->Counting.Vertices(static_cast<vtkIdType>(littoral::SizeOf(shown.Selection, kind))));

@@ -154,7 +154,7 @@ void GroundCover::Prepare(int layer, const DepthMaps& maps)
   const CoverTile& tile = Tiles[layer];
   vtkActor* actor = this->Elements[layer];
   GroundCoverMapper* mapper = this->Mappers[layer];
-  mapper->SetInputData(CoverShapes(tile, this->Ends[layer]));
+  mapper->SetMaker([this, &tile, layer] { return CoverShapes(tile, this->Ends[layer]); });
   mapper->MapDataArrayToVertexAttribute("coverFoot", "Foot", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
   vtkNew<UniformCommand> uniforms;
   uniforms->Set = [this, &tile, &maps](vtkShaderProgram* program) { this->SetUniforms(program, tile, maps); };

@@ -4,11 +4,19 @@
 
 #include "OpenGL.h"
 
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkShaderProgram.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <cstdint>
 #include <utility>
@@ -25,6 +33,62 @@ void GroundCoverMapper::SetRuns(std::vector<Run> runs)
 }
 
 //----------------------------------------------------------------------------
+void GroundCoverMapper::SetMaker(Maker maker)
+{
+  this->MakeStrips = std::move(maker);
+  this->SetInputData(this->MakeStrips());
+}
+
+//----------------------------------------------------------------------------
+/// Bounds stay when the strips are dropped.
+void GroundCoverMapper::ComputeBounds()
+{
+  if (this->GetInput()->GetNumberOfStrips() > 0)
+  {
+    this->Superclass::ComputeBounds();
+  }
+}
+
+//----------------------------------------------------------------------------
+void GroundCoverMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkPolyData* strips = this->GetInput();
+  if (strips->GetNumberOfStrips() == 0)
+  {
+    strips->ShallowCopy(this->MakeStrips());
+  }
+  this->Superclass::BuildBufferObjects(renderer, actor);
+  // VTK has the strips as triangles.
+  const auto corners = static_cast<vtkIdType>(this->Primitives[PrimitiveTriStrips].IBO->IndexCount);
+  this->CornersOfStrip = static_cast<int>(corners / strips->GetNumberOfStrips());
+  this->DropStrips();
+  // What was sent is as new as what is left: VTK takes note of its time when it is asked.
+  this->VBOBuildTime.Modified();
+  this->GetNeedToRebuildBufferObjects(renderer, actor);
+}
+
+//----------------------------------------------------------------------------
+/// Leaves a point, without which VTK draws nothing, and its values.
+void GroundCoverMapper::DropStrips()
+{
+  vtkPolyData* strips = this->GetInput();
+  strips->GetPoints()->GetData()->Resize(1);
+  for (int index = 0; index < strips->GetPointData()->GetNumberOfArrays(); ++index)
+  {
+    strips->GetPointData()->GetAbstractArray(index)->Resize(1);
+  }
+  strips->SetStrips(vtkNew<vtkCellArray>());
+  if (this->Colors)
+  {
+    this->Colors->Resize(1);
+  }
+  if (vtkOpenGLVertexBufferObject* sent = this->VBOs->GetVBO("scalarColor"))
+  {
+    std::vector<float>().swap(sent->GetPackedVBO());
+  }
+}
+
+//----------------------------------------------------------------------------
 void GroundCoverMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
 {
   vtkOpenGLHelper& strips = this->Primitives[PrimitiveTriStrips];
@@ -38,8 +102,7 @@ void GroundCoverMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
-  // VTK has the strips as triangles.
-  const auto each = static_cast<int>(strips.IBO->IndexCount) / static_cast<int>(this->GetInput()->GetNumberOfStrips());
+  const int each = this->CornersOfStrip;
   strips.IBO->Bind();
   for (const Run& run : this->Runs)
   {

@@ -4,13 +4,18 @@
 #define LittoralGroundCoverMapper_h
 
 #include "vtkOpenGLPolyDataMapper.h"
+#include "vtkSmartPointer.h" // for the strips
 
+#include <functional>
 #include <vector>
+
+class vtkPolyData;
 
 namespace littoral
 {
 
-/// Draws some of its strips of triangles, all of which have as many points.
+/// Draws some of its strips of triangles, all of which have as many points. They are dropped after they were sent to
+/// the graphics' memory, and made again where they have to be sent again.
 class GroundCoverMapper : public vtkOpenGLPolyDataMapper
 {
 public:
@@ -25,17 +30,27 @@ public:
   };
   void SetRuns(std::vector<Run> runs);
 
+  /// Makes the strips, the same each time, which become the input.
+  using Maker = std::function<vtkSmartPointer<vtkPolyData>()>;
+  void SetMaker(Maker maker);
+
 protected:
   GroundCoverMapper() = default;
   ~GroundCoverMapper() override = default;
 
+  void ComputeBounds() override;
+  void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
 
 private:
   GroundCoverMapper(const GroundCoverMapper&) = delete;
   void operator=(const GroundCoverMapper&) = delete;
 
+  void DropStrips();
+
   std::vector<Run> Runs;
+  Maker MakeStrips;
+  int CornersOfStrip = 0; ///< of the triangles of a strip, in the graphics' memory
 };
 
 }

@@ -102,6 +102,35 @@ LITTORAL_SIMD_CLONES VectorRange RangeOf(const float* vectors, std::size_t count
   return range;
 }
 
+LITTORAL_SIMD_CLONES VectorRange RangeOfBytes(const unsigned char* vectors, std::size_t count)
+{
+  std::array<int, 3> low{ 255, 255, 255 };
+  std::array<int, 3> high{ 0, 0, 0 };
+  int least = std::numeric_limits<int>::max();
+  int most = 0;
+  LITTORAL_INDEPENDENT
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    const int x = vectors[3 * n];
+    const int y = vectors[3 * n + 1];
+    const int z = vectors[3 * n + 2];
+    const int square = x * x + y * y + z * z;
+    low = { std::min(low[0], x), std::min(low[1], y), std::min(low[2], z) };
+    high = { std::max(high[0], x), std::max(high[1], y), std::max(high[2], z) };
+    least = std::min(least, square);
+    most = std::max(most, square);
+  }
+  VectorRange range;
+  for (std::size_t axis = 0; axis < 3 && count > 0; ++axis)
+  {
+    range.Low[axis] = static_cast<float>(low[axis]);
+    range.High[axis] = static_cast<float>(high[axis]);
+  }
+  range.MinimumSquare = count > 0 ? least : range.MinimumSquare;
+  range.MaximumSquare = count > 0 ? most : range.MaximumSquare;
+  return range;
+}
+
 LITTORAL_SIMD_CLONES VectorRange RangeOfPairs(const float* pairs, std::size_t count)
 {
   VectorRange range;

@@ -24,6 +24,9 @@ struct VectorRange
 /// The ranges of vectors that follow each other in memory. Bound by reading them, four at a time.
 VectorRange RangeOf(const float* vectors, std::size_t count);
 
+/// The same of vectors of bytes, such as colors.
+VectorRange RangeOfBytes(const unsigned char* vectors, std::size_t count);
+
 /// The same of pairs, such as texture coordinates; the third component stays without values.
 VectorRange RangeOfPairs(const float* pairs, std::size_t count);
 

@@ -49,8 +49,9 @@ LITTORAL_INLINE double Blend(double x, double width)
   return t * t * (3.0 - 2.0 * t);
 }
 
-template <typename Real>
-LITTORAL_INLINE void Weigh(const WeightRule& rule, const Real* places, std::size_t count, float* weights)
+/// Weights, without the blends whose part is 0: to compute these takes most of the time.
+template <bool HasMiddle, bool HasFar, typename Real>
+LITTORAL_INLINE void WeighParts(const WeightRule& rule, const Real* places, std::size_t count, float* weights)
 {
   LITTORAL_INDEPENDENT
   for (std::size_t n = 0; n < count; ++n)
@@ -59,9 +60,26 @@ LITTORAL_INLINE void Weigh(const WeightRule& rule, const Real* places, std::size
     const double y = rule.Way.y + static_cast<double>(places[3 * n + 1]) - rule.Eye.y;
     const double z = rule.Way.z + static_cast<double>(places[3 * n + 2]) - rule.Eye.z;
     const double distance = std::sqrt(x * x + y * y + z * z) / rule.Detail;
-    const double middle = Blend(distance - rule.Middle, rule.Width);
-    const double far = Blend(distance - rule.Far, rule.Width);
+    const double middle = HasMiddle ? Blend(distance - rule.Middle, rule.Width) : 0.0;
+    const double far = HasFar ? Blend(distance - rule.Far, rule.Width) : 0.0;
     weights[n] = static_cast<float>(rule.Parts[0] + rule.Parts[1] * middle + rule.Parts[2] * far);
+  }
+}
+
+template <typename Real>
+LITTORAL_INLINE void Weigh(const WeightRule& rule, const Real* places, std::size_t count, float* weights)
+{
+  if (rule.Parts[1] == 0.0)
+  {
+    WeighParts<false, true>(rule, places, count, weights);
+  }
+  else if (rule.Parts[2] == 0.0)
+  {
+    WeighParts<true, false>(rule, places, count, weights);
+  }
+  else
+  {
+    WeighParts<true, true>(rule, places, count, weights);
   }
 }
 

@@ -18,7 +18,7 @@ namespace
 {
 
 /// Clusters that are not worth a thread.
-constexpr std::size_t ClustersOfOneThread = 256;
+constexpr std::size_t ClustersOfOneThread = 64;
 
 /// Distance from a boundary within which groups are tested one by one, for sums are rounded [m].
 constexpr double Slack = 1e-6;

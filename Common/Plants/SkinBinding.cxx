@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plants/SkinBinding.h"
 
+#include "Numerics/InvalidInput.h"
+
 #include <algorithm>
 #include <cstring>
+#include <string>
 
 namespace littoral
 {
@@ -32,6 +35,7 @@ bool IsSame(const Number* a, const Number* b, int count)
 
 SkinBinding::SkinBinding(const int* jointIds, const float* jointWeights, std::size_t vertices)
 {
+  Require(vertices <= MostVertices ? "" : "a skin has more than " + std::to_string(MostVertices) + " vertices.");
   for (std::size_t vertex = 0; vertex < vertices; ++vertex)
   {
     this->Add(jointIds + 4 * vertex, jointWeights + 4 * vertex);
@@ -43,7 +47,7 @@ SkinBinding::SkinBinding(const int* jointIds, const float* jointWeights, std::si
 void SkinBinding::Add(const int* ids, const float* weights)
 {
   const int count = JointsOf(weights);
-  const std::size_t vertex = this->GetNumberOfVertices();
+  const auto vertex = static_cast<std::uint32_t>(this->GetNumberOfVertices());
   if (vertex > 0)
   {
     Run& run = this->Runs.back();
@@ -63,7 +67,8 @@ void SkinBinding::Add(const int* ids, const float* weights)
       }
     }
   }
-  this->Runs.push_back({ vertex, vertex + 1, this->Weights.size(), { ids[0], ids[1], ids[2], ids[3] }, count, false });
+  this->Runs.push_back({ vertex, vertex + 1, static_cast<std::uint32_t>(this->Weights.size()),
+    { ids[0], ids[1], ids[2], ids[3] }, static_cast<std::int16_t>(count), false });
   this->Weights.insert(this->Weights.end(), weights, weights + count);
 }
 

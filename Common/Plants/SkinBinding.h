@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace littoral
@@ -17,19 +18,22 @@ namespace littoral
 class SkinBinding
 {
 public:
-  /// The vertices [Begin, End), which follow the first Count of four joints.
+  /// The vertices [Begin, End), which follow the first Count of four joints. 32 bytes: many runs are of four vertices.
   struct Run
   {
-    std::size_t Begin = 0;
-    std::size_t End = 0;
-    std::size_t FirstWeight = 0;
+    std::uint32_t Begin = 0;
+    std::uint32_t End = 0;
+    std::uint32_t FirstWeight = 0;
     std::array<int, 4> Joints{};
-    int Count = 0;       ///< up to the last joint with a weight, at least 1
-    bool Varies = false; ///< each vertex has weights of its own
+    std::int16_t Count = 0; ///< up to the last joint with a weight, at least 1
+    bool Varies = false;    ///< each vertex has weights of its own
   };
 
+  /// Vertices that a skin can have: all weights are counted by 32 bits.
+  static constexpr std::size_t MostVertices = std::size_t{ 1 } << 30;
+
   SkinBinding() = default;
-  /// Binding by arrays of four joints and four weights a vertex.
+  /// Binding by arrays of four joints and four weights of at most MostVertices.
   SkinBinding(const int* jointIds, const float* jointWeights, std::size_t vertices);
 
   /// The run of a vertex.

@@ -48,6 +48,9 @@ public:
   /// Adds a plant in full, its joints after those of earlier plants. Why it cannot be added; empty when it was.
   std::string AddPlant(int row, const Skeleton& rest, const std::vector<BranchBeam>& beams);
 
+  /// Makes room for so many leaves in all.
+  void ReserveLeaves(std::size_t leaves) { this->Leaves.reserve(leaves); }
+
   /// Adds a leaf of a plant in full, after the earlier leaves of the same plant. Its flutter is a function of the
   /// plant's identity and of the leaf's number in the plant.
   void AddLeaf(const std::array<int, 4>& corners, int plant, std::uint64_t identity);

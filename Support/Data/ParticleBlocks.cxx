@@ -23,8 +23,8 @@ namespace littoral
 namespace
 {
 
-/// Parts of a selection that are written at once by a thread: half a million particles.
-constexpr std::size_t PartsAtOnce = 512;
+/// Parts of a selection that are written at once by a thread: a hundred thousand particles.
+constexpr std::size_t PartsAtOnce = 128;
 
 /// Calls a task with each of some runs and the place of its first particle in a block.
 template <typename Task>
@@ -51,24 +51,6 @@ void VisitPart(const ParticleSelection& selection, const ParticlePart& part, Par
   }
   const bool isNear = kind == ParticleLevel::Near;
   ForRuns(isNear ? part.Near : part.Far, static_cast<std::size_t>(isNear ? before.Near : before.Far), task);
-}
-
-/// Calls a task with the first place of a part in the block of a level, and with that behind its last one.
-template <typename Task>
-void VisitSpans(const ParticleSelection& selection, const ParticlePart& part, ParticleLevel kind, const Task& task)
-{
-  const auto size = [](const ShownRun&, std::size_t) {};
-  const ParticleCounts& before = part.Before;
-  const auto span = [&](const ShownRuns& runs, long long first) {
-    task(static_cast<std::size_t>(first), ForRuns(runs, static_cast<std::size_t>(first), size));
-  };
-  if (kind == ParticleLevel::Middle)
-  {
-    span(part.Orbits, before.Masters);
-    span(part.Slaves, selection.Masters + before.Slaves);
-    return;
-  }
-  kind == ParticleLevel::Near ? span(part.Near, before.Near) : span(part.Far, before.Far);
 }
 
 /// Calls a task with all parts, on all threads where they are worth calling, and with the number of its batch.
@@ -146,20 +128,34 @@ const Real* NumbersOf(const PlaceList& places)
   }
 }
 
-/// Puts particles of a level where they have gone from their sorted places, and keeps their ranges.
+/// Ranges of the sorted places of a level.
 template <typename Real>
-void ShiftSorted(const ShownParticles& shown, ParticleLevel kind, const Real* sorted, vtkDataArray* points)
+TupleRanges RangesOfSorted(const ShownParticles& shown, ParticleLevel kind, const Real* sorted)
 {
-  Real* values = static_cast<Real*>(points->GetVoidPointer(0));
   std::vector<TupleRanges> ranges(shown.Selection.Parts.size() / PartsAtOnce + 1);
   ForBatchedParts(shown.Selection, [&](const ParticlePart& part, std::size_t batch) {
-    VisitPart(shown.Selection, part, kind, [&](const ShownRun& run, std::size_t place) {
-      ShiftTriples(sorted + 3 * run.Begin, run.Size(), shown.Way, values + 3 * place);
+    VisitPart(shown.Selection, part, kind, [&](const ShownRun& run, std::size_t) {
+      ranges[batch].AddTuples(sorted + 3 * run.Begin, sorted + 3 * run.End, 3);
     });
-    VisitSpans(shown.Selection, part, kind,
-      [&](std::size_t first, std::size_t last) { ranges[batch].AddTuples(values + 3 * first, values + 3 * last, 3); });
   });
-  KeepRangesOfParts(points, ranges);
+  std::for_each(ranges.begin() + 1, ranges.end(), [&](const TupleRanges& part) { ranges[0].Add(part); });
+  return ranges[0];
+}
+
+/// Puts particles of a level where they have gone from their sorted places, and keeps their ranges.
+template <typename Real>
+void ShiftSorted(const ShownParticles& shown, ParticleLevel kind, const Real* sorted,
+  std::optional<TupleRanges>& ranges, vtkDataArray* points)
+{
+  Real* values = static_cast<Real*>(points->GetVoidPointer(0));
+  Visit(shown, kind, [&](const ShownRun& run, std::size_t place) {
+    ShiftTriples(sorted + 3 * run.Begin, run.Size(), shown.Way, values + 3 * place);
+  });
+  if (!ranges)
+  {
+    ranges = RangesOfSorted(shown, kind, sorted);
+  }
+  KeepRangesOfParts(points, { ShiftedRanges(*ranges, shown.Way, std::is_same_v<Real, float>) });
 }
 
 /// Puts scattered slaves about their masters.
@@ -271,14 +267,15 @@ vtkSmartPointer<vtkDataArray> SortedPlaces(const PlaceList& places, const Partic
 
 //----------------------------------------------------------------------------
 template <typename Array>
-vtkSmartPointer<vtkPoints> PointsOf(const ShownParticles& shown, ParticleLevel kind, FrameArrays& memory)
+vtkSmartPointer<vtkPoints> PointsOf(
+  const ShownParticles& shown, ParticleLevel kind, std::optional<TupleRanges>& sorted, FrameArrays& memory)
 {
   using Real = typename Array::ValueType;
   const auto points = memory.New<Array>("Points", 3, static_cast<vtkIdType>(SizeOf(shown.Selection, kind)));
   Real* values = points->GetPointer(0);
   if (shown.Sorted)
   {
-    ShiftSorted<Real>(shown, kind, Array::SafeDownCast(shown.Sorted)->GetPointer(0), points);
+    ShiftSorted<Real>(shown, kind, Array::SafeDownCast(shown.Sorted)->GetPointer(0), sorted, points);
   }
   else
   {
@@ -340,25 +337,24 @@ vtkSmartPointer<vtkFloatArray> AlphasOf(const ShownParticles& shown, ParticleLev
 {
   auto array = memory.New<vtkFloatArray>(sea::Alpha, 1, static_cast<vtkIdType>(SizeOf(shown.Selection, kind)));
   float* alpha = array->GetPointer(0);
-  Visit(shown, kind, [=](const ShownRun& run, std::size_t place) {
-    std::fill_n(alpha + place, run.Size(), run.Weight == RunWeight::None ? 0.0f : 1.0f);
-  });
   const auto* sorted = shown.Sorted ? Array::SafeDownCast(shown.Sorted)->GetPointer(0) : nullptr;
-  TupleRanges ranges;
-  for (const ParticlePart& part : shown.Selection.Parts)
-  {
+  std::vector<TupleRanges> ranges(shown.Selection.Parts.size() / PartsAtOnce + 1);
+  ForBatchedParts(shown.Selection, [&](const ParticlePart& part, std::size_t batch) {
     VisitPart(shown.Selection, part, kind, [&](const ShownRun& run, std::size_t place) {
       const bool isBlended = run.Weight == RunWeight::ByDistance;
       if (isBlended)
       {
         Blend(shown, kind, run, shown.Groups.GetClusters()[part.Cluster], sorted, alpha + place);
       }
+      else
+      {
+        std::fill_n(alpha + place, run.Size(), run.Weight == RunWeight::None ? 0.0f : 1.0f);
+      }
       // All others of a run are like its first one.
-      std::for_each(alpha + place, alpha + place + (isBlended ? run.Size() : 1),
-        [&](float weight) { ranges.Components[0].Add(static_cast<double>(weight)); });
+      ranges[batch].AddNumbers(alpha + place, alpha + place + (isBlended ? run.Size() : 1));
     });
-  }
-  KeepRangesOfParts(array, { ranges });
+  });
+  KeepRangesOfParts(array, ranges);
   return array;
 }
 
@@ -414,9 +410,9 @@ template vtkSmartPointer<vtkDataArray> SortedPlaces<vtkFloatArray>(
 template vtkSmartPointer<vtkDataArray> SortedPlaces<vtkDoubleArray>(
   const PlaceList& places, const ParticleGroups& groups);
 template vtkSmartPointer<vtkPoints> PointsOf<vtkFloatArray>(
-  const ShownParticles& shown, ParticleLevel kind, FrameArrays& memory);
+  const ShownParticles& shown, ParticleLevel kind, std::optional<TupleRanges>& sorted, FrameArrays& memory);
 template vtkSmartPointer<vtkPoints> PointsOf<vtkDoubleArray>(
-  const ShownParticles& shown, ParticleLevel kind, FrameArrays& memory);
+  const ShownParticles& shown, ParticleLevel kind, std::optional<TupleRanges>& sorted, FrameArrays& memory);
 template vtkSmartPointer<vtkFloatArray> AlphasOf<vtkFloatArray>(
   const ShownParticles& shown, ParticleLevel kind, FrameArrays& memory);
 template vtkSmartPointer<vtkFloatArray> AlphasOf<vtkDoubleArray>(

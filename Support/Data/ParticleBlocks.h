@@ -9,6 +9,7 @@
 #include "Data/FrameArrays.h"
 #include "Particles/ParticleGroups.h"
 #include "Particles/ParticleLevels.h"
+#include "Pipeline/Ranges.h"
 
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
@@ -17,6 +18,7 @@
 #include "vtkSmartPointer.h"
 
 #include <cstddef>
+#include <optional>
 
 namespace littoral
 {
@@ -45,9 +47,11 @@ void CarryArrays(
 template <typename Array>
 vtkSmartPointer<vtkDataArray> SortedPlaces(const PlaceList& places, const ParticleGroups& groups);
 
-/// The points of a level; those of scattered slaves about their masters.
+/// The points of a level; those of scattered slaves about their masters. The ranges of their sorted places are found
+/// where they are not known yet.
 template <typename Array>
-vtkSmartPointer<vtkPoints> PointsOf(const ShownParticles& shown, ParticleLevel kind, FrameArrays& memory);
+vtkSmartPointer<vtkPoints> PointsOf(
+  const ShownParticles& shown, ParticleLevel kind, std::optional<TupleRanges>& sorted, FrameArrays& memory);
 
 /// Places of the masters of all in the level Middle in its block; -1 for those with orbits.
 vtkSmartPointer<vtkIdTypeArray> MastersOf(const ShownParticles& shown, FrameArrays& memory);

@@ -195,7 +195,9 @@ void SwayBlocks::ReadHighSkins(
   }
   vtkPolyData* leaves = PlantPartOf(plants, plant::High, plant::Leaves);
   vtkIntArray* plantIds = leaves ? FindPlantIds(leaves) : nullptr;
-  for (const LeafCorners& leaf : ReadLeaves(leaves))
+  const std::vector<LeafCorners> corners = ReadLeaves(leaves);
+  this->Scene->ReserveLeaves(corners.size());
+  for (const LeafCorners& leaf : corners)
   {
     leafAreas[leaf.Node] += leaf.Area;
     const int own = plantOf[leaf.Node];

@@ -148,6 +148,16 @@ void TupleRanges::AddTuples(const float* tuple, const float* end, int components
   this->AddTuples<float>(tuple, end, components);
 }
 
+void TupleRanges::AddTuples(const unsigned char* tuple, const unsigned char* end, int components)
+{
+  if (tuple != end && components == 3)
+  {
+    this->Add(RangeOfBytes(tuple, static_cast<std::size_t>(end - tuple) / 3), 3);
+    return;
+  }
+  this->AddTuples<unsigned char>(tuple, end, components);
+}
+
 void TupleRanges::Add(const TupleRanges& other)
 {
   for (int c = 0; c < MaximumComponents; ++c)
@@ -176,9 +186,9 @@ void KeepRanges(vtkDataArray* array, const TupleRanges& ranges)
   }
   info->Set(vtkDataArray::PER_COMPONENT(), all);
   info->Set(vtkDataArray::PER_FINITE_COMPONENT(), all);
-  if (components > 1)
+  const ValueRange& squared = ranges.SquaredLength;
+  if (components > 1 && squared.Low <= squared.High)
   {
-    const ValueRange& squared = ranges.SquaredLength;
     for (vtkInformationDoubleVectorKey* key : { vtkDataArray::L2_NORM_RANGE(), vtkDataArray::L2_NORM_FINITE_RANGE() })
     {
       SetRange(info, key, std::sqrt(squared.Low), std::sqrt(squared.High));
@@ -214,6 +224,40 @@ void ShareRanges(vtkDataArray* from, vtkDataArray* to)
     info->CopyEntry(from->GetInformation(), key);
   }
   info->Set(FiniteTime(), static_cast<vtkIdType>(to->GetMTime()));
+}
+
+TupleRanges ShiftedRanges(const TupleRanges& ranges, const Vector3& way, bool areSingle)
+{
+  if (way == Vector3(0.0))
+  {
+    return ranges;
+  }
+  const auto rounded = [areSingle](double x) { return areSingle ? static_cast<float>(x) : x; };
+  TupleRanges shifted;
+  shifted.AreFinite = ranges.AreFinite;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const double value : { ranges.Components[axis].Low, ranges.Components[axis].High })
+    {
+      shifted.Components[axis].Add(rounded(value + way[axis]));
+      shifted.AreFinite = shifted.AreFinite && std::isfinite(rounded(value + way[axis]));
+    }
+  }
+  return shifted;
+}
+
+void KeepShiftedRanges(vtkDataArray* from, const Vector3& way, vtkDataArray* to)
+{
+  if (to->GetNumberOfTuples() < FewTuples || !KeepFiniteRanges(from))
+  {
+    return;
+  }
+  TupleRanges ranges;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    ranges.Components[axis] = { from->GetRange(axis)[0], from->GetRange(axis)[1] };
+  }
+  KeepRanges(to, ShiftedRanges(ranges, way, to->GetDataType() == VTK_FLOAT));
 }
 
 void KeepRanges(vtkDataArray* array)

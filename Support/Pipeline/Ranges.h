@@ -4,6 +4,7 @@
 #define LittoralSupportRanges_h
 
 #include "Numerics/Parallel.h"
+#include "Numerics/Vector3.h"
 #include "Numerics/VectorRange.h"
 
 #include "vtkSmartPointer.h"
@@ -55,6 +56,7 @@ struct TupleRanges
   void Add(const VectorRange& vectors, int components);
 
   void AddTuples(const float* tuple, const float* end, int components);
+  void AddTuples(const unsigned char* tuple, const unsigned char* end, int components);
 
   template <typename T>
   void AddTuples(const T* tuple, const T* end, int components)
@@ -162,6 +164,14 @@ void KeepRangesOfParts(vtkDataArray* array, const std::vector<TupleRanges>& part
 
 /// Lets an array have the ranges that were kept with another one of the same values.
 void ShareRanges(vtkDataArray* from, vtkDataArray* to);
+
+/// The ranges of triples that are moved by a way as ShiftTriples() does it, which never changes their order. That of
+/// the lengths is not known where they move.
+TupleRanges ShiftedRanges(const TupleRanges& ranges, const Vector3& way, bool areSingle);
+
+/// Keeps the ranges of triples, unless they are few, that are those of another array moved by a way. That of the
+/// lengths is left to VTK.
+void KeepShiftedRanges(vtkDataArray* from, const Vector3& way, vtkDataArray* to);
 
 /// Finds the ranges of an array that is complete, unless they are there.
 void KeepRanges(vtkDataArray* array);

@@ -1,12 +1,18 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Ranges that are kept with arrays are those that VTK finds, and are dropped when an array changes.
+// Ranges that are kept with arrays are those that VTK finds, and are dropped when an array changes; also those of
+// particles that drift, which are not looked for.
 
+#include "Numerics/ShiftedTriples.h"
 #include "Pipeline/Ranges.h"
+#include "vtkCurrentDriftFilter.h"
+#include "vtkFlowPrimitiveSource.h"
+#include "vtkParticleLevelOfDetailFilter.h"
 #include "vtkSeaStateSource.h"
 #include "vtkSeaweedDeformationFilter.h"
 #include "vtkSeaweedSource.h"
+#include "vtkSuspendedParticleSource.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -79,6 +85,52 @@ void CheckRanges(vtkDataArray* array)
     array->GetFiniteRange(kept, c);
     plain->GetFiniteRange(found, c);
     Check(AreNear(kept, found), "finite ranges are those of VTK");
+  }
+}
+
+/// Ranges of triples that have gone a way, from those before it. At 3e5 m single precision rounds to 1/32 m.
+void CheckShifted(const littoral::Vector3& way)
+{
+  vtkNew<vtkFloatArray> before;
+  vtkNew<vtkFloatArray> after;
+  Fill(before.Get(), 3, littoral::FewTuples);
+  Fill(after.Get(), 3, littoral::FewTuples);
+  littoral::ShiftTriples(before->GetPointer(0), littoral::FewTuples, way, after->GetPointer(0));
+  littoral::KeepShiftedRanges(before, way, after);
+  Check(after->GetInformation()->Has(vtkDataArray::PER_COMPONENT()), "ranges of shifted places are kept");
+  CheckRanges(after);
+}
+
+/// Ranges of all particles of a flow that drift, at two times and seen from two places at each.
+void CheckDrifting(int flowType)
+{
+  const double box[12] = { 4.0, 5.0, 3.0, 10.0, -8.5, -7.5, 1.0, 0.01, 2.0 * littoral::FewTuples, 1.0, 1.0, 1.0 };
+  vtkNew<vtkSuspendedParticleSource> particles;
+  particles->SetPreset(vtkSuspendedParticleSource::Custom);
+  particles->SetAmountIs(vtkSuspendedParticleSource::Count);
+  particles->AddBox(box);
+  vtkNew<vtkFlowPrimitiveSource> flow;
+  flow->SetFlowType(flowType);
+  flow->SetAxis(flowType == vtkFlowPrimitiveSource::Uniform ? 1.0 : 0.0, 0.0,
+    flowType == vtkFlowPrimitiveSource::Uniform ? 0.0 : 1.0);
+  flow->SetStrength(0.1);
+  vtkNew<vtkCurrentDriftFilter> drift;
+  drift->SetInputConnection(0, particles->GetOutputPort());
+  drift->AddCurrentConnection(flow->GetOutputPort());
+  vtkNew<vtkSeaStateSource> sea;
+  vtkNew<vtkParticleLevelOfDetailFilter> levels;
+  levels->SetInputConnection(0, drift->GetOutputPort());
+  levels->SetSeaStateConnection(sea->GetOutputPort());
+  levels->UseLevelsOff();
+  levels->UseCullingOff();
+  for (const double step : { 0.0, 1.0, 2.0, 3.0 })
+  {
+    levels->SetViewPoint(5.0 * step, 0.0, -8.0);
+    levels->UpdateTimeStep(std::floor(0.5 * step));
+    auto* shown = vtkPolyData::SafeDownCast(vtkMultiBlockDataSet::SafeDownCast(levels->GetOutput())->GetBlock(0));
+    Check(shown->GetNumberOfPoints() == particles->GetOutput()->GetNumberOfPoints(), "all particles are shown");
+    CheckRanges(vtkPolyData::SafeDownCast(drift->GetOutputDataObject(0))->GetPoints()->GetData());
+    CheckRanges(shown->GetPoints()->GetData());
   }
 }
 
@@ -187,6 +239,10 @@ int TestRanges(int, char*[])
 {
   CheckBentSkins();
   CheckParts();
+  CheckShifted({ 0.0, 0.0, 0.0 });
+  CheckShifted({ 0.1, -3e5, 7.0 });
+  CheckDrifting(vtkFlowPrimitiveSource::Uniform);
+  CheckDrifting(vtkFlowPrimitiveSource::Vortex);
   vtkNew<vtkFloatArray> floats;
   vtkNew<vtkDoubleArray> doubles;
   vtkNew<vtkIntArray> ints;

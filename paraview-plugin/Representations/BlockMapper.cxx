@@ -1,20 +1,67 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockMapper.h"
+#include "OpenGL.h"
+#include "vtkLandscapePass.h"
 
+#include "vtkActor.h"
 #include "vtkHardwareSelector.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 namespace littoral
 {
+
+namespace
+{
+
+/// Corners of the triangles that are drawn before a processor is waited for. llvmpipe keeps all triangles that are
+/// still to be drawn, at up to a kilobyte each.
+constexpr GLsizei CornersOfPart = 3 << 15;
+
+/// Waits until the commands before a fence are done, and deletes it.
+void Pass(GLsync fence)
+{
+  constexpr GLuint64 second = 1000000000; // ns
+  while (glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, second) == GL_TIMEOUT_EXPIRED)
+  {
+  }
+  glDeleteSync(fence);
+}
+
+/// Draws triangles by parts, each of them while the one before is still drawn, but not more at a time.
+void DrawTrianglesByParts(GLsizei corners)
+{
+  GLsync before = nullptr;
+  for (GLsizei begin = 0; begin < corners; begin += CornersOfPart)
+  {
+    const auto offset = static_cast<std::uintptr_t>(begin) * sizeof(GLuint);
+    glDrawElements(
+      GL_TRIANGLES, std::min(CornersOfPart, corners - begin), GL_UNSIGNED_INT, reinterpret_cast<const GLvoid*>(offset));
+    GLsync drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    if (before)
+    {
+      Pass(before);
+    }
+    before = drawn;
+  }
+  Pass(before);
+}
+
+}
 
 vtkStandardNewMacro(BlockMapper);
 
@@ -73,13 +120,38 @@ void BlockMapper::BuildIBO(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* 
 }
 
 //----------------------------------------------------------------------------
+/// Many triangles and nothing else, whose numbers the shader does not ask for, drawn by a processor.
+bool BlockMapper::IsDrawnByParts(vtkRenderer* renderer, vtkActor* actor) const
+{
+  const auto count = [this](int primitive) { return this->Primitives[primitive].IBO->IndexCount; };
+  vtkProperty* property = actor->GetProperty();
+  return count(PrimitiveTris) > CornersOfPart && count(PrimitivePoints) + count(PrimitiveLines) == 0 &&
+    count(PrimitiveTriStrips) == 0 && !this->HaveCellScalars && !this->HaveCellNormals && !renderer->GetSelector() &&
+    property->GetRepresentation() == VTK_SURFACE && !property->GetEdgeVisibility() &&
+    !property->GetVertexVisibility() && vtkLandscapePass::IsDrawnBySoftware(renderer->GetRenderWindow());
+}
+
+//----------------------------------------------------------------------------
 void BlockMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
 {
   if (vtkHardwareSelector* selector = renderer->GetSelector())
   {
     selector->RenderCompositeIndex(this->BlockIndex);
   }
-  this->Superclass::RenderPieceDraw(renderer, actor);
+  if (!this->IsDrawnByParts(renderer, actor))
+  {
+    this->Superclass::RenderPieceDraw(renderer, actor);
+    return;
+  }
+  vtkOpenGLHelper& triangles = this->Primitives[PrimitiveTris];
+  this->DrawingVertices = false;
+  this->UpdateShaders(triangles, renderer, actor);
+  if (triangles.Program)
+  {
+    triangles.IBO->Bind();
+    DrawTrianglesByParts(static_cast<GLsizei>(triangles.IBO->IndexCount));
+    triangles.IBO->Release();
+  }
 }
 
 }

@@ -13,6 +13,7 @@ namespace littoral
  *
  * The mapper of a tree builds vertices and indices of all blocks anew when anything has changed; this one sends the
  * arrays that have changed, such as points and normals of what moves, and keeps the others in the graphics' memory.
+ * Many triangles are drawn by parts where a processor draws, which would keep all of them until they are drawn.
  */
 class BlockMapper : public vtkOpenGLPolyDataMapper
 {
@@ -39,6 +40,8 @@ protected:
 private:
   BlockMapper(const BlockMapper&) = delete;
   void operator=(const BlockMapper&) = delete;
+
+  bool IsDrawnByParts(vtkRenderer* renderer, vtkActor* actor) const;
 
   /// Time of change of the array whose colors are in use, and their opacity: no two arrays were ever changed at one
   /// time.

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -64,6 +65,27 @@ TEST(VectorRange, LengthsBeyondSinglePrecisionAreFinite)
   const VectorRange range = RangeOf(vectors.data(), 5);
   EXPECT_TRUE(range.IsFinite);
   EXPECT_NEAR(range.MaximumSquare / (3.0 * 9e76), 1.0, 1e-6);
+}
+
+TEST(VectorRange, OfBytesHasThreeExtremesAndLengths)
+{
+  // All are (10, 20, 20), of length 30, but one of length 27 and one of 255 sqrt 3.
+  for (std::size_t count = 3; count <= 70; ++count)
+  {
+    std::vector<unsigned char> vectors;
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      vectors.insert(vectors.end(), { 10, 20, 20 });
+    }
+    const unsigned char shortest[3] = { 2, 14, 23 };
+    std::copy_n(shortest, 3, vectors.data() + 3 * (count / 2));
+    std::fill_n(vectors.data() + 3 * (count - 1), 3, static_cast<unsigned char>(255));
+    const VectorRange range = RangeOfBytes(vectors.data(), count);
+    EXPECT_EQ(range.Low, (std::array<float, 3>{ 2.0f, 14.0f, 20.0f }));
+    EXPECT_EQ(range.High, (std::array<float, 3>{ 255.0f, 255.0f, 255.0f }));
+    EXPECT_EQ(range.MinimumSquare, 729.0);
+    EXPECT_EQ(range.MaximumSquare, 3.0 * 65025.0);
+  }
 }
 
 TEST(VectorRange, NoVectorsHaveNone)
