@@ -41,12 +41,6 @@ float landscapeFringeGrown(float width)
   return (1.0 - smoothstep(1.0, 1.5, high)) * clamp(2.0 - 0.25 * width, 0.0, 1.0);
 }
 
-// Code of sRGB of a color.
-vec3 landscapeCodeOf(vec3 color)
-{
-  return mix(12.92 * color, 1.055 * pow(max(color, vec3(1e-6)), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, color));
-}
-
 // A normal on the unfolded octahedron.
 vec2 landscapeFolded(vec3 normal)
 {

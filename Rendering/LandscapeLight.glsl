@@ -48,6 +48,12 @@ vec3 landscapeSkyLightOn(vec3 normal)
   return texture(landscapeSkyLight, ((0.5 + 0.5 * at) * (size - 1.0) + 0.5) / size).rgb;
 }
 
+// Code of sRGB of a color.
+vec3 landscapeCodeOf(vec3 color)
+{
+  return mix(12.92 * color, 1.055 * pow(max(color, vec3(1e-6)), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, color));
+}
+
 // What the eye or the film sees of a luminance, in the display's code.
 vec3 landscapeDisplayed(vec3 luminance)
 {
@@ -61,8 +67,7 @@ vec3 landscapeDisplayed(vec3 luminance)
     float white = (W * (A * W + C * B) + D * E) / (W * (A * W + B) + D * F) - E / F;
     c = x / white;
   }
-  c = clamp(c, 0.0, 1.0);
-  return mix(12.92 * c, 1.055 * pow(max(c, vec3(1e-6)), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+  return landscapeCodeOf(clamp(c, 0.0, 1.0));
 }
 
 vec3 landscapeLinear(vec3 code)

@@ -219,7 +219,7 @@ std::vector<int> OutlineOf(Picture& picture, const Color& middle)
   return tops;
 }
 
-/// The edge of a level ground against the sky: where woods stand on it, the outline is raised by their crowns, 22 m at
+/// The edge of a level ground against the sky: where woods stand on it, the outline is raised by their crowns, 24 m at
 /// most, and where there are none in 12 m it is not.
 bool TestOutline()
 {
