@@ -41,14 +41,6 @@ float landscapeFringeGrown(float width)
   return (1.0 - smoothstep(1.0, 1.5, high)) * clamp(2.0 - 0.25 * width, 0.0, 1.0);
 }
 
-// A normal on the unfolded octahedron.
-vec2 landscapeFolded(vec3 normal)
-{
-  vec3 n = normal / dot(abs(normal), vec3(1.0));
-  vec2 s = vec2(n.x >= 0.0 ? 1.0 : -1.0, n.y >= 0.0 ? 1.0 : -1.0);
-  return n.z >= 0.0 ? n.xy : (1.0 - abs(n.yx)) * s;
-}
-
 // The color, surface and depth of a crown on a ridge some pixels below that a line of sight meets, instead of what is
 // behind it. The line is as far as the ridge, and in two further rows, which stand as high.
 void landscapeRaiseOn(int below, inout vec4 texel, inout vec4 surface, inout float depth)

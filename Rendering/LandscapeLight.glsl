@@ -38,12 +38,18 @@ vec3 landscapeSkyAt(vec3 d)
   return texture(landscapeDome, (vec2(column, row) + 0.5) / size).rgb;
 }
 
+// A normal on the unfolded octahedron.
+vec2 landscapeFolded(vec3 normal)
+{
+  vec3 n = normal / dot(abs(normal), vec3(1.0));
+  vec2 s = vec2(n.x >= 0.0 ? 1.0 : -1.0, n.y >= 0.0 ? 1.0 : -1.0);
+  return n.z >= 0.0 ? n.xy : (1.0 - abs(n.yx)) * s;
+}
+
 // Light of the sky on a plane with a normal.
 vec3 landscapeSkyLightOn(vec3 normal)
 {
-  vec3 n = normal / (abs(normal.x) + abs(normal.y) + abs(normal.z));
-  vec2 s = vec2(n.x >= 0.0 ? 1.0 : -1.0, n.y >= 0.0 ? 1.0 : -1.0);
-  vec2 at = n.z >= 0.0 ? n.xy : (1.0 - abs(n.yx)) * s;
+  vec2 at = landscapeFolded(normal);
   float size = float(textureSize(landscapeSkyLight, 0).x);
   return texture(landscapeSkyLight, ((0.5 + 0.5 * at) * (size - 1.0) + 0.5) / size).rgb;
 }
