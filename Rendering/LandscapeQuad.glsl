@@ -11,6 +11,7 @@
 #define LandscapeOpen 7    // water alone before such an eye, and what no light changes
 #define LandscapeShown 8   // what is lit, with the depths of surfaces
 #define LandscapeFringe 9  // surfaces, with crowns on ridges
+#define LandscapeShafts 10 // shafts of light before what an eye in water sees, of each landscapeStep-th pixel
 
 in vec2 texCoord;
 uniform sampler2D landscapeDrawn;   // of the kinds before
@@ -141,12 +142,33 @@ vec3 landscapeWetLuminance(float material, vec3 albedo, vec3 place, vec3 normal)
 #endif
 
 #if LandscapePart == LandscapeBelow || LandscapePart == LandscapeOver || LandscapePart == LandscapeOpen
+#ifdef LandscapeHasShafts
+uniform sampler2D landscapeShaftsBefore; // of LandscapeShafts, and the lengths of the lines of sight [m]
+uniform int landscapeStep;               // pixels from one that has them to the next
+
+// Shafts before a line of sight of a length: the mean of the four pixels around that have them, which sample other parts
+// of their lines each, but for those of lines of other lengths; where all are, the most like it.
+vec3 landscapeShaftsAt(float way)
+{
+  ivec2 first = (ivec2(gl_FragCoord.xy) + landscapeStep - 1) / landscapeStep - 1;
+  ivec2 end = textureSize(landscapeShaftsBefore, 0) - 1;
+  vec4 sum = vec4(0.0);
+  for (int k = 0; k < 4; ++k)
+  {
+    vec4 near = texelFetch(landscapeShaftsBefore, clamp(first + ivec2(k & 1, k >> 1), ivec2(0), end), 0);
+    float off = abs(near.w - way) / (0.1 * way);
+    sum += max(1.0 - off, 1e-4 / (1.0 + off)) * vec4(near.rgb, 1.0);
+  }
+  return sum.rgb / sum.w;
+}
+#endif
+
 // Luminance at the end of a line of sight from an eye in water.
 vec3 landscapeSeenInWater(vec3 luminance, vec3 d, float way)
 {
   luminance = landscapeInWater(luminance, d, landscapeEyeDepth, way);
 #ifdef LandscapeHasShafts
-  luminance += landscapeShafts(d, way);
+  luminance += landscapeShaftsAt(way);
 #endif
   return luminance;
 }
@@ -324,6 +346,10 @@ void main()
 #elif LandscapePart == LandscapeOpen
   landscapeBelow = landscapeEyeDepth;
   luminance = landscapeSeenInWater(vec3(0.0), d, isThere ? length(place - eye) : 1e3);
+#elif LandscapePart == LandscapeShafts
+  landscapeBelow = landscapeEyeDepth;
+  vec3 end = hasSurface ? sight * (wayOfWater / -sight.z) : place;
+  float way = isThere || hasSurface ? length(end - eye) : 1e3;
 #else
   vec3 wetPlace = landscapePlaceOf(wetDepth, wet.w, sight);
   vec3 wetNormal = landscapeToWorld * landscapeUnfolded(wet.xy);
@@ -386,7 +412,9 @@ void main()
 #endif
 #endif
   bool isPaint = isThere && !isLit && !hasSurface; // which no light changes
-#ifdef LandscapeHasLens
+#if LandscapePart == LandscapeShafts
+  gl_FragData[0] = vec4(landscapeShafts(d, way), way);
+#elif defined(LandscapeHasLens)
 #if LandscapePart == LandscapeAbove || LandscapePart == LandscapeOver
   place = hasSurface ? wetPlace : place;
 #endif

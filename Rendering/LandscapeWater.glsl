@@ -2,6 +2,7 @@
 
 uniform int landscapeWater;              // 0: there is none; 1: the eye is above it; 2: below
 uniform float landscapeEyeDepth;         // of the eye below the water's level [m]
+uniform float landscapeIndex;            // of refraction
 uniform vec3 landscapeAbsorption;        // a [1/m]
 uniform vec3 landscapeScattering;        // b [1/m]
 uniform float landscapeSlopeVariance;    // of what the surface's mesh does not have, in both directions together
@@ -16,7 +17,6 @@ uniform float landscapeFoamBegins;        // stretch of the surface below which 
 
 float landscapeBelow = 0.0; // depth of the eye below the surface: of its level, or where it is looked through from above [m]
 
-const float landscapeIndex = 1.333;      // of refraction
 const float landscapeBackward = 0.02;    // part of scattered light that goes backwards
 const float landscapeForward = 0.9;      // mean cosine of scattering (Henyey and Greenstein)
 
@@ -135,11 +135,11 @@ vec3 landscapeInWater(vec3 luminance, vec3 d, float depth, float way)
   return luminance * exp(-(landscapeAbsorption + landscapeScattering) * way) + landscapeScattered(d, depth, way);
 }
 
-// Where in a step of a line of sight it is sampled, from 0 to 1: another place for each pixel near by, without bands
-// (Jimenez 2014, interleaved gradient noise)
-float landscapeDither()
+// Where in a step of a line of sight it is sampled, from 0 to 1: another quarter for each of 2 x 2 pixels.
+float landscapeQuarter()
 {
-  return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+  ivec2 pixel = ivec2(gl_FragCoord.xy) & 1;
+  return 0.125 + 0.5 * float(pixel.x ^ pixel.y) + 0.25 * float(pixel.y);
 }
 
 // Whether the sun is seen from a place in the water, by the first map that has it.
@@ -171,7 +171,7 @@ vec3 landscapeShafts(vec3 d, float way)
   vec2 q = d.xy - d.z / s.z * s.xy;
   vec2 first = landscapeBelow / s.z * s.xy; // of the rays to the eye
   float all_ = min(1.0 - exp(-c.y * way), 0.98);
-  float within = landscapeDither();
+  float within = landscapeQuarter();
   float begin = 0.0;
   vec3 sum = vec3(0.0);
   for (int step_ = 0; step_ < steps; ++step_)

@@ -21,6 +21,7 @@ namespace
 {
 
 constexpr double SmallestLandscape = 250.0; // radius [m]
+constexpr double IndexOfWater = 1.333;      // of refraction
 
 }
 
@@ -28,8 +29,7 @@ constexpr double SmallestLandscape = 250.0; // radius [m]
 void Lighting::TakeRipples(bool areThere, double time)
 {
   // Rays of the sun in water of the index n, sin t = cos e / n
-  constexpr double index = 1.333;
-  const double sine = std::sqrt(std::max(0.0, 1.0 - std::pow(this->Sky.GetTables().Sun.z, 2))) / index;
+  const double sine = std::sqrt(std::max(0.0, 1.0 - std::pow(this->Sky.GetTables().Sun.z, 2))) / IndexOfWater;
   const double variance = areThere && this->HasWater ? this->WaterSlopeVariance : 0.0;
   this->Ripples.Take(
     time, variance, this->WaterMeshVariance, { 1.0 / std::sqrt(1.0 - sine * sine), this->WaterScattering.y });
@@ -137,6 +137,7 @@ void Lighting::SetUniforms(vtkShaderProgram* program) const
   const double swashes = this->WaterTime / swashPeriod;
   SetUniform(program, "landscapeSwash", swashes - std::floor(swashes));
   SetUniform(program, "landscapeSlopeVariance", this->WaterSlopeVariance);
+  SetUniform(program, "landscapeIndex", IndexOfWater);
   SetUniform(program, "landscapeAbsorption", this->WaterAbsorption);
   SetUniform(program, "landscapeScattering", this->WaterScattering);
   if (this->Maps.Has(DepthMaps::Zenith))

@@ -54,11 +54,12 @@ vtkSmartPointer<vtkTextureObject> NewPicture(vtkOpenGLRenderWindow* window)
 constexpr const char* Corners = R"(//VTK::System::Dec
 in vec4 ndCoordIn;
 in vec2 texCoordIn;
-uniform float landscapeKind; // depth from 0 to 1
+uniform float landscapeKind;   // depth from 0 to 1
+uniform vec4 landscapeTakes;   // place in the pictures of surfaces of what is at t of the one drawn: xy + zw t
 out vec2 texCoord;
 void main()
 {
-  texCoord = texCoordIn;
+  texCoord = landscapeTakes.xy + landscapeTakes.zw * texCoordIn;
   gl_Position = vec4(ndCoordIn.xy, 2.0 * landscapeKind - 1.0, 1.0);
 }
 )";
@@ -68,6 +69,14 @@ glm::dmat4 ProjectionOf(vtkRenderer* renderer)
 {
   return MatrixOf(
     renderer->GetActiveCamera()->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
+}
+
+/// Pixels of the picture, along its sides, from one whose shafts are found to the next.
+constexpr int ShaftStep = 2;
+
+bool HasShafts(const Lighting& light)
+{
+  return light.HasShafts && light.IsInWater && light.Ripples.HasWaves();
 }
 
 ContactShade::View ContactOf(vtkRenderer* renderer, const Lighting& light)
@@ -253,6 +262,19 @@ void LightingQuad::DrawLit(vtkRenderer* renderer, const Lighting& light)
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   this->AllocateLit(window, light.HasLens());
   this->DrawContact(renderer, light, nullptr);
+  if (HasShafts(light))
+  {
+    const auto part = [](int side) { return (side + ShaftStep - 1) / ShaftStep; };
+    const int width = part(this->Width);
+    const int height = part(this->Height);
+    if (!this->Shafts || static_cast<int>(this->Shafts->GetWidth()) != width ||
+      static_cast<int>(this->Shafts->GetHeight()) != height)
+    {
+      this->Shafts = PictureShader::NewPicture(window, width, height, 4);
+    }
+    const BoundFrame bound(window, this->Frame, { this->Shafts }, nullptr);
+    this->DrawPart("LandscapeShafts", 0, renderer, light);
+  }
   this->DrawKinds(renderer, light);
 }
 
@@ -326,7 +348,7 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   defined += light.FogExtinction > 0.0 ? "" : "#define LandscapeNoFog\n";
   defined += light.ContactRadius > 0.0 ? "#define LandscapeHasContact\n" : "";
   defined += light.HasLens() ? "#define LandscapeHasLens\n" : "";
-  defined += light.HasShafts && light.Ripples.HasWaves() ? "#define LandscapeHasShafts\n" : "";
+  defined += HasShafts(light) ? "#define LandscapeHasShafts\n" : "";
   defined += light.HasBark ? "#define LandscapeHasBark\n" : "";
   defined += light.Turf.x > 0.0 ? "#define LandscapeHasTurf\n" : "";
   defined += light.WoodCover > 0.0 ? "#define LandscapeHasWoods\n" : "";
@@ -346,6 +368,19 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   for (int picture = 0; picture < (this->Wet.Albedo ? 6 : 3); ++picture)
   {
     pictures[picture]->Activate();
+  }
+  const bool isOfShafts = part == "LandscapeShafts";
+  const glm::dvec2 size(this->Width, this->Height);
+  const glm::dvec2 parts = glm::ceil(size / static_cast<double>(ShaftStep));
+  const glm::dvec2 scale = isOfShafts ? static_cast<double>(ShaftStep) * parts / size : glm::dvec2(1.0);
+  const glm::dvec2 first = isOfShafts ? 0.5 * (1.0 - ShaftStep) / size : glm::dvec2(0.0);
+  SetUniform(program, "landscapeTakes", glm::dvec4(first, scale));
+  vtkTextureObject* const shafts = HasShafts(light) && !isOfShafts ? this->Shafts.Get() : nullptr;
+  if (shafts)
+  {
+    shafts->Activate();
+    SetUniform(program, "landscapeShaftsBefore", shafts->GetTextureUnit());
+    SetUniform(program, "landscapeStep", ShaftStep);
   }
   vtkTextureObject* const hidden = light.ContactRadius > 0.0 ? this->Contact.GetHidden() : nullptr;
   if (hidden)
@@ -375,9 +410,12 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   SetUniform(program, "landscapeContactRadius", light.ContactRadius);
   SetUniform(program, "landscapeContactStep", ContactShade::Step);
   this->Parts[defined]->Render();
-  if (hidden)
+  for (vtkTextureObject* picture : { shafts, hidden })
   {
-    hidden->Deactivate();
+    if (picture)
+    {
+      picture->Deactivate();
+    }
   }
   for (int picture = 0; picture < (this->Wet.Albedo ? 6 : 3); ++picture)
   {
@@ -393,7 +431,7 @@ void LightingQuad::ReleaseGraphicsResources(vtkWindow* window)
   this->Raised.Clear(window);
   this->Contact.ReleaseGraphicsResources(window);
   this->Glass.ReleaseGraphicsResources(window);
-  PictureShader::Release({ &this->Lit, &this->Kinds }, window);
+  PictureShader::Release({ &this->Lit, &this->Kinds, &this->Shafts }, window);
   this->Frame->ReleaseGraphicsResources(window);
   for (auto& [defined, quad] : this->Parts)
   {

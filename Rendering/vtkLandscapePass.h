@@ -335,8 +335,8 @@ public:
   ///@}
   ///@{
   /**
-   * The same of the waves that its mesh has, 0 to 0.2: they gather the light below it too, but where their statistics
-   * tell and not where they are seen; default 0.
+   * Variance of the slopes of the waves that the water's mesh has, in both directions together, 0 to 0.2: they gather
+   * the light below it too, but where their statistics tell and not where they are seen; default 0.
    */
   vtkSetClampMacro(WaterMeshVariance, double, 0.0, 0.2);
   vtkGetMacro(WaterMeshVariance, double);
