@@ -85,7 +85,7 @@ private:
   vtkSmartPointer<vtkTextureObject> Lit;
   vtkSmartPointer<vtkTextureObject> Kinds;                           ///< of pixels, as depths
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Parts; ///< by what is defined in their shaders
-  vtkSmartPointer<vtkTextureObject> Shafts;                          ///< of light in water, and lengths of lines of sight
+  vtkSmartPointer<vtkTextureObject> Shafts; ///< of light in water, and lengths of lines of sight
   ContactShade Contact;
   Lens Glass;
   bool IsLinear = false;   ///< whether Lit has luminances and distances, for the lens

@@ -136,25 +136,39 @@ bool TestGatheredLight()
   return good;
 }
 
-/// Green of deep water on a level line of sight from 2.5 m below its surface, towards the sun or from it, below a raft
-/// or not.
+/// Deep water along a level line of sight from 2.5 m below its surface, towards the sun or from it, below a raft or
+/// not.
+struct Along : Water
+{
+  Along(double north, bool isBelowRaft)
+    : Water({ 0.4, 0.3, 0.3 }, { 0.2, 0.2, 0.2 })
+  {
+    this->Pass->SetSunElevation(40.0);
+    this->Pass->SetSunAzimuth(0.0);
+    this->Pass->SetWaterSlopeVariance(0.01);
+    this->Pass->SetWaterRipples(isBelowRaft);
+    this->Pass->SetShadowDistance(60.0);
+    this->Pass->SetExposureCompensation(2.0);
+    if (isBelowRaft)
+    {
+      this->Add(Level(60.0, -1.0), 0.5);
+    }
+    this->Look({ 0.0, 0.0, -2.5 }, { 0.0, north, -2.5 }, { 0.0, 0.0, 1.0 });
+    this->Renderer->GetActiveCamera()->SetClippingRange(0.1, 3000.0);
+  }
+
+  /// Green at a column.
+  double Green(int x = Width / 2) const
+  {
+    return 0.5 * (this->LinearAt(x, Height / 2)[1] + this->LinearAt(x, Height / 2 - 1)[1]);
+  }
+};
+
 double GreenAlong(double north, bool isBelowRaft)
 {
-  Water picture({ 0.4, 0.3, 0.3 }, { 0.2, 0.2, 0.2 });
-  picture.Pass->SetSunElevation(40.0);
-  picture.Pass->SetSunAzimuth(0.0);
-  picture.Pass->SetWaterSlopeVariance(0.01);
-  picture.Pass->SetWaterRipples(isBelowRaft);
-  picture.Pass->SetShadowDistance(60.0);
-  picture.Pass->SetExposureCompensation(2.0);
-  if (isBelowRaft)
-  {
-    picture.Add(Level(60.0, -1.0), 0.5);
-  }
-  picture.Look({ 0.0, 0.0, -2.5 }, { 0.0, north, -2.5 }, { 0.0, 0.0, 1.0 });
-  picture.Renderer->GetActiveCamera()->SetClippingRange(0.1, 3000.0);
+  Along picture(north, isBelowRaft);
   picture.Draw();
-  return 0.5 * (picture.LinearAt(Width / 2, Height / 2)[1] + picture.LinearAt(Width / 2, Height / 2 - 1)[1]);
+  return picture.Green();
 }
 
 /// Water in the shadow of a raft scatters no light of the sun: what is left is the same in both directions, and in
@@ -174,6 +188,20 @@ bool TestShadowInWater()
       "Water in a shadow is " + std::to_string(found) + " for " + std::to_string(sky));
   }
   return good;
+}
+
+/// Water in a shadow is as bright before the rim of a board as before its middle, and beside the rim as away from it.
+bool TestRimInWater()
+{
+  Along picture(1.0, true);
+  picture.Add(Plane({ 0.001, 1.0, -5.0 }, { 2.0, 0.0, 0.0 }, { 0.0, 0.0, 5.0 }), 0.0);
+  picture.Draw();
+  const double rim = picture.Green(Width / 2);
+  const double beside = picture.Green(Width / 2 - 1);
+  return Check(rim < 0.5 * beside, "The board is not seen.") &&
+    Check(std::abs(rim - picture.Green(Width / 2 + 5)) < 0.02 * beside &&
+        std::abs(beside - picture.Green(Width / 2 - 6)) < 0.02 * beside,
+      "At the rim: " + std::to_string(rim) + " and " + std::to_string(beside));
 }
 
 /// A sprite in air is as bright as a sphere, white for a white furnace; in water, as a wall of its albedo at its
@@ -249,6 +277,7 @@ int TestLandscapeRipples(int, char*[])
   bool good = TestRipples();
   good &= TestGatheredLight();
   good &= TestShadowInWater();
+  good &= TestRimInWater();
   good &= TestSprite();
   return good ? 0 : 1;
 }

@@ -157,15 +157,15 @@ int TestLandscapeShafts(int, char*[])
   glm::dvec3 sun(above[0] / 1.333, above[1] / 1.333, 0.0);
   sun.z = std::sqrt(1.0 - glm::dot(sun, sun));
   const Gathered light(sun);
-  // What eyes see of them: means of squares of 4 x 4 pixels
-  std::vector<double> expected(Width * Height / 16);
+  // What eyes see of them: means of squares of 2 x 2 pixels
+  std::vector<double> expected(Width * Height / 4);
   std::vector<double> here(expected.size());
   for (int pixel = 0; pixel < Width * Height; ++pixel)
   {
-    const std::size_t square = pixel / Width / 4 * (Width / 4) + pixel % Width / 4;
+    const std::size_t square = pixel / Width / 2 * (Width / 2) + pixel % Width / 2;
     const glm::dvec3 sight = water.Sight(pixel);
-    expected[square] += (Expected(light, sight, SunPart(water, sun, sight)) - 1.0) / 16.0;
-    here[square] += (found[pixel] / level[pixel] - 1.0) / 16.0;
+    expected[square] += (Expected(light, sight, SunPart(water, sun, sight)) - 1.0) / 4.0;
+    here[square] += (found[pixel] / level[pixel] - 1.0) / 4.0;
   }
   const double both = std::inner_product(expected.begin(), expected.end(), here.begin(), 0.0);
   const double expectedSquares = std::inner_product(expected.begin(), expected.end(), expected.begin(), 0.0);
