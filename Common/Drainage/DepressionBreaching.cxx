@@ -265,6 +265,7 @@ private:
     for (std::size_t visited = 0; !front.IsEmpty() && visited < maximumVisits; ++visited)
     {
       this->Steps.Step();
+      ++this->Done.Searched;
       const double reached = front.LowestHeight();
       const CellIndex cell = front.Pop();
       const double before = this->Visits[cell].Cost;

@@ -22,9 +22,10 @@ enum class BreachPath
 /// Result of breaching.
 struct BreachCount
 {
-  std::size_t Pits = 0;    ///< pits that were breached
-  std::size_t Lowered = 0; ///< cells that were lowered
-  double Volume = 0.0;     ///< excavated volume [m^3]
+  std::size_t Pits = 0;     ///< pits that were breached
+  std::size_t Lowered = 0;  ///< cells that were lowered
+  std::size_t Searched = 0; ///< cells that searches for paths of least cost have taken, each time
+  double Volume = 0.0;      ///< excavated volume [m^3]
 };
 
 /**
