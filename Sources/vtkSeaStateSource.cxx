@@ -10,6 +10,7 @@
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
+#include "Sea/SecondOrder.h"
 
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
@@ -70,6 +71,7 @@ vtkSeaStateSource::vtkSeaStateSource()
   , PeakEnhancement(3.3)
   , WaterDepth(0.0)
   , SeaLevel(0.0)
+  , Order(First)
   , NumberOfTrains(30)
   , FrequencyRange{ 0.0, 0.0 }
   , MeanDirection(0.0)
@@ -147,12 +149,13 @@ int vtkSeaStateSource::RequestData(
   check.Require(WhyInvalid(spectrum));
   check.Choice("SeaBy", this->SeaBy, 2);
   check.Finite("SeaLevel", this->SeaLevel, "m");
+  check.Range("Order", this->Order, 1, 2);
   check.Require(WhyInvalid(cut));
   Require(check.Reason());
   const SeaSpectrum density(spectrum);
   Require(WhyBroken(density, spectrum.Depth));
-  const SeaState state{ TrainsOf(density, spectrum.Depth, cut), spectrum.Depth, this->SeaLevel,
-    PeriodOf(density, cut) };
+  const SeaState state{ TrainsOf(density, spectrum.Depth, cut), spectrum.Depth, this->SeaLevel, PeriodOf(density, cut),
+    static_cast<SeaOrder>(this->Order) };
   Require(state.Trains.empty() ? "FrequencyRange holds no energy of the spectrum." : WhyInvalid(state));
   const double energy = EnergyOf(state.Trains);
   const double leftOut = std::max(0.0, 1.0 - energy / density.TotalEnergy());
@@ -162,6 +165,10 @@ int vtkSeaStateSource::RequestData(
   AddField(output, sea::SignificantWaveHeight, { 4.0 * std::sqrt(energy) });
   AddField(output, sea::PeakPeriod, { TwoPi / density.PeakFrequency() });
   AddField(output, sea::EnergyLeftOut, { leftOut });
+  if (state.Order == SeaOrder::Second)
+  {
+    AddField(output, sea::Skewness, { SkewnessOf(state) });
+  }
   const std::string unused = measured && this->Spectrum == Table ? UnusedColumns(measured) : std::string();
   if (!unused.empty())
   {
@@ -194,6 +201,7 @@ void vtkSeaStateSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PeakEnhancement: " << this->PeakEnhancement << "\n";
   os << indent << "WaterDepth: " << this->WaterDepth << "\n";
   os << indent << "SeaLevel: " << this->SeaLevel << "\n";
+  os << indent << "Order: " << this->Order << "\n";
   os << indent << "NumberOfTrains: " << this->NumberOfTrains << "\n";
   os << indent << "FrequencyRange: " << this->FrequencyRange[0] << " " << this->FrequencyRange[1] << "\n";
   os << indent << "MeanDirection: " << this->MeanDirection << "\n";

@@ -7,7 +7,8 @@
  * Output: a vtkTable with a row per wave train, the largest amplitude first. Columns: `Amplitude` [m],
  * `AngularFrequency` [rad/s], `WaveNumber` [rad/m], `Direction` of propagation, from x towards y [rad], `Phase` [rad].
  * Field data: `WaterDepth` [m] (infinite for deep water), `SeaLevel` [m], `Period` after which the sea repeats [s]
- * (infinite without EqualSpacing; that of a Regular wave); of the trains `SignificantWaveHeight` [m], four times the
+ * (infinite without EqualSpacing; that of a Regular wave); with Order Second `Order`, 2, and `Skewness` of the surface
+ * elevation at a fixed place by its trains; of the trains `SignificantWaveHeight` [m], four times the
  * standard deviation of the surface elevation; of the spectrum `PeakPeriod` [s], and `EnergyLeftOut`, the fraction of
  * its energy outside FrequencyRange, with a warning where it is above 0.02; and unless it is Regular `BinEdges`, the
  * frequencies [Hz] between which the bins lie, and `SpectralDensity` [m2/Hz] at the edges and at equal steps within
@@ -62,6 +63,12 @@ public:
   {
     Wind = 0,
     HeightAndPeriod = 1,
+  };
+
+  enum OrderType
+  {
+    First = 1,
+    Second = 2,
   };
 
   ///@{
@@ -134,8 +141,8 @@ public:
   ///@{
   /**
    * Water depth [m], at least 1e-6, or 0 for deep water; default 0. It determines the wave numbers of all spectra, and
-   * the energy of TMA and of seas by Wind. Waves that would break, a SignificantWaveHeight above 0.59 depths or a Regular
-   * wave above 0.78, are refused.
+   * the energy of TMA and of seas by Wind. Waves that would break, a SignificantWaveHeight above 0.59 depths or a
+   * Regular wave above 0.78, are refused.
    */
   vtkSetMacro(WaterDepth, double);
   vtkGetMacro(WaterDepth, double);
@@ -147,6 +154,19 @@ public:
    */
   vtkSetMacro(SeaLevel, double);
   vtkGetMacro(SeaLevel, double);
+  ///@}
+
+  ///@{
+  /**
+   * Order in the steepness of waves to which surface, orbits and flow are summed, an OrderType; default First: trains
+   * alone. Second: and the waves that each pair of trains forces, by which crests are higher and sharper, troughs
+   * flatter, the mean level at a fixed place that of second order, and groups of waves travel with long waves. It takes
+   * at most 200 trains, and a time that grows with their pairs.
+   */
+  vtkSetMacro(Order, int);
+  vtkGetMacro(Order, int);
+  void SetOrderToFirst() { this->SetOrder(First); }
+  void SetOrderToSecond() { this->SetOrder(Second); }
   ///@}
 
   ///@{
@@ -224,6 +244,7 @@ protected:
   double PeakEnhancement;
   double WaterDepth;
   double SeaLevel;
+  int Order;
   int NumberOfTrains;
   double FrequencyRange[2];
   double MeanDirection;

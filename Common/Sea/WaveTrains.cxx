@@ -107,6 +107,10 @@ std::string WhyInvalid(const SeaState& sea)
   check.Require(!sea.Trains.empty(), "the sea state has no wave trains.");
   check.Require(sea.Depth > 0.0, "WaterDepth", sea.Depth, "m", "positive"); // or infinite
   check.Finite("SeaLevel", sea.SeaLevel, "m");
+  check.Range("Order", static_cast<int>(sea.Order), 1, 2);
+  check.Require(sea.Order == SeaOrder::First || sea.Trains.size() <= MostBoundTrains,
+    "a sea of second order has at most " + std::to_string(MostBoundTrains) + " wave trains; this one has " +
+      std::to_string(sea.Trains.size()) + ".");
   const auto isBad = [&](const WaveTrain& train) { return !IsGood(train) || !IsOfDepth(train, sea.Depth); };
   const auto bad = std::find_if(sea.Trains.begin(), sea.Trains.end(), isBad);
   if (check.IsGood() && bad != sea.Trains.end())

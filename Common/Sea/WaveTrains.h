@@ -22,6 +22,13 @@ struct WaveTrain
   double Phase;            ///< [rad]
 };
 
+/// Order in the steepness of waves to which a sea is summed.
+enum class SeaOrder
+{
+  First = 1, ///< trains alone
+  Second = 2 ///< and the waves that pairs of them force
+};
+
 /// A sea as a sum of wave trains. Crests of a train lie where k d . x - w t + Phase is an odd multiple of pi.
 struct SeaState
 {
@@ -30,7 +37,11 @@ struct SeaState
   double SeaLevel = 0.0;                                  ///< [m]
   /// After which the sea returns [s]; infinite: never.
   double Period = std::numeric_limits<double>::infinity();
+  SeaOrder Order = SeaOrder::First;
 };
+
+/// Trains that a sea of second order has at most.
+constexpr int MostBoundTrains = 200;
 
 /// Why this is no sea state, in words for a user; empty when it is one.
 std::string WhyInvalid(const SeaState& sea);

@@ -38,6 +38,10 @@ void WriteSeaState(const SeaState& state, vtkTable* table)
   AddField(table, sea::WaterDepth, { state.Depth });
   AddField(table, sea::SeaLevel, { state.SeaLevel });
   AddField(table, sea::Period, { state.Period });
+  if (state.Order != SeaOrder::First)
+  {
+    AddField(table, sea::Order, { static_cast<double>(state.Order) });
+  }
 }
 
 void WriteSpectrum(const SeaSpectrum& spectrum, const TrainParameters& parameters, vtkTable* table)
@@ -123,6 +127,10 @@ SeaState ReadSeaState(vtkTable* table)
   field(sea::WaterDepth, state.Depth);
   field(sea::SeaLevel, state.SeaLevel);
   field(sea::Period, state.Period);
+  double order = static_cast<double>(state.Order);
+  field(sea::Order, order);
+  Require(order == 1.0 || order == 2.0 ? "" : "Order of the sea state must be 1 or 2.");
+  state.Order = static_cast<SeaOrder>(static_cast<int>(order));
   Require(WhyInvalid(state));
   return state;
 }
