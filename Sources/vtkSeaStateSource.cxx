@@ -10,6 +10,8 @@
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
+#include "Sea/SeaPeriods.h"
+#include "Sea/SeaStatistics.h"
 #include "Sea/SecondOrder.h"
 
 #include "vtkDataArray.h"
@@ -31,6 +33,8 @@ namespace
 
 /// Part of a spectrum's energy that may be left out without a word.
 constexpr double EnergyLeftOutInSilence = 0.02;
+/// Circular spread of a mean vector of length 0, sqrt(2), and a hair [degrees].
+constexpr double MostSpread = 81.03;
 
 /// A column of numbers; empty if there is none of that name.
 std::vector<double> ColumnOf(vtkTable* table, const char* name)
@@ -44,14 +48,39 @@ std::vector<double> ColumnOf(vtkTable* table, const char* name)
   return values;
 }
 
+/// Mean vectors of directions by frequency; none unless both columns are there.
+std::vector<littoral::DirectionAt> DirectionsOf(vtkTable* table)
+{
+  using namespace littoral;
+  const std::vector<double> hertz = ColumnOf(table, "Frequency");
+  const std::vector<double> towards = ColumnOf(table, sea::DirectionTowards);
+  const std::vector<double> spread = ColumnOf(table, sea::DirectionalSpread);
+  std::vector<DirectionAt> directions;
+  for (std::size_t row = 0; towards.size() == hertz.size() && spread.size() == hertz.size() && row < hertz.size();
+       ++row)
+  {
+    ParameterCheck check;
+    const std::string inRow = " in row " + std::to_string(row) + " of the spectrum";
+    check.Finite(sea::DirectionTowards + inRow, towards[row], "degrees");
+    check.Range(sea::DirectionalSpread + inRow, spread[row], 0.0, MostSpread, "degrees");
+    Require(check.Reason());
+    const double angle = spread[row] * Pi / 180.0;
+    // r = 1 - s2 / 2
+    directions.push_back({ TwoPi * hertz[row], towards[row] * Pi / 180.0, std::max(0.0, 1.0 - 0.5 * angle * angle) });
+  }
+  return directions;
+}
+
 /// Names of the columns of a spectrum that are not used.
-std::string UnusedColumns(vtkTable* table)
+std::string UnusedColumns(vtkTable* table, bool hasDirections)
 {
   std::string names;
   for (vtkIdType index = 0; index < table->GetNumberOfColumns(); ++index)
   {
     const std::string name = table->GetColumnName(index) ? table->GetColumnName(index) : "";
-    if (!name.empty() && name != "Frequency" && name != "Density")
+    const bool isDirection =
+      hasDirections && (name == littoral::sea::DirectionTowards || name == littoral::sea::DirectionalSpread);
+    if (!name.empty() && name != "Frequency" && name != "Density" && !isDirection)
     {
       names += (names.empty() ? "" : ", ") + name;
     }
@@ -144,7 +173,7 @@ int vtkSeaStateSource::RequestData(
   }
   auto* measured = OptionalInputOf<vtkTable>(inputVector[0], "Input");
   const SpectrumParameters spectrum = this->MakeSpectrum(measured);
-  const TrainParameters cut = this->MakeTrainParameters();
+  TrainParameters cut = this->MakeTrainParameters();
   ParameterCheck check;
   check.Require(WhyInvalid(spectrum));
   check.Choice("SeaBy", this->SeaBy, 2);
@@ -152,6 +181,10 @@ int vtkSeaStateSource::RequestData(
   check.Range("Order", this->Order, 1, 2);
   check.Require(WhyInvalid(cut));
   Require(check.Reason());
+  if (measured && this->Spectrum == Table)
+  {
+    cut.Directions = DirectionsOf(measured);
+  }
   const SeaSpectrum density(spectrum);
   Require(WhyBroken(density, spectrum.Depth));
   const SeaState state{ TrainsOf(density, spectrum.Depth, cut), spectrum.Depth, this->SeaLevel, PeriodOf(density, cut),
@@ -165,14 +198,18 @@ int vtkSeaStateSource::RequestData(
   AddField(output, sea::SignificantWaveHeight, { 4.0 * std::sqrt(energy) });
   AddField(output, sea::PeakPeriod, { TwoPi / density.PeakFrequency() });
   AddField(output, sea::EnergyLeftOut, { leftOut });
+  WritePeriods(PeriodsOf(state.Trains), output);
+  WriteDirection(MeanVectorOf(state.Trains), output);
   if (state.Order == SeaOrder::Second)
   {
     AddField(output, sea::Skewness, { SkewnessOf(state) });
   }
-  const std::string unused = measured && this->Spectrum == Table ? UnusedColumns(measured) : std::string();
+  const std::string unused =
+    measured && this->Spectrum == Table ? UnusedColumns(measured, !cut.Directions.empty()) : std::string();
   if (!unused.empty())
   {
-    littoralWarningMacro("Columns of the spectrum not used: " << unused << "; set MeanDirection and Spreading.");
+    littoralWarningMacro("Columns of the spectrum not used: "
+      << unused << (cut.Directions.empty() ? "; set MeanDirection and Spreading." : "."));
   }
   if (leftOut > EnergyLeftOutInSilence)
   {

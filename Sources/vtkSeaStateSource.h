@@ -9,7 +9,9 @@
  * Field data: `WaterDepth` [m] (infinite for deep water), `SeaLevel` [m], `Period` after which the sea repeats [s]
  * (infinite without EqualSpacing; that of a Regular wave); with Order Second `Order`, 2, and `Skewness` of the surface
  * elevation at a fixed place by its trains; of the trains `SignificantWaveHeight` [m], four times the
- * standard deviation of the surface elevation; of the spectrum `PeakPeriod` [s], and `EnergyLeftOut`, the fraction of
+ * standard deviation of the surface elevation, `EnergyPeriod` (Tm-1,0), `MeanPeriod` (Tm01) and `ZeroCrossingPeriod`
+ * (Tm02) [s], `MeanDirection` by energy and `DirectionalSpread`, sqrt(2 (1 - r)) with the length r of the mean vector
+ * [degrees]; of the spectrum `PeakPeriod` [s], and `EnergyLeftOut`, the fraction of
  * its energy outside FrequencyRange, with a warning where it is above 0.02; and unless it is Regular `BinEdges`, the
  * frequencies [Hz] between which the bins lie, and `SpectralDensity` [m2/Hz] at the edges and at equal steps within
  * each bin.
@@ -19,14 +21,16 @@
  * Pierson-Moskowitz sea.
  *
  * Optional input, used only if Spectrum is Table: a vtkTable with the columns `Frequency` [Hz], increasing, and
- * `Density` [m2/Hz], as measured by wave buoys. Other columns, as of directions, are named by a warning. A parameter
+ * `Density` [m2/Hz], as measured by wave buoys. If it has `DirectionTowards`, the mean direction of travel at the
+ * frequency from x towards y, and `DirectionalSpread`, circular [degrees], as vtkWaveSpectrumReader writes them, trains
+ * have these in place of MeanDirection and Spreading. Other columns are named by a warning. A parameter
  * out of range, a code for a missing density (999) or a table that is no spectrum is reported as one error.
  *
  * Piece 0 holds the whole table, other pieces are empty; filters that move points request piece 0 on each rank.
  *
  * Coulais et al., section 2.2.
  *
- * @sa vtkParticleOrbitFilter
+ * @sa vtkParticleOrbitFilter vtkWaveSpectrumReader
  */
 #ifndef vtkSeaStateSource_h
 #define vtkSeaStateSource_h

@@ -65,6 +65,9 @@ public:
   /// Whether all energy is in one wave.
   bool IsRegular() const { return this->Given.Kind == SpectrumKind::Regular; }
 
+  /// Whether it was measured.
+  bool IsTable() const { return this->Given.Kind == SpectrumKind::Table; }
+
   /// S at an angular frequency [m2 s/rad].
   double Density(double frequency) const;
 

@@ -106,6 +106,19 @@ double StretchTo(const Length& lengthOf, double wanted)
   return 0.5 * (found.first + found.second);
 }
 
+/// Part of the energy below the angle of each train, at random in its stratum.
+std::vector<double> PartsOfTrains(const std::vector<double>& energies, double total, const RandomStream& random)
+{
+  std::vector<double> parts(energies.size());
+  double below = 0.0;
+  for (const std::size_t train : OrderOfStrata(energies.size(), random))
+  {
+    parts[train] = (below + random.UniformPair(train, 0)[0] * energies[train]) / total;
+    below += energies[train];
+  }
+  return parts;
+}
+
 }
 
 WaveSpreading::WaveSpreading(double exponent)
@@ -128,20 +141,43 @@ std::vector<double> WaveAngles(
     return {};
   }
   const double total = std::accumulate(energies.begin(), energies.end(), 0.0);
-  std::vector<double> angles(energies.size(), 0.0);
-  double below = 0.0;
-  for (const std::size_t train : OrderOfStrata(energies.size(), random))
-  {
-    const double part = (below + random.UniformPair(train, 0)[0] * energies[train]) / total;
-    angles[train] = spreading.Quantile(part);
-    below += energies[train];
-  }
+  std::vector<double> angles = PartsOfTrains(energies, total, random);
+  std::transform(angles.begin(), angles.end(), angles.begin(), [&](double part) { return spreading.Quantile(part); });
   const auto length = [&](double stretch) { return std::abs(MeanVector(energies, total, angles, stretch)); };
   const double stretch = StretchTo(length, spreading.MeanCosine());
   const double turn = std::arg(MeanVector(energies, total, angles, stretch));
   for (double& angle : angles)
   {
     angle = stretch * angle - turn;
+  }
+  return angles;
+}
+
+std::vector<double> WaveAngles(
+  const std::vector<double>& energies, const std::vector<WaveDirection>& directions, const RandomStream& random)
+{
+  const double total = std::accumulate(energies.begin(), energies.end(), 0.0);
+  std::vector<double> angles = PartsOfTrains(energies, total, random);
+  std::complex<double> wanted(0.0, 0.0);
+  for (std::size_t train = 0; train < energies.size(); ++train)
+  {
+    const WaveSpreading spreading(directions[train].Exponent);
+    angles[train] = spreading.Quantile(angles[train]);
+    wanted += energies[train] / total * std::polar(spreading.MeanCosine(), directions[train].Mean);
+  }
+  const auto stretched = [&](double stretch) {
+    std::complex<double> sum(0.0, 0.0);
+    for (std::size_t train = 0; train < energies.size(); ++train)
+    {
+      sum += energies[train] / total * std::polar(1.0, directions[train].Mean + stretch * angles[train]);
+    }
+    return sum;
+  };
+  const double stretch = StretchTo([&](double by) { return std::abs(stretched(by)); }, std::abs(wanted));
+  const double turn = std::arg(stretched(stretch)) - std::arg(wanted);
+  for (std::size_t train = 0; train < energies.size(); ++train)
+  {
+    angles[train] = directions[train].Mean + stretch * angles[train] - turn;
   }
   return angles;
 }

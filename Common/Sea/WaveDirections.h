@@ -42,6 +42,21 @@ private:
 std::vector<double> WaveAngles(
   const std::vector<double>& energies, const WaveSpreading& spreading, const RandomStream& random);
 
+/// Directions of the waves of one frequency.
+struct WaveDirection
+{
+  double Mean;     ///< [rad]
+  double Exponent; ///< s of cos^2s(angle/2), positive
+};
+
+/**
+ * Directions [rad] of trains that each have a mean and a spreading of their own, in the order of their frequencies:
+ * strata as above, the angles from the own mean direction stretched and all turned until the mean vector by energy is
+ * that of the distributions.
+ */
+std::vector<double> WaveAngles(
+  const std::vector<double>& energies, const std::vector<WaveDirection>& directions, const RandomStream& random);
+
 }
 
 #endif

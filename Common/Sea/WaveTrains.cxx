@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
+#include <iterator>
 
 namespace littoral
 {
@@ -25,6 +27,8 @@ constexpr double DispersionTolerance = 5e-4;
 constexpr int MostTrains = 100000;
 /// Beyond this exponent the spreading is narrower than anyone can see.
 constexpr double LargestSpreading = 10000.0;
+/// An exponent with the same energy from all sides.
+constexpr double LeastSpreading = 1e-3;
 
 /// Frequencies that are whole multiples of one: First w0, (First + 1) w0, ...
 struct FrequencyComb
@@ -61,6 +65,25 @@ std::vector<double> EdgesOf(const std::array<double, 2>& range, const TrainParam
   }
   edges.push_back(range[1]);
   return edges;
+}
+
+/// Direction and spreading at a frequency, between those that are given by their vectors, and those beyond at the ends.
+WaveDirection DirectionOf(const std::vector<DirectionAt>& known, double frequency)
+{
+  const auto next = std::lower_bound(
+    known.begin(), known.end(), frequency, [](const DirectionAt& at, double w) { return at.Frequency < w; });
+  const auto vectorOf = [](const DirectionAt& at) { return std::polar(at.Length, at.Mean); };
+  std::complex<double> mean = vectorOf(next == known.end() ? known.back() : *next);
+  if (next != known.begin() && next != known.end())
+  {
+    const DirectionAt& before = *(next - 1);
+    const double part = (frequency - before.Frequency) / (next->Frequency - before.Frequency);
+    mean = (1.0 - part) * vectorOf(before) + part * mean;
+  }
+  // s = r / (1 - r)
+  const double length = std::abs(mean);
+  const double exponent = length < 1.0 ? length / (1.0 - length) : LargestSpreading;
+  return { std::arg(mean), std::clamp(exponent, LeastSpreading, LargestSpreading) };
 }
 
 /// A wave of a spectrum's whole energy, with a crest at the origin at time 0.
@@ -167,7 +190,18 @@ std::vector<WaveTrain> TrainsOf(const SeaSpectrum& spectrum, double depth, const
     trains.push_back(train);
     energies.push_back(energy);
   }
-  if (parameters.Spreading > 0.0)
+  if (!parameters.Directions.empty())
+  {
+    std::vector<WaveDirection> own;
+    std::transform(trains.begin(), trains.end(), std::back_inserter(own),
+      [&](const WaveTrain& train) { return DirectionOf(parameters.Directions, train.AngularFrequency); });
+    const std::vector<double> angles = WaveAngles(energies, own, directions);
+    for (std::size_t n = 0; n < trains.size(); ++n)
+    {
+      trains[n].Direction = angles[n];
+    }
+  }
+  else if (parameters.Spreading > 0.0)
   {
     const std::vector<double> angles = WaveAngles(energies, WaveSpreading(parameters.Spreading), directions);
     for (std::size_t n = 0; n < trains.size(); ++n)

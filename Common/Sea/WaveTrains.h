@@ -46,6 +46,14 @@ constexpr int MostBoundTrains = 200;
 /// Why this is no sea state, in words for a user; empty when it is one.
 std::string WhyInvalid(const SeaState& sea);
 
+/// Mean vector of the directions of waves at a frequency.
+struct DirectionAt
+{
+  double Frequency; ///< [rad/s]
+  double Mean;      ///< [rad]
+  double Length;    ///< 0 to 1, s / (s + 1) of cos^2s(angle/2)
+};
+
 /// Parameters of the discretization of a spectrum into trains.
 struct TrainParameters
 {
@@ -54,7 +62,9 @@ struct TrainParameters
   double Highest = 0.0;       ///< [peak frequencies], above Lowest; both 0: the spectrum's own range
   double MeanDirection = 0.0; ///< [rad]
   double Spreading = 10.0;    ///< s of cos^2s(angle/2); 0: all trains along MeanDirection
-  bool EqualSpacing = false;  ///< frequencies are multiples of one, else at random places in their bins
+  /// Mean vectors of directions by frequency [rad/s], increasing, in place of MeanDirection and Spreading; none: these.
+  std::vector<DirectionAt> Directions;
+  bool EqualSpacing = false; ///< frequencies are multiples of one, else at random places in their bins
   int Seed = 1;
 };
 

@@ -7,6 +7,7 @@
 #include "Data/Tables.h"
 #include "Numerics/Constants.h"
 #include "Numerics/InvalidInput.h"
+#include "Sea/MeasuredSpectrum.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -74,6 +75,19 @@ void WriteSpectrum(const SeaSpectrum& spectrum, const TrainParameters& parameter
   }
   frequencies->InsertNextValue(edges.back() / TwoPi);
   densities->InsertNextValue(densityAt(edges.back()));
+}
+
+void WritePeriods(const SeaPeriods& periods, vtkTable* table)
+{
+  AddField(table, sea::EnergyPeriod, { periods.Energy });
+  AddField(table, sea::MeanPeriod, { periods.Mean });
+  AddField(table, sea::ZeroCrossingPeriod, { periods.ZeroCrossing });
+}
+
+void WriteDirection(const MeanVector& mean, vtkTable* table)
+{
+  AddField(table, sea::MeanDirection, { mean.Direction * 180.0 / Pi });
+  AddField(table, sea::DirectionalSpread, { CircularSpread(mean.Length) * 180.0 / Pi });
 }
 
 SampledSpectrum ReadSpectrum(vtkTable* table)
