@@ -53,6 +53,7 @@ std::vector<littoral::DirectionAt> DirectionsOf(vtkTable* table)
 {
   using namespace littoral;
   const std::vector<double> hertz = ColumnOf(table, "Frequency");
+  const std::vector<double> densities = ColumnOf(table, "Density");
   const std::vector<double> towards = ColumnOf(table, sea::DirectionTowards);
   const std::vector<double> spread = ColumnOf(table, sea::DirectionalSpread);
   std::vector<DirectionAt> directions;
@@ -66,7 +67,8 @@ std::vector<littoral::DirectionAt> DirectionsOf(vtkTable* table)
     Require(check.Reason());
     const double angle = spread[row] * Pi / 180.0;
     // r = 1 - s2 / 2
-    directions.push_back({ TwoPi * hertz[row], towards[row] * Pi / 180.0, std::max(0.0, 1.0 - 0.5 * angle * angle) });
+    directions.push_back(
+      { TwoPi * hertz[row], towards[row] * Pi / 180.0, std::max(0.0, 1.0 - 0.5 * angle * angle), densities[row] });
   }
   return directions;
 }
@@ -105,6 +107,7 @@ vtkSeaStateSource::vtkSeaStateSource()
   , FrequencyRange{ 0.0, 0.0 }
   , MeanDirection(0.0)
   , Spreading(10.0)
+  , SpreadingModel(Constant)
   , EqualSpacing(false)
   , Seed(1)
 {
@@ -157,6 +160,7 @@ littoral::TrainParameters vtkSeaStateSource::MakeTrainParameters() const
   cut.Highest = this->FrequencyRange[1];
   cut.MeanDirection = this->MeanDirection * littoral::Pi / 180.0;
   cut.Spreading = this->Spreading;
+  cut.Model = static_cast<littoral::SpreadingModel>(this->SpreadingModel);
   cut.EqualSpacing = this->EqualSpacing;
   cut.Seed = this->Seed;
   return cut;
@@ -243,6 +247,7 @@ void vtkSeaStateSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FrequencyRange: " << this->FrequencyRange[0] << " " << this->FrequencyRange[1] << "\n";
   os << indent << "MeanDirection: " << this->MeanDirection << "\n";
   os << indent << "Spreading: " << this->Spreading << "\n";
+  os << indent << "SpreadingModel: " << this->SpreadingModel << "\n";
   os << indent << "EqualSpacing: " << this->EqualSpacing << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
 }

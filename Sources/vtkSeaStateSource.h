@@ -69,6 +69,13 @@ public:
     HeightAndPeriod = 1,
   };
 
+  enum SpreadingModelType
+  {
+    Constant = 0,
+    Mitsuyasu = 1,
+    DonelanBanner = 2,
+  };
+
   enum OrderType
   {
     First = 1,
@@ -212,6 +219,20 @@ public:
 
   ///@{
   /**
+   * Directional spreading by frequency, a SpreadingModelType; default Constant: that of Spreading at all. Mitsuyasu:
+   * Spreading is s at the peak frequency, and s falls with f^5 below it and with f^-2.5 above. DonelanBanner:
+   * sech^2(b angle), with b from 1.2 at half the peak frequency to 2.4 near it and below 1 far above; Spreading is not
+   * used. Directions of the Table, where it has them, come first.
+   */
+  vtkSetMacro(SpreadingModel, int);
+  vtkGetMacro(SpreadingModel, int);
+  void SetSpreadingModelToConstant() { this->SetSpreadingModel(Constant); }
+  void SetSpreadingModelToMitsuyasu() { this->SetSpreadingModel(Mitsuyasu); }
+  void SetSpreadingModelToDonelanBanner() { this->SetSpreadingModel(DonelanBanner); }
+  ///@}
+
+  ///@{
+  /**
    * Frequencies at integer multiples of one fundamental, which make the sea periodic; default off. The period is
    * `Period` of the field data, with the default FrequencyRange about NumberOfTrains / 3.5 peak periods, and the center
    * of FrequencyRange is that of the frequencies. Points whose centers are fixed have the same period, unless
@@ -253,6 +274,7 @@ protected:
   double FrequencyRange[2];
   double MeanDirection;
   double Spreading;
+  int SpreadingModel;
   bool EqualSpacing;
   int Seed;
 

@@ -370,7 +370,7 @@ ROWS = [
     Row("vtkSeaStateSource", "Sea",
         small={"SetNumberOfTrains": (8,), "SetSeaLevel": (4.0,)},
         variants=[{"SetSpectrum": (1,)}, {"SetSeed": (2,), "SetWaterDepth": (5.0,)}, {"SetSeaBy": (1,)},
-                  {"SetOrder": (2,), "SetWaterDepth": (15.0,)}],
+                  {"SetOrder": (2,), "SetWaterDepth": (15.0,)}, {"SetSpreadingModel": (2,)}],
         mistakes=[
             Mistake("MeasuredSeaState", lambda pv: dict(Input=pv.QuadratAnalysis(Input=pv.sites())),
                     "Frequency and Density"),

@@ -24,6 +24,10 @@ constexpr int LeastPanels = 128;
 constexpr double PanelAgreement = 1e-10;
 /// Angles are stretched by no more.
 constexpr double LargestStretch = 16.0;
+/// An exponent with the same energy from all sides.
+constexpr double LeastExponent = 1e-3;
+/// Steps of a mean cosine.
+constexpr int CosineSteps = 256;
 
 /// cos^2s(angle/2) = sin^2s(supplement/2) of the supplement pi - angle.
 CompositeQuadrature::Function DensityOf(double exponent)
@@ -119,6 +123,22 @@ std::vector<double> PartsOfTrains(const std::vector<double>& energies, double to
   return parts;
 }
 
+/// The angle below which a part of sech^2(b angle), -pi to pi, lies.
+double SechQuantile(double b, double part)
+{
+  return std::atanh((2.0 * part - 1.0) * std::tanh(b * Pi)) / b;
+}
+
+/// b of sech^2(b angle) at a frequency over that of the peak; below 0.56, where there are no data, that at 0.56.
+double DonelanBannerWidth(double f)
+{
+  if (f < 0.95)
+  {
+    return 2.61 * std::pow(std::max(f, 0.56), 1.3);
+  }
+  return f < 1.6 ? 2.28 * std::pow(f, -1.3) : std::pow(10.0, -0.4 + 0.8393 * std::exp(-0.567 * std::log(f * f)));
+}
+
 }
 
 WaveSpreading::WaveSpreading(double exponent)
@@ -153,6 +173,34 @@ std::vector<double> WaveAngles(
   return angles;
 }
 
+WaveDirection DirectionOf(SpreadingModel model, double mean, double s, double f)
+{
+  if (model == SpreadingModel::DonelanBanner)
+  {
+    return { mean, DonelanBannerWidth(f), true };
+  }
+  const double fall = model == SpreadingModel::Constant ? 1.0 : std::pow(f, f < 1.0 ? 5.0 : -2.5);
+  return { mean, std::max(s * fall, LeastExponent) };
+}
+
+double MeanCosineOf(const WaveDirection& direction)
+{
+  const double b = direction.Exponent;
+  if (!direction.IsSech)
+  {
+    return b / (b + 1.0);
+  }
+  // Simpson's rule for the integral of cos x b sech^2(b x) / tanh(b pi), 0 to pi
+  double sum = 0.0;
+  for (int n = 0; n <= CosineSteps; ++n)
+  {
+    const double x = Pi * n / CosineSteps;
+    const double sech = 1.0 / std::cosh(b * x);
+    sum += (n == 0 || n == CosineSteps ? 1.0 : n % 2 == 1 ? 4.0 : 2.0) * std::cos(x) * sech * sech;
+  }
+  return sum * Pi / (3.0 * CosineSteps) * b / std::tanh(b * Pi);
+}
+
 std::vector<double> WaveAngles(
   const std::vector<double>& energies, const std::vector<WaveDirection>& directions, const RandomStream& random)
 {
@@ -161,9 +209,10 @@ std::vector<double> WaveAngles(
   std::complex<double> wanted(0.0, 0.0);
   for (std::size_t train = 0; train < energies.size(); ++train)
   {
-    const WaveSpreading spreading(directions[train].Exponent);
-    angles[train] = spreading.Quantile(angles[train]);
-    wanted += energies[train] / total * std::polar(spreading.MeanCosine(), directions[train].Mean);
+    const WaveDirection& own = directions[train];
+    angles[train] =
+      own.IsSech ? SechQuantile(own.Exponent, angles[train]) : WaveSpreading(own.Exponent).Quantile(angles[train]);
+    wanted += energies[train] / total * std::polar(MeanCosineOf(own), own.Mean);
   }
   const auto stretched = [&](double stretch) {
     std::complex<double> sum(0.0, 0.0);

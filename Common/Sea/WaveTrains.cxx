@@ -76,9 +76,12 @@ WaveDirection DirectionOf(const std::vector<DirectionAt>& known, double frequenc
   std::complex<double> mean = vectorOf(next == known.end() ? known.back() : *next);
   if (next != known.begin() && next != known.end())
   {
+    // Densities times vectors are linear, as densities are
     const DirectionAt& before = *(next - 1);
     const double part = (frequency - before.Frequency) / (next->Frequency - before.Frequency);
-    mean = (1.0 - part) * vectorOf(before) + part * mean;
+    const double left = (1.0 - part) * before.Density;
+    const double right = part * next->Density;
+    mean = left + right > 0.0 ? (left * vectorOf(before) + right * mean) / (left + right) : mean;
   }
   // s = r / (1 - r)
   const double length = std::abs(mean);
@@ -154,6 +157,7 @@ std::string WhyInvalid(const TrainParameters& parameters)
       " peak frequencies; it must be increasing, not negative and at most 1000, or 0 and 0.");
   check.Finite("MeanDirection", parameters.MeanDirection * 180.0 / Pi, "degrees");
   check.Range("Spreading", parameters.Spreading, 0.0, LargestSpreading);
+  check.Choice("SpreadingModel", static_cast<int>(parameters.Model), 3);
   return check.Reason();
 }
 
@@ -190,11 +194,18 @@ std::vector<WaveTrain> TrainsOf(const SeaSpectrum& spectrum, double depth, const
     trains.push_back(train);
     energies.push_back(energy);
   }
-  if (!parameters.Directions.empty())
+  const bool hasModel = parameters.Model != SpreadingModel::Constant &&
+    (parameters.Spreading > 0.0 || parameters.Model == SpreadingModel::DonelanBanner);
+  if (!parameters.Directions.empty() || hasModel)
   {
+    const double peak = spectrum.PeakFrequency();
     std::vector<WaveDirection> own;
-    std::transform(trains.begin(), trains.end(), std::back_inserter(own),
-      [&](const WaveTrain& train) { return DirectionOf(parameters.Directions, train.AngularFrequency); });
+    std::transform(trains.begin(), trains.end(), std::back_inserter(own), [&](const WaveTrain& train) {
+      const double w = train.AngularFrequency;
+      return parameters.Directions.empty()
+        ? DirectionOf(parameters.Model, parameters.MeanDirection, parameters.Spreading, w / peak)
+        : DirectionOf(parameters.Directions, w);
+    });
     const std::vector<double> angles = WaveAngles(energies, own, directions);
     for (std::size_t n = 0; n < trains.size(); ++n)
     {

@@ -4,6 +4,7 @@
 #define LittoralWaveTrains_h
 
 #include "Sea/SeaSpectrum.h"
+#include "Sea/WaveDirections.h"
 
 #include <limits>
 #include <string>
@@ -52,6 +53,7 @@ struct DirectionAt
   double Frequency; ///< [rad/s]
   double Mean;      ///< [rad]
   double Length;    ///< 0 to 1, s / (s + 1) of cos^2s(angle/2)
+  double Density;   ///< of energy, not negative
 };
 
 /// Parameters of the discretization of a spectrum into trains.
@@ -62,6 +64,7 @@ struct TrainParameters
   double Highest = 0.0;       ///< [peak frequencies], above Lowest; both 0: the spectrum's own range
   double MeanDirection = 0.0; ///< [rad]
   double Spreading = 10.0;    ///< s of cos^2s(angle/2); 0: all trains along MeanDirection
+  SpreadingModel Model = SpreadingModel::Constant; ///< Spreading is that at the peak
   /// Mean vectors of directions by frequency [rad/s], increasing, in place of MeanDirection and Spreading; none: these.
   std::vector<DirectionAt> Directions;
   bool EqualSpacing = false; ///< frequencies are multiples of one, else at random places in their bins
@@ -73,8 +76,8 @@ std::string WhyInvalid(const TrainParameters& parameters);
 /**
  * The trains of a spectrum, largest amplitude first. Frequencies are cut into bins of equal width; the amplitude of a
  * bin is sqrt(2 E) with its energy E, so that trains keep the energy of their range for any number of them. Phases are
- * uniform; each train has one direction, see WaveAngles, for two trains of one frequency would stand still against each
- * other. Bins without energy give no train.
+ * uniform; each train has one direction, see WaveAngles and SpreadingModel, for two trains of one frequency would stand
+ * still against each other. Bins without energy give no train.
  *
  * A regular sea is one train along MeanDirection, whatever else is asked for, with a crest at the origin at time 0.
  *

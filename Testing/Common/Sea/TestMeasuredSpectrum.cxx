@@ -47,6 +47,7 @@ double Spread(double degrees)
 std::vector<double> Hertz()
 {
   std::vector<double> f;
+  f.reserve(90);
   for (int n = 0; n < 90; ++n)
   {
     f.push_back(0.05 + 0.005 * n);

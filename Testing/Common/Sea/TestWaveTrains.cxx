@@ -463,6 +463,64 @@ TEST(WaveDirections, OfFewOrUnequalTrains)
   }
 }
 
+// Trains of a band of frequencies have the mean cosine of the model there, and all of them the mean direction.
+TEST(WaveDirections, SpreadByFrequency)
+{
+  TrainParameters cut;
+  cut.Count = 1000;
+  cut.Spreading = 12.0;
+  cut.MeanDirection = 2.0;
+  const SeaSpectrum spectrum{ SpectrumParameters() };
+  const double peak = spectrum.PeakFrequency();
+  const auto sech = [](double b) {
+    const auto density = [b](double x) { return 1.0 / std::pow(std::cosh(b * x), 2.0); };
+    const auto along = [&](double x) { return std::cos(x) * density(x); };
+    using Rule = boost::math::quadrature::gauss_kronrod<double, 61>;
+    return Rule::integrate(along, 0.0, Pi) / Rule::integrate(density, 0.0, Pi);
+  };
+  const auto cosine = [](double s) { return s / (s + 1.0); };
+  const struct
+  {
+    SpreadingModel Model;
+    double Frequency;
+    double Cosine;
+  } bands[] = { { SpreadingModel::Mitsuyasu, 0.8, cosine(12.0 * std::pow(0.8, 5.0)) },
+    { SpreadingModel::Mitsuyasu, 2.0, cosine(12.0 / std::pow(2.0, 2.5)) },
+    { SpreadingModel::Mitsuyasu, 3.0, cosine(12.0 / std::pow(3.0, 2.5)) },
+    { SpreadingModel::DonelanBanner, 0.53, sech(2.61 * std::pow(0.56, 1.3)) },
+    { SpreadingModel::DonelanBanner, 0.8, sech(2.61 * std::pow(0.8, 1.3)) },
+    { SpreadingModel::DonelanBanner, 1.3, sech(2.28 / std::pow(1.3, 1.3)) },
+    { SpreadingModel::DonelanBanner, 3.0, sech(std::pow(10.0, -0.4 + 0.8393 * std::exp(-0.567 * std::log(9.0)))) } };
+  std::vector<WaveTrain> trains;
+  for (const auto& band : bands)
+  {
+    if (trains.empty() || cut.Model != band.Model)
+    {
+      cut.Model = band.Model;
+      trains = TrainsOf(spectrum, Infinity, cut);
+    }
+    std::complex<double> mean(0.0, 0.0), all(0.0, 0.0);
+    double energy = 0.0;
+    for (const WaveTrain& train : trains)
+    {
+      const auto part = train.Amplitude * train.Amplitude * std::polar(1.0, train.Direction - cut.MeanDirection);
+      const bool isIn = std::abs(train.AngularFrequency / (peak * band.Frequency) - 1.0) < 0.05;
+      mean += isIn ? part : 0.0;
+      energy += isIn ? train.Amplitude * train.Amplitude : 0.0;
+      all += part;
+    }
+    EXPECT_NEAR(MeanCosineOf(DirectionOf(band.Model, 0.0, 12.0, band.Frequency)), band.Cosine, 1e-6);
+    // The lowest band has few trains
+    EXPECT_NEAR(std::abs(mean) / energy, band.Cosine, band.Frequency < 0.6 ? 0.15 : 0.05) << band.Frequency;
+    EXPECT_NEAR(std::arg(all), 0.0, 1e-9);
+  }
+  cut.Model = SpreadingModel::Mitsuyasu;
+  cut.Spreading = 0.0;
+  EXPECT_EQ(TrainsOf(spectrum, Infinity, cut)[7].Direction, 2.0);
+  cut.Model = static_cast<SpreadingModel>(3);
+  EXPECT_NE(WhyInvalid(cut).find("SpreadingModel"), std::string::npos);
+}
+
 TEST(WaveTrains, NumbersOfNoSeaAreRefusedByName)
 {
   SeaState sea;
