@@ -100,6 +100,12 @@ vtkSeaStateSource::vtkSeaStateSource()
   , SignificantWaveHeight(2.0)
   , PeakPeriod(7.0)
   , PeakEnhancement(3.3)
+  , WindSeaShape(1.5)
+  , SwellHeight(1.0)
+  , SwellPeriod(13.0)
+  , SwellShape(4.0)
+  , SwellDirection(0.0)
+  , SwellSpreading(50.0)
   , WaterDepth(0.0)
   , SeaLevel(0.0)
   , Order(First)
@@ -142,6 +148,10 @@ littoral::SpectrumParameters vtkSeaStateSource::MakeSpectrum(vtkTable* measured)
   spectrum.SignificantHeight = this->SignificantWaveHeight;
   spectrum.PeakPeriod = this->PeakPeriod;
   spectrum.PeakEnhancement = this->PeakEnhancement;
+  spectrum.Shape = this->WindSeaShape;
+  spectrum.SwellHeight = this->SwellHeight;
+  spectrum.SwellPeriod = this->SwellPeriod;
+  spectrum.SwellShape = this->SwellShape;
   spectrum.Depth = this->WaterDepth == 0.0 ? std::numeric_limits<double>::infinity() : this->WaterDepth;
   if (this->Spectrum == Table && measured)
   {
@@ -161,6 +171,8 @@ littoral::TrainParameters vtkSeaStateSource::MakeTrainParameters() const
   cut.MeanDirection = this->MeanDirection * littoral::Pi / 180.0;
   cut.Spreading = this->Spreading;
   cut.Model = static_cast<littoral::SpreadingModel>(this->SpreadingModel);
+  cut.SwellDirection = this->SwellDirection * littoral::Pi / 180.0;
+  cut.SwellSpreading = this->SwellSpreading;
   cut.EqualSpacing = this->EqualSpacing;
   cut.Seed = this->Seed;
   return cut;
@@ -240,6 +252,12 @@ void vtkSeaStateSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SignificantWaveHeight: " << this->SignificantWaveHeight << "\n";
   os << indent << "PeakPeriod: " << this->PeakPeriod << "\n";
   os << indent << "PeakEnhancement: " << this->PeakEnhancement << "\n";
+  os << indent << "WindSeaShape: " << this->WindSeaShape << "\n";
+  os << indent << "SwellHeight: " << this->SwellHeight << "\n";
+  os << indent << "SwellPeriod: " << this->SwellPeriod << "\n";
+  os << indent << "SwellShape: " << this->SwellShape << "\n";
+  os << indent << "SwellDirection: " << this->SwellDirection << "\n";
+  os << indent << "SwellSpreading: " << this->SwellSpreading << "\n";
   os << indent << "WaterDepth: " << this->WaterDepth << "\n";
   os << indent << "SeaLevel: " << this->SeaLevel << "\n";
   os << indent << "Order: " << this->Order << "\n";

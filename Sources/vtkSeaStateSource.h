@@ -61,6 +61,7 @@ public:
     TMA = 2,
     Table = 3,
     Regular = 4,
+    OchiHubble = 5,
   };
 
   enum SeaByType
@@ -88,7 +89,8 @@ public:
    * fetch-limited sea with a higher peak. TMA: JONSWAP with the factor of WaterDepth. Regular: one wave of
    * PeakPeriod along MeanDirection, with the height SignificantWaveHeight from trough to crest and a crest at the
    * origin at time 0; NumberOfTrains, FrequencyRange, Spreading, EqualSpacing and Seed are not used. Table: the
-   * spectrum of the input.
+   * spectrum of the input. OchiHubble: a swell beside the wind sea, each with a direction of its own; a depth takes
+   * nothing from it.
    */
   vtkSetMacro(Spectrum, int);
   vtkGetMacro(Spectrum, int);
@@ -97,6 +99,7 @@ public:
   void SetSpectrumToTMA() { this->SetSpectrum(TMA); }
   void SetSpectrumToTable() { this->SetSpectrum(Table); }
   void SetSpectrumToRegular() { this->SetSpectrum(Regular); }
+  void SetSpectrumToOchiHubble() { this->SetSpectrum(OchiHubble); }
   ///@}
 
   ///@{
@@ -147,6 +150,56 @@ public:
    */
   vtkSetMacro(PeakEnhancement, double);
   vtkGetMacro(PeakEnhancement, double);
+  ///@}
+
+  ///@{
+  /**
+   * Shape lambda of the wind sea of OchiHubble, 1 (fully developed) to 20 (narrow); default 1.5. Not used by other
+   * spectra.
+   */
+  vtkSetMacro(WindSeaShape, double);
+  vtkGetMacro(WindSeaShape, double);
+  ///@}
+
+  ///@{
+  /**
+   * Significant wave height of the swell of OchiHubble [m], positive; default 1. Not used by other spectra.
+   */
+  vtkSetMacro(SwellHeight, double);
+  vtkGetMacro(SwellHeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Peak period of the swell of OchiHubble [s], 0.01 to 10000; default 13. Not used by other spectra.
+   */
+  vtkSetMacro(SwellPeriod, double);
+  vtkGetMacro(SwellPeriod, double);
+  ///@}
+
+  ///@{
+  /**
+   * Shape lambda of the swell of OchiHubble, 1 to 20 (narrow); default 4. Not used by other spectra.
+   */
+  vtkSetMacro(SwellShape, double);
+  vtkGetMacro(SwellShape, double);
+  ///@}
+
+  ///@{
+  /**
+   * Mean direction of the swell of OchiHubble, from x towards y [degrees]; default 0. Not used by other spectra.
+   */
+  vtkSetMacro(SwellDirection, double);
+  vtkGetMacro(SwellDirection, double);
+  ///@}
+
+  ///@{
+  /**
+   * Exponent s of the directional spreading of the swell of OchiHubble, 0 (long-crested) to 10000; default 50. Not used
+   * by other spectra.
+   */
+  vtkSetMacro(SwellSpreading, double);
+  vtkGetMacro(SwellSpreading, double);
   ///@}
 
   ///@{
@@ -267,6 +320,12 @@ protected:
   double SignificantWaveHeight;
   double PeakPeriod;
   double PeakEnhancement;
+  double WindSeaShape;
+  double SwellHeight;
+  double SwellPeriod;
+  double SwellShape;
+  double SwellDirection;
+  double SwellSpreading;
   double WaterDepth;
   double SeaLevel;
   int Order;

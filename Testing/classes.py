@@ -370,7 +370,8 @@ ROWS = [
     Row("vtkSeaStateSource", "Sea",
         small={"SetNumberOfTrains": (8,), "SetSeaLevel": (4.0,)},
         variants=[{"SetSpectrum": (1,)}, {"SetSeed": (2,), "SetWaterDepth": (5.0,)}, {"SetSeaBy": (1,)},
-                  {"SetOrder": (2,), "SetWaterDepth": (15.0,)}, {"SetSpreadingModel": (2,)}],
+                  {"SetOrder": (2,), "SetWaterDepth": (15.0,)}, {"SetSpreadingModel": (2,)},
+                  {"SetSpectrum": (5,), "SetSwellDirection": (60.0,)}],
         mistakes=[
             Mistake("MeasuredSeaState", lambda pv: dict(Input=pv.QuadratAnalysis(Input=pv.sites())),
                     "Frequency and Density"),

@@ -15,8 +15,8 @@ namespace
 
 /// Steps of the integrals, evenly in the logarithm of the frequency.
 constexpr int Steps = 8192;
-/// Frequencies between which a form is summed [peaks].
-constexpr double LowestPart = 0.2;
+/// Frequencies between which a form is summed, the lowest over that of its range [peaks].
+constexpr double LowestPart = 0.4;
 constexpr double HighestPart = 100.0;
 constexpr double LowestOfTable = 1e-3;
 
@@ -56,7 +56,8 @@ SeaPeriods PeriodsOf(const SeaSpectrum& spectrum)
     return one.Periods(peak);
   }
   const bool isTable = spectrum.IsTable();
-  const double low = isTable ? std::max(LowestOfTable * peak, spectrum.Range()[0]) : LowestPart * peak;
+  const double lowest = spectrum.Range()[0];
+  const double low = isTable ? std::max(LowestOfTable * peak, lowest) : LowestPart * lowest;
   const double high = isTable ? spectrum.Range()[1] : HighestPart * peak;
   const double ratio = std::log(high / low) / Steps;
   Moments moments;

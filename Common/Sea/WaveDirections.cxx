@@ -26,6 +26,8 @@ constexpr double PanelAgreement = 1e-10;
 constexpr double LargestStretch = 16.0;
 /// An exponent with the same energy from all sides.
 constexpr double LeastExponent = 1e-3;
+/// Difference of mean vectors over the wanted one up to which angles are fitted to it.
+constexpr double LargestMisfit = 0.5;
 /// Steps of a mean cosine.
 constexpr int CosineSteps = 256;
 
@@ -222,8 +224,11 @@ std::vector<double> WaveAngles(
     }
     return sum;
   };
-  const double stretch = StretchTo([&](double by) { return std::abs(stretched(by)); }, std::abs(wanted));
-  const double turn = std::arg(stretched(stretch)) - std::arg(wanted);
+  // Seas that nearly cancel have no mean vector to fit to
+  const bool isFitted = std::abs(stretched(1.0) - wanted) < LargestMisfit * std::abs(wanted);
+  const double stretch =
+    isFitted ? StretchTo([&](double by) { return std::abs(stretched(by)); }, std::abs(wanted)) : 1.0;
+  const double turn = isFitted ? std::arg(stretched(stretch)) - std::arg(wanted) : 0.0;
   for (std::size_t train = 0; train < energies.size(); ++train)
   {
     angles[train] = directions[train].Mean + stretch * angles[train] - turn;

@@ -67,7 +67,7 @@ double MeanCosineOf(const WaveDirection& direction);
 /**
  * Directions [rad] of trains that each have a mean and a spreading of their own, in the order of their frequencies:
  * strata as above, the angles from the own mean direction stretched and all turned until the mean vector by energy is
- * that of the distributions.
+ * that of the distributions; as they come where the seas nearly cancel each other.
  */
 std::vector<double> WaveAngles(
   const std::vector<double>& energies, const std::vector<WaveDirection>& directions, const RandomStream& random);

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <iterator>
 
 namespace littoral
 {
@@ -89,6 +88,25 @@ WaveDirection DirectionOf(const std::vector<DirectionAt>& known, double frequenc
   return { std::arg(mean), std::clamp(exponent, LeastSpreading, LargestSpreading) };
 }
 
+/// Whether the spreading varies with frequency.
+bool HasModel(const TrainParameters& parameters)
+{
+  return parameters.Model == SpreadingModel::DonelanBanner ||
+    (parameters.Model == SpreadingModel::Mitsuyasu && parameters.Spreading > 0.0);
+}
+
+/// Direction and spreading of a train of a swell or of the wind sea beside it.
+WaveDirection DirectionIn(bool isSwell, const TrainParameters& parameters, double frequency)
+{
+  if (!isSwell && HasModel(parameters))
+  {
+    return DirectionOf(parameters.Model, parameters.MeanDirection, parameters.Spreading, frequency);
+  }
+  const double exponent = isSwell ? parameters.SwellSpreading : parameters.Spreading;
+  return { isSwell ? parameters.SwellDirection : parameters.MeanDirection,
+    exponent > 0.0 ? std::max(exponent, LeastSpreading) : LargestSpreading };
+}
+
 /// A wave of a spectrum's whole energy, with a crest at the origin at time 0.
 WaveTrain RegularWave(const SeaSpectrum& spectrum, double depth, double direction)
 {
@@ -157,6 +175,8 @@ std::string WhyInvalid(const TrainParameters& parameters)
       " peak frequencies; it must be increasing, not negative and at most 1000, or 0 and 0.");
   check.Finite("MeanDirection", parameters.MeanDirection * 180.0 / Pi, "degrees");
   check.Range("Spreading", parameters.Spreading, 0.0, LargestSpreading);
+  check.Finite("SwellDirection", parameters.SwellDirection * 180.0 / Pi, "degrees");
+  check.Range("SwellSpreading", parameters.SwellSpreading, 0.0, LargestSpreading);
   check.Choice("SpreadingModel", static_cast<int>(parameters.Model), 3);
   return check.Reason();
 }
@@ -194,22 +214,31 @@ std::vector<WaveTrain> TrainsOf(const SeaSpectrum& spectrum, double depth, const
     trains.push_back(train);
     energies.push_back(energy);
   }
-  const bool hasModel = parameters.Model != SpreadingModel::Constant &&
-    (parameters.Spreading > 0.0 || parameters.Model == SpreadingModel::DonelanBanner);
-  if (!parameters.Directions.empty() || hasModel)
+  if (!parameters.Directions.empty() || HasModel(parameters) || spectrum.HasSwell())
   {
-    const double peak = spectrum.PeakFrequency();
-    std::vector<WaveDirection> own;
-    std::transform(trains.begin(), trains.end(), std::back_inserter(own), [&](const WaveTrain& train) {
-      const double w = train.AngularFrequency;
-      return parameters.Directions.empty()
-        ? DirectionOf(parameters.Model, parameters.MeanDirection, parameters.Spreading, w / peak)
-        : DirectionOf(parameters.Directions, w);
-    });
-    const std::vector<double> angles = WaveAngles(energies, own, directions);
+    const double peak = spectrum.WindSeaPeak();
+    // A train is all swell or all wind sea, and each has its mean direction
+    std::vector<std::size_t> groups[2];
     for (std::size_t n = 0; n < trains.size(); ++n)
     {
-      trains[n].Direction = angles[n];
+      groups[phases.UniformPair(n, 1)[0] < spectrum.SwellPart(trains[n].AngularFrequency) ? 1 : 0].push_back(n);
+    }
+    for (int isSwell = 0; isSwell < 2; ++isSwell)
+    {
+      std::vector<WaveDirection> own;
+      std::vector<double> part;
+      for (const std::size_t n : groups[isSwell])
+      {
+        const double w = trains[n].AngularFrequency;
+        own.push_back(parameters.Directions.empty() ? DirectionIn(isSwell == 1, parameters, w / peak)
+                                                    : DirectionOf(parameters.Directions, w));
+        part.push_back(energies[n]);
+      }
+      const std::vector<double> angles = WaveAngles(part, own, directions);
+      for (std::size_t n = 0; n < angles.size(); ++n)
+      {
+        trains[groups[isSwell][n]].Direction = angles[n];
+      }
     }
   }
   else if (parameters.Spreading > 0.0)

@@ -59,11 +59,13 @@ struct DirectionAt
 /// Parameters of the discretization of a spectrum into trains.
 struct TrainParameters
 {
-  int Count = 30;             ///< positive
-  double Lowest = 0.0;        ///< frequency [peak frequencies], not negative
-  double Highest = 0.0;       ///< [peak frequencies], above Lowest; both 0: the spectrum's own range
-  double MeanDirection = 0.0; ///< [rad]
-  double Spreading = 10.0;    ///< s of cos^2s(angle/2); 0: all trains along MeanDirection
+  int Count = 30;               ///< positive
+  double Lowest = 0.0;          ///< frequency [peak frequencies], not negative
+  double Highest = 0.0;         ///< [peak frequencies], above Lowest; both 0: the spectrum's own range
+  double MeanDirection = 0.0;   ///< [rad]
+  double Spreading = 10.0;      ///< s of cos^2s(angle/2); 0: all trains along MeanDirection
+  double SwellDirection = 0.0;  ///< MeanDirection of the swell of a spectrum that has one [rad]
+  double SwellSpreading = 50.0; ///< Spreading of that swell; 0: none
   SpreadingModel Model = SpreadingModel::Constant; ///< Spreading is that at the peak
   /// Mean vectors of directions by frequency [rad/s], increasing, in place of MeanDirection and Spreading; none: these.
   std::vector<DirectionAt> Directions;
