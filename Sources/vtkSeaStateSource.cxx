@@ -10,6 +10,9 @@
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
+#include "Sea/SeaPeriods.h"
+#include "Sea/SeaStatistics.h"
+#include "Sea/SecondOrder.h"
 
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
@@ -30,6 +33,8 @@ namespace
 
 /// Part of a spectrum's energy that may be left out without a word.
 constexpr double EnergyLeftOutInSilence = 0.02;
+/// Circular spread of a mean vector of length 0, sqrt(2), and a hair [degrees].
+constexpr double MostSpread = 81.03;
 
 /// A column of numbers; empty if there is none of that name.
 std::vector<double> ColumnOf(vtkTable* table, const char* name)
@@ -43,14 +48,41 @@ std::vector<double> ColumnOf(vtkTable* table, const char* name)
   return values;
 }
 
+/// Mean vectors of directions by frequency; none unless both columns are there.
+std::vector<littoral::DirectionAt> DirectionsOf(vtkTable* table)
+{
+  using namespace littoral;
+  const std::vector<double> hertz = ColumnOf(table, "Frequency");
+  const std::vector<double> densities = ColumnOf(table, "Density");
+  const std::vector<double> towards = ColumnOf(table, sea::DirectionTowards);
+  const std::vector<double> spread = ColumnOf(table, sea::DirectionalSpread);
+  std::vector<DirectionAt> directions;
+  for (std::size_t row = 0; towards.size() == hertz.size() && spread.size() == hertz.size() && row < hertz.size();
+       ++row)
+  {
+    ParameterCheck check;
+    const std::string inRow = " in row " + std::to_string(row) + " of the spectrum";
+    check.Finite(sea::DirectionTowards + inRow, towards[row], "degrees");
+    check.Range(sea::DirectionalSpread + inRow, spread[row], 0.0, MostSpread, "degrees");
+    Require(check.Reason());
+    const double angle = spread[row] * Pi / 180.0;
+    // r = 1 - s2 / 2
+    directions.push_back(
+      { TwoPi * hertz[row], towards[row] * Pi / 180.0, std::max(0.0, 1.0 - 0.5 * angle * angle), densities[row] });
+  }
+  return directions;
+}
+
 /// Names of the columns of a spectrum that are not used.
-std::string UnusedColumns(vtkTable* table)
+std::string UnusedColumns(vtkTable* table, bool hasDirections)
 {
   std::string names;
   for (vtkIdType index = 0; index < table->GetNumberOfColumns(); ++index)
   {
     const std::string name = table->GetColumnName(index) ? table->GetColumnName(index) : "";
-    if (!name.empty() && name != "Frequency" && name != "Density")
+    const bool isDirection =
+      hasDirections && (name == littoral::sea::DirectionTowards || name == littoral::sea::DirectionalSpread);
+    if (!name.empty() && name != "Frequency" && name != "Density" && !isDirection)
     {
       names += (names.empty() ? "" : ", ") + name;
     }
@@ -68,12 +100,20 @@ vtkSeaStateSource::vtkSeaStateSource()
   , SignificantWaveHeight(2.0)
   , PeakPeriod(7.0)
   , PeakEnhancement(3.3)
+  , WindSeaShape(1.5)
+  , SwellHeight(1.0)
+  , SwellPeriod(13.0)
+  , SwellShape(4.0)
+  , SwellDirection(0.0)
+  , SwellSpreading(50.0)
   , WaterDepth(0.0)
   , SeaLevel(0.0)
+  , Order(First)
   , NumberOfTrains(30)
   , FrequencyRange{ 0.0, 0.0 }
   , MeanDirection(0.0)
   , Spreading(10.0)
+  , SpreadingModel(Constant)
   , EqualSpacing(false)
   , Seed(1)
 {
@@ -108,6 +148,10 @@ littoral::SpectrumParameters vtkSeaStateSource::MakeSpectrum(vtkTable* measured)
   spectrum.SignificantHeight = this->SignificantWaveHeight;
   spectrum.PeakPeriod = this->PeakPeriod;
   spectrum.PeakEnhancement = this->PeakEnhancement;
+  spectrum.Shape = this->WindSeaShape;
+  spectrum.SwellHeight = this->SwellHeight;
+  spectrum.SwellPeriod = this->SwellPeriod;
+  spectrum.SwellShape = this->SwellShape;
   spectrum.Depth = this->WaterDepth == 0.0 ? std::numeric_limits<double>::infinity() : this->WaterDepth;
   if (this->Spectrum == Table && measured)
   {
@@ -126,6 +170,9 @@ littoral::TrainParameters vtkSeaStateSource::MakeTrainParameters() const
   cut.Highest = this->FrequencyRange[1];
   cut.MeanDirection = this->MeanDirection * littoral::Pi / 180.0;
   cut.Spreading = this->Spreading;
+  cut.Model = static_cast<littoral::SpreadingModel>(this->SpreadingModel);
+  cut.SwellDirection = this->SwellDirection * littoral::Pi / 180.0;
+  cut.SwellSpreading = this->SwellSpreading;
   cut.EqualSpacing = this->EqualSpacing;
   cut.Seed = this->Seed;
   return cut;
@@ -142,17 +189,22 @@ int vtkSeaStateSource::RequestData(
   }
   auto* measured = OptionalInputOf<vtkTable>(inputVector[0], "Input");
   const SpectrumParameters spectrum = this->MakeSpectrum(measured);
-  const TrainParameters cut = this->MakeTrainParameters();
+  TrainParameters cut = this->MakeTrainParameters();
   ParameterCheck check;
   check.Require(WhyInvalid(spectrum));
   check.Choice("SeaBy", this->SeaBy, 2);
   check.Finite("SeaLevel", this->SeaLevel, "m");
+  check.Range("Order", this->Order, 1, 2);
   check.Require(WhyInvalid(cut));
   Require(check.Reason());
+  if (measured && this->Spectrum == Table)
+  {
+    cut.Directions = DirectionsOf(measured);
+  }
   const SeaSpectrum density(spectrum);
   Require(WhyBroken(density, spectrum.Depth));
-  const SeaState state{ TrainsOf(density, spectrum.Depth, cut), spectrum.Depth, this->SeaLevel,
-    PeriodOf(density, cut) };
+  const SeaState state{ TrainsOf(density, spectrum.Depth, cut), spectrum.Depth, this->SeaLevel, PeriodOf(density, cut),
+    static_cast<SeaOrder>(this->Order) };
   Require(state.Trains.empty() ? "FrequencyRange holds no energy of the spectrum." : WhyInvalid(state));
   const double energy = EnergyOf(state.Trains);
   const double leftOut = std::max(0.0, 1.0 - energy / density.TotalEnergy());
@@ -162,10 +214,18 @@ int vtkSeaStateSource::RequestData(
   AddField(output, sea::SignificantWaveHeight, { 4.0 * std::sqrt(energy) });
   AddField(output, sea::PeakPeriod, { TwoPi / density.PeakFrequency() });
   AddField(output, sea::EnergyLeftOut, { leftOut });
-  const std::string unused = measured && this->Spectrum == Table ? UnusedColumns(measured) : std::string();
+  WritePeriods(PeriodsOf(state.Trains), output);
+  WriteDirection(MeanVectorOf(state.Trains), output);
+  if (state.Order == SeaOrder::Second)
+  {
+    AddField(output, sea::Skewness, { SkewnessOf(state) });
+  }
+  const std::string unused =
+    measured && this->Spectrum == Table ? UnusedColumns(measured, !cut.Directions.empty()) : std::string();
   if (!unused.empty())
   {
-    littoralWarningMacro("Columns of the spectrum not used: " << unused << "; set MeanDirection and Spreading.");
+    littoralWarningMacro("Columns of the spectrum not used: "
+      << unused << (cut.Directions.empty() ? "; set MeanDirection and Spreading." : "."));
   }
   if (leftOut > EnergyLeftOutInSilence)
   {
@@ -192,12 +252,20 @@ void vtkSeaStateSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SignificantWaveHeight: " << this->SignificantWaveHeight << "\n";
   os << indent << "PeakPeriod: " << this->PeakPeriod << "\n";
   os << indent << "PeakEnhancement: " << this->PeakEnhancement << "\n";
+  os << indent << "WindSeaShape: " << this->WindSeaShape << "\n";
+  os << indent << "SwellHeight: " << this->SwellHeight << "\n";
+  os << indent << "SwellPeriod: " << this->SwellPeriod << "\n";
+  os << indent << "SwellShape: " << this->SwellShape << "\n";
+  os << indent << "SwellDirection: " << this->SwellDirection << "\n";
+  os << indent << "SwellSpreading: " << this->SwellSpreading << "\n";
   os << indent << "WaterDepth: " << this->WaterDepth << "\n";
   os << indent << "SeaLevel: " << this->SeaLevel << "\n";
+  os << indent << "Order: " << this->Order << "\n";
   os << indent << "NumberOfTrains: " << this->NumberOfTrains << "\n";
   os << indent << "FrequencyRange: " << this->FrequencyRange[0] << " " << this->FrequencyRange[1] << "\n";
   os << indent << "MeanDirection: " << this->MeanDirection << "\n";
   os << indent << "Spreading: " << this->Spreading << "\n";
+  os << indent << "SpreadingModel: " << this->SpreadingModel << "\n";
   os << indent << "EqualSpacing: " << this->EqualSpacing << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
 }

@@ -7,8 +7,11 @@
  * Output: a vtkTable with a row per wave train, the largest amplitude first. Columns: `Amplitude` [m],
  * `AngularFrequency` [rad/s], `WaveNumber` [rad/m], `Direction` of propagation, from x towards y [rad], `Phase` [rad].
  * Field data: `WaterDepth` [m] (infinite for deep water), `SeaLevel` [m], `Period` after which the sea repeats [s]
- * (infinite without EqualSpacing; that of a Regular wave); of the trains `SignificantWaveHeight` [m], four times the
- * standard deviation of the surface elevation; of the spectrum `PeakPeriod` [s], and `EnergyLeftOut`, the fraction of
+ * (infinite without EqualSpacing; that of a Regular wave); with Order Second `Order`, 2, and `Skewness` of the surface
+ * elevation at a fixed place by its trains; of the trains `SignificantWaveHeight` [m], four times the
+ * standard deviation of the surface elevation, `EnergyPeriod` (Tm-1,0), `MeanPeriod` (Tm01) and `ZeroCrossingPeriod`
+ * (Tm02) [s], `MeanDirection` by energy and `DirectionalSpread`, sqrt(2 (1 - r)) with the length r of the mean vector
+ * [degrees]; of the spectrum `PeakPeriod` [s], and `EnergyLeftOut`, the fraction of
  * its energy outside FrequencyRange, with a warning where it is above 0.02; and unless it is Regular `BinEdges`, the
  * frequencies [Hz] between which the bins lie, and `SpectralDensity` [m2/Hz] at the edges and at equal steps within
  * each bin.
@@ -18,14 +21,16 @@
  * Pierson-Moskowitz sea.
  *
  * Optional input, used only if Spectrum is Table: a vtkTable with the columns `Frequency` [Hz], increasing, and
- * `Density` [m2/Hz], as measured by wave buoys. Other columns, as of directions, are named by a warning. A parameter
+ * `Density` [m2/Hz], as measured by wave buoys. If it has `DirectionTowards`, the mean direction of travel at the
+ * frequency from x towards y, and `DirectionalSpread`, circular [degrees], as vtkWaveSpectrumReader writes them, trains
+ * have these in place of MeanDirection and Spreading. Other columns are named by a warning. A parameter
  * out of range, a code for a missing density (999) or a table that is no spectrum is reported as one error.
  *
  * Piece 0 holds the whole table, other pieces are empty; filters that move points request piece 0 on each rank.
  *
  * Coulais et al., section 2.2.
  *
- * @sa vtkParticleOrbitFilter
+ * @sa vtkParticleOrbitFilter vtkWaveSpectrumReader
  */
 #ifndef vtkSeaStateSource_h
 #define vtkSeaStateSource_h
@@ -56,6 +61,7 @@ public:
     TMA = 2,
     Table = 3,
     Regular = 4,
+    OchiHubble = 5,
   };
 
   enum SeaByType
@@ -64,13 +70,27 @@ public:
     HeightAndPeriod = 1,
   };
 
+  enum SpreadingModelType
+  {
+    Constant = 0,
+    Mitsuyasu = 1,
+    DonelanBanner = 2,
+  };
+
+  enum OrderType
+  {
+    First = 1,
+    Second = 2,
+  };
+
   ///@{
   /**
    * Wave spectrum, a SpectrumType; default PiersonMoskowitz. PiersonMoskowitz: a fully developed sea. JONSWAP: a
    * fetch-limited sea with a higher peak. TMA: JONSWAP with the factor of WaterDepth. Regular: one wave of
    * PeakPeriod along MeanDirection, with the height SignificantWaveHeight from trough to crest and a crest at the
    * origin at time 0; NumberOfTrains, FrequencyRange, Spreading, EqualSpacing and Seed are not used. Table: the
-   * spectrum of the input.
+   * spectrum of the input. OchiHubble: a swell beside the wind sea, each with a direction of its own; a depth takes
+   * nothing from it.
    */
   vtkSetMacro(Spectrum, int);
   vtkGetMacro(Spectrum, int);
@@ -79,6 +99,7 @@ public:
   void SetSpectrumToTMA() { this->SetSpectrum(TMA); }
   void SetSpectrumToTable() { this->SetSpectrum(Table); }
   void SetSpectrumToRegular() { this->SetSpectrum(Regular); }
+  void SetSpectrumToOchiHubble() { this->SetSpectrum(OchiHubble); }
   ///@}
 
   ///@{
@@ -133,9 +154,59 @@ public:
 
   ///@{
   /**
+   * Shape lambda of the wind sea of OchiHubble, 1 (fully developed) to 20 (narrow); default 1.5. Not used by other
+   * spectra.
+   */
+  vtkSetMacro(WindSeaShape, double);
+  vtkGetMacro(WindSeaShape, double);
+  ///@}
+
+  ///@{
+  /**
+   * Significant wave height of the swell of OchiHubble [m], positive; default 1. Not used by other spectra.
+   */
+  vtkSetMacro(SwellHeight, double);
+  vtkGetMacro(SwellHeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Peak period of the swell of OchiHubble [s], 0.01 to 10000; default 13. Not used by other spectra.
+   */
+  vtkSetMacro(SwellPeriod, double);
+  vtkGetMacro(SwellPeriod, double);
+  ///@}
+
+  ///@{
+  /**
+   * Shape lambda of the swell of OchiHubble, 1 to 20 (narrow); default 4. Not used by other spectra.
+   */
+  vtkSetMacro(SwellShape, double);
+  vtkGetMacro(SwellShape, double);
+  ///@}
+
+  ///@{
+  /**
+   * Mean direction of the swell of OchiHubble, from x towards y [degrees]; default 0. Not used by other spectra.
+   */
+  vtkSetMacro(SwellDirection, double);
+  vtkGetMacro(SwellDirection, double);
+  ///@}
+
+  ///@{
+  /**
+   * Exponent s of the directional spreading of the swell of OchiHubble, 0 (long-crested) to 10000; default 50. Not used
+   * by other spectra.
+   */
+  vtkSetMacro(SwellSpreading, double);
+  vtkGetMacro(SwellSpreading, double);
+  ///@}
+
+  ///@{
+  /**
    * Water depth [m], at least 1e-6, or 0 for deep water; default 0. It determines the wave numbers of all spectra, and
-   * the energy of TMA and of seas by Wind. Waves that would break, a SignificantWaveHeight above 0.59 depths or a Regular
-   * wave above 0.78, are refused.
+   * the energy of TMA and of seas by Wind. Waves that would break, a SignificantWaveHeight above 0.59 depths or a
+   * Regular wave above 0.78, are refused.
    */
   vtkSetMacro(WaterDepth, double);
   vtkGetMacro(WaterDepth, double);
@@ -147,6 +218,19 @@ public:
    */
   vtkSetMacro(SeaLevel, double);
   vtkGetMacro(SeaLevel, double);
+  ///@}
+
+  ///@{
+  /**
+   * Order in the steepness of waves to which surface, orbits and flow are summed, an OrderType; default First: trains
+   * alone. Second: and the waves that each pair of trains forces, by which crests are higher and sharper, troughs
+   * flatter, the mean level at a fixed place that of second order, and groups of waves travel with long waves. It takes
+   * at most 200 trains, and a time that grows with their pairs.
+   */
+  vtkSetMacro(Order, int);
+  vtkGetMacro(Order, int);
+  void SetOrderToFirst() { this->SetOrder(First); }
+  void SetOrderToSecond() { this->SetOrder(Second); }
   ///@}
 
   ///@{
@@ -188,6 +272,20 @@ public:
 
   ///@{
   /**
+   * Directional spreading by frequency, a SpreadingModelType; default Constant: that of Spreading at all. Mitsuyasu:
+   * Spreading is s at the peak frequency, and s falls with f^5 below it and with f^-2.5 above. DonelanBanner:
+   * sech^2(b angle), with b from 1.2 at half the peak frequency to 2.4 near it and below 1 far above; Spreading is not
+   * used. Directions of the Table, where it has them, come first.
+   */
+  vtkSetMacro(SpreadingModel, int);
+  vtkGetMacro(SpreadingModel, int);
+  void SetSpreadingModelToConstant() { this->SetSpreadingModel(Constant); }
+  void SetSpreadingModelToMitsuyasu() { this->SetSpreadingModel(Mitsuyasu); }
+  void SetSpreadingModelToDonelanBanner() { this->SetSpreadingModel(DonelanBanner); }
+  ///@}
+
+  ///@{
+  /**
    * Frequencies at integer multiples of one fundamental, which make the sea periodic; default off. The period is
    * `Period` of the field data, with the default FrequencyRange about NumberOfTrains / 3.5 peak periods, and the center
    * of FrequencyRange is that of the frequencies. Points whose centers are fixed have the same period, unless
@@ -222,12 +320,20 @@ protected:
   double SignificantWaveHeight;
   double PeakPeriod;
   double PeakEnhancement;
+  double WindSeaShape;
+  double SwellHeight;
+  double SwellPeriod;
+  double SwellShape;
+  double SwellDirection;
+  double SwellSpreading;
   double WaterDepth;
   double SeaLevel;
+  int Order;
   int NumberOfTrains;
   double FrequencyRange[2];
   double MeanDirection;
   double Spreading;
+  int SpreadingModel;
   bool EqualSpacing;
   int Seed;
 

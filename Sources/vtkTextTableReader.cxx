@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTextTableReader.h"
 
+#include "Data/FileBytes.h"
 #include "Data/Tables.h"
 #include "Numerics/InvalidInput.h"
 #include "Numerics/TextTable.h"
-#include "Pipeline/Memory.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
@@ -19,14 +19,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
-#include <system_error>
 #include <vector>
 
 vtkStandardNewMacro(vtkTextTableReader);
@@ -36,28 +30,12 @@ namespace
 
 constexpr double BytesPerByte = 60.0; // of a table in memory, for short words, over those of its file
 
-std::string BytesOf(const std::string& path)
-{
-  std::error_code none;
-  const auto size = static_cast<double>(std::filesystem::file_size(path, none));
-  littoral::RequireMemory(none ? 0.0 : BytesPerByte * size, "A table of this size", "take a smaller file");
-  littoral::Require(std::filesystem::is_directory(path, none) ? "it is a folder." : "");
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
-  if (!file)
-  {
-    littoral::Refuse(errno ? std::strerror(errno) : "it cannot be read", ".");
-  }
-  return bytes;
-}
-
 littoral::TextTable TableOf(const std::string& path)
 {
   try
   {
     littoral::Require(path.empty() ? "FileName is empty" : "");
-    return littoral::ReadTable(BytesOf(path));
+    return littoral::ReadTable(littoral::BytesOfFile(path, BytesPerByte, "A table of this size"));
   }
   catch (const littoral::InvalidInput& refusal)
   {

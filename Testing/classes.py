@@ -369,12 +369,17 @@ ROWS = [
     # Sea -------------------------------------------------------------------------------------------------------------
     Row("vtkSeaStateSource", "Sea",
         small={"SetNumberOfTrains": (8,), "SetSeaLevel": (4.0,)},
-        variants=[{"SetSpectrum": (1,)}, {"SetSeed": (2,), "SetWaterDepth": (5.0,)}, {"SetSeaBy": (1,)}],
+        variants=[{"SetSpectrum": (1,)}, {"SetSeed": (2,), "SetWaterDepth": (5.0,)}, {"SetSeaBy": (1,)},
+                  {"SetOrder": (2,), "SetWaterDepth": (15.0,)}, {"SetSpreadingModel": (2,)},
+                  {"SetSpectrum": (5,), "SetSwellDirection": (60.0,)}],
         mistakes=[
             Mistake("MeasuredSeaState", lambda pv: dict(Input=pv.QuadratAnalysis(Input=pv.sites())),
                     "Frequency and Density"),
             Mistake("SeaState", lambda pv: dict(WindSpeed=-1.0), "WindSpeed")],
         shown={"MeasuredSeaState": lambda pv: dict(Input=pv.measured_spectrum())}),
+    Row("vtkWaveSpectrumReader", "Sea",
+        small={"SetFileName": (str(HERE / "Fuzz" / "waves.csv"),)},
+        variants=[{"SetDirectionConvention": (2,)}]),
     Row("vtkSeaStatisticsFilter", "Sea",
         fed_by=[SEA],
         inputs=lambda h: [h.sea()],

@@ -7,6 +7,8 @@
 #include "Numerics/ParameterCheck.h"
 #include "Sea/Dispersion.h"
 
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/special_functions/gamma.hpp>
 #include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
@@ -44,6 +46,11 @@ constexpr double ShallowestDepth = 1e-6;
 /// root mean square is 0.42 (Thornton and Guza 1982).
 constexpr double BreakingHeight = 0.78;
 constexpr double BreakingSignificantHeight = 0.59;
+
+/// Lambda of the narrowest sea of Ochi and Hubble.
+constexpr double LargestShape = 20.0;
+/// Frequencies of a bin over each other up to which a rule of 20 points is better than the difference of closed forms.
+constexpr double NarrowBin = 1.1;
 
 /// Significant wave height that no table exceeds; the highest that was measured is about 20 m [m].
 constexpr double HighestMeasuredSea = 30.0;
@@ -112,7 +119,7 @@ std::string WhyInvalid(const SpectrumParameters& parameters)
   const bool isTable = parameters.Kind == SpectrumKind::Table;
   const bool hasPeakEnhancement = parameters.Kind == SpectrumKind::Jonswap || parameters.Kind == SpectrumKind::Tma;
   ParameterCheck check;
-  check.Choice("Spectrum", static_cast<int>(parameters.Kind), 5);
+  check.Choice("Spectrum", static_cast<int>(parameters.Kind), 6);
   const bool isDepth = std::isinf(parameters.Depth) || IsSensible(parameters.Depth);
   check.Require(isDepth && parameters.Depth >= ShallowestDepth, "WaterDepth", parameters.Depth, "m",
     "0 (deep) or at least " + TextOf(ShallowestDepth) + " m");
@@ -128,6 +135,13 @@ std::string WhyInvalid(const SpectrumParameters& parameters)
   {
     check.Positive("SignificantWaveHeight", parameters.SignificantHeight, "m");
     check.Range("PeakPeriod", parameters.PeakPeriod, 0.01, 10000.0, "s");
+  }
+  if (parameters.Kind == SpectrumKind::OchiHubble)
+  {
+    check.Positive("SwellHeight", parameters.SwellHeight, "m");
+    check.Range("SwellPeriod", parameters.SwellPeriod, 0.01, 10000.0, "s");
+    check.Range("SwellShape", parameters.SwellShape, 1.0, LargestShape);
+    check.Range("WindSeaShape", parameters.Shape, 1.0, LargestShape);
   }
   if (hasPeakEnhancement)
   {
@@ -169,7 +183,60 @@ SeaSpectrum::SeaSpectrum(const SpectrumParameters& parameters)
     this->Given.PeakPeriod = TwoPi / this->FormPeak;
     this->Given.SignificantHeight = 4.0 * u * u / g * std::sqrt(0.25 * Alpha / Beta);
   }
-  this->FitToHeightAndPeriod();
+  parameters.Kind == SpectrumKind::OchiHubble ? this->AddHumps() : this->FitToHeightAndPeriod();
+}
+
+double SeaSpectrum::Hump::Density(double w) const
+{
+  // x^lambda e^-x / Gamma(lambda)
+  const double ratio = this->Peak / w;
+  const double x = (this->Shape + 0.25) * ratio * ratio * ratio * ratio;
+  return 4.0 * this->Variance / w * std::exp(this->Shape * std::log(x) - x - std::lgamma(this->Shape));
+}
+
+double SeaSpectrum::Hump::Energy(double low, double high) const
+{
+  if (high < NarrowBin * low)
+  {
+    return boost::math::quadrature::gauss<double, 20>::integrate(
+      [this](double w) { return this->Density(w); }, low, high);
+  }
+  // m0 P(lambda, x) lies above a frequency
+  const auto above = [this](double w) {
+    const double ratio = this->Peak / w;
+    const double x = (this->Shape + 0.25) * ratio * ratio * ratio * ratio;
+    return !(w > 0.0) || x > 600.0 ? 1.0 : boost::math::gamma_p(this->Shape, x);
+  };
+  return this->Variance * (above(low) - above(high));
+}
+
+/// The swell and the wind sea of Ochi and Hubble.
+void SeaSpectrum::AddHumps()
+{
+  const auto hump = [](double height, double period, double shape) {
+    return Hump{ height * height / 16.0, TwoPi / period, shape };
+  };
+  this->Humps = { hump(this->Given.SwellHeight, this->Given.SwellPeriod, this->Given.SwellShape),
+    hump(this->Given.SignificantHeight, this->Given.PeakPeriod, this->Given.Shape) };
+  this->Total = this->Humps[0].Variance + this->Humps[1].Variance;
+  double most = 0.0;
+  for (const Hump& one : this->Humps)
+  {
+    // The other sea shifts a peak a little
+    const auto negative = [this](double w) { return -this->Density(w); };
+    const auto found = boost::math::tools::brent_find_minima(negative, 0.9 * one.Peak, 1.1 * one.Peak, 40);
+    if (-found.second > most)
+    {
+      most = -found.second;
+      this->Peak = found.first;
+    }
+  }
+}
+
+double SeaSpectrum::SwellPart(double w) const
+{
+  const double all = this->Humps.empty() ? 0.0 : this->Density(w);
+  return all > 0.0 ? this->Humps[0].Density(w) / all : 0.0;
 }
 
 void SeaSpectrum::FitToHeightAndPeriod()
@@ -256,6 +323,10 @@ double SeaSpectrum::TableValue(double w) const
 
 double SeaSpectrum::Density(double w) const
 {
+  if (!this->Humps.empty())
+  {
+    return w > 0.0 ? this->Humps[0].Density(w) + this->Humps[1].Density(w) : 0.0;
+  }
   return w > 0.0 && !this->IsRegular() ? this->Scale * this->Shape(w) : 0.0;
 }
 
@@ -269,6 +340,10 @@ double SeaSpectrum::Energy(double low, double high) const
   if (this->IsRegular())
   {
     return low <= this->Peak && this->Peak < high ? this->Total : 0.0;
+  }
+  if (!this->Humps.empty())
+  {
+    return this->Humps[0].Energy(low, high) + this->Humps[1].Energy(low, high);
   }
   if (this->Given.Kind == SpectrumKind::PiersonMoskowitz)
   {
@@ -323,7 +398,12 @@ std::array<double, 2> SeaSpectrum::Range() const
     {
       highest += 0.5 * this->Peak;
     }
-    return { 0.5 * this->Peak, highest };
+    double lowest = 0.5 * this->Peak;
+    for (const Hump& one : this->Humps)
+    {
+      lowest = std::min(lowest, 0.5 * one.Peak);
+    }
+    return { lowest, highest };
   }
   const auto positive = [](double value) { return value > 0.0; };
   const auto first = std::find_if(this->Values.begin(), this->Values.end(), positive) - this->Values.begin();

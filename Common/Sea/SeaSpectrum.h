@@ -20,6 +20,7 @@ enum class SpectrumKind
   Tma = 2,              ///< the same with the factor of depth, also where height and period are given
   Table = 3,            ///< measured
   Regular = 4,          ///< one wave
+  OchiHubble = 5,       ///< a swell and a wind sea, each with a shape of its own
 };
 
 /// Spectrum of the energy of a sea over frequencies, by few numbers or by a table.
@@ -31,6 +32,10 @@ struct SpectrumParameters
   double SignificantHeight = 2.0;                         ///< of one wave from trough to crest [m], positive
   double PeakPeriod = 7.0;                                ///< [s], positive
   double PeakEnhancement = 3.3;                           ///< gamma of JONSWAP and TMA, 1 to 20
+  double Shape = 1.5;                                     ///< lambda of Ochi and Hubble's wind sea, 1 to 20
+  double SwellHeight = 1.0;                               ///< significant height of the swell [m], positive
+  double SwellPeriod = 13.0;                              ///< its peak period [s]
+  double SwellShape = 4.0;                                ///< its lambda, 1 to 20
   double Depth = std::numeric_limits<double>::infinity(); ///< of the water [m], for TMA and for seas of a wind
   std::vector<double> Frequencies;                        ///< of the table [Hz], increasing, not negative
   std::vector<double> Densities;                          ///< of the table [m2/Hz], not negative
@@ -54,6 +59,10 @@ std::string WhyBroken(const SeaSpectrum& spectrum, double depth);
  * of a finite depth all seas of a wind have it, a fully developed one with gamma 1, and their significant height is at
  * most 0.59 depths, that of a surf zone.
  *
+ * Ochi and Hubble (1976): the sum of a swell and a wind sea, whose height and period are those given or of the wind,
+ * each with S = 4 m0 x^lambda e^-x / (Gamma(lambda) w), x = (lambda + 1/4) (wp/w)^4, that of Pierson and Moskowitz for
+ * lambda 1; a depth takes nothing from it.
+ *
  * Regular: all energy, H2/8 of a wave H high, at one frequency, where the density is infinite; Density is 0 elsewhere.
  */
 class SeaSpectrum
@@ -64,6 +73,17 @@ public:
 
   /// Whether all energy is in one wave.
   bool IsRegular() const { return this->Given.Kind == SpectrumKind::Regular; }
+
+  /// Whether it was measured.
+  bool IsTable() const { return this->Given.Kind == SpectrumKind::Table; }
+
+  bool HasSwell() const { return !this->Humps.empty(); }
+
+  /// Frequency of the maximum of the wind sea beside a swell, else that of S [rad/s].
+  double WindSeaPeak() const { return this->HasSwell() ? this->Humps[1].Peak : this->Peak; }
+
+  /// Part of the density that is swell, 0 to 1; 0 unless the spectrum has one.
+  double SwellPart(double frequency) const;
 
   /// S at an angular frequency [m2 s/rad].
   double Density(double frequency) const;
@@ -85,7 +105,19 @@ public:
   std::array<double, 2> Range() const;
 
 private:
+  /// One of the seas of Ochi and Hubble.
+  struct Hump
+  {
+    double Variance; ///< [m2]
+    double Peak;     ///< [rad/s]
+    double Shape;
+
+    double Density(double frequency) const;
+    double Energy(double low, double high) const;
+  };
+
   void FitToHeightAndPeriod();
+  void AddHumps();
   void ReadTable();
   void MakePanels();
   double HighestPanel() const;
@@ -99,6 +131,7 @@ private:
   double FormPeak = 1.0; ///< peak of the Pierson-Moskowitz form [rad/s]
   double Peak = 1.0;
   double Total = 0.0;
+  std::vector<Hump> Humps;    ///< the swell, the wind sea
   std::vector<double> Nodes;  ///< of the table [rad/s]
   std::vector<double> Values; ///< at the nodes [m2 s/rad]
   CompositeQuadrature Panels; ///< of the shape, without the scale

@@ -192,6 +192,7 @@ SeaSurfacePoints SurfaceOf(const SeaState& sea, const SeaSurfaceParameters& para
   request.Gradient = gradients.data();
   WaveOrbitOptions options;
   options.Choppiness = choppiness;
+  options.Bound.Motion = BoundMotion::Surface;
   std::vector<float> past;
   if (foamLifetime > 0.0)
   {

@@ -42,6 +42,36 @@ private:
 std::vector<double> WaveAngles(
   const std::vector<double>& energies, const WaveSpreading& spreading, const RandomStream& random);
 
+/// Spreading by frequency over that of the peak, f = w / wp.
+enum class SpreadingModel
+{
+  Constant = 0,     ///< cos^2s(angle/2) with one s
+  Mitsuyasu = 1,    ///< s that falls from the peak, as f^5 below it and as f^-2.5 above (Mitsuyasu et al. 1975)
+  DonelanBanner = 2 ///< sech^2(b angle), b of Donelan et al. (1985), above 1.6 peaks of Banner (1990)
+};
+
+/// Directions of the waves of one frequency.
+struct WaveDirection
+{
+  double Mean;         ///< [rad]
+  double Exponent;     ///< s of cos^2s(angle/2), or b of sech^2(b angle); positive
+  bool IsSech = false; ///< the latter
+};
+
+/// Directions by a model at a frequency over that of the peak; s is that at the peak.
+WaveDirection DirectionOf(SpreadingModel model, double mean, double s, double frequency);
+
+/// The mean cosine of the angle from the mean direction.
+double MeanCosineOf(const WaveDirection& direction);
+
+/**
+ * Directions [rad] of trains that each have a mean and a spreading of their own, in the order of their frequencies:
+ * strata as above, the angles from the own mean direction stretched and all turned until the mean vector by energy is
+ * that of the distributions; as they come where the seas nearly cancel each other.
+ */
+std::vector<double> WaveAngles(
+  const std::vector<double>& energies, const std::vector<WaveDirection>& directions, const RandomStream& random);
+
 }
 
 #endif

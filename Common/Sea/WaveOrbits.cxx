@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstdint>
 #include <cstring>
 
@@ -227,6 +228,29 @@ LITTORAL_WIDE_SIMD_CLONES void AddGradient(const float* __restrict p, const floa
   }
 }
 
+/// Adds what a train makes with the sums of those before it to the level and its slopes, and the train to the sums.
+LITTORAL_WIDE_SIMD_CLONES void AddLevelSums(const std::uint32_t* __restrict turns, const float* __restrict a, float up,
+  float k, float dx, float dy, int count, float (*__restrict sines)[BlockSize], float (*__restrict cosines)[BlockSize],
+  float* __restrict z, float* __restrict zx, float* __restrict zy)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    const SineCosine phi = SineAndCosine(turns[i]);
+    const float s = up * a[i] * phi.Sine;
+    const float c = up * a[i] * phi.Cosine;
+    // a_i a_j k_j cos(phi_i - phi_j), k_j <= k_i, half of it for i = j
+    z[i] += c * (cosines[0][i] + 0.5f * k * c) + s * (sines[0][i] + 0.5f * k * s);
+    // -a_i a_j k_j (k_i - k_j) sin(phi_i - phi_j)
+    const float slope = (s * cosines[1][i] - c * sines[1][i]) - k * (s * cosines[0][i] - c * sines[0][i]);
+    zx[i] += dx * slope;
+    zy[i] += dy * slope;
+    sines[0][i] += k * s;
+    cosines[0][i] += k * c;
+    sines[1][i] += k * k * s;
+    cosines[1][i] += k * k * c;
+  }
+}
+
 /// Adds f a cos(phi + w age), from a sin phi and a cos phi.
 LITTORAL_WIDE_SIMD_CLONES void AddPastGradient(const float* __restrict aSine, const float* __restrict aCosine,
   float sine, float cosine, const float* factor, int count, float* __restrict xx, float* __restrict xy,
@@ -243,6 +267,25 @@ LITTORAL_WIDE_SIMD_CLONES void AddPastGradient(const float* __restrict aSine, co
     yy[i] += fyy * p;
   }
 }
+
+/// Sums of the trains of a surface so far, k a e^(i phi) and k2 a e^(i phi).
+struct LevelSums
+{
+  std::complex<double> First;
+  std::complex<double> Second;
+
+  /// Adds a train to the sums and what it makes with them to a level; returns the slope of that along the train.
+  double Add(double k, double amplitude, double phase, double& level)
+  {
+    const std::complex<double> own = std::polar(amplitude, phase);
+    // a_i Re e^(i phi_i) conj(sum over k_j < k_i of k_j a_j e^(i phi_j) + k_i a_i e^(i phi_i) / 2)
+    level += (own * std::conj(this->First + 0.5 * k * own)).real();
+    const double slope = (own * std::conj(this->Second - k * this->First)).imag();
+    this->First += k * own;
+    this->Second += k * k * own;
+    return slope;
+  }
+};
 
 /// Centers by coordinate; z from sea level, not outside of the water, and the height over the bed.
 LITTORAL_WIDE_SIMD_CLONES void ReadCenters(const float* __restrict centers, double seaLevel, double depth, int count,
@@ -313,6 +356,8 @@ struct alignas(64) WaveOrbits::Block
   float Gradient[5][BlockSize];
   float VelocityGradient[5][BlockSize];
   float PastGradient[3 * MostAges][BlockSize];
+  float LevelSine[2][BlockSize]; ///< sums of k a sin phi, k2 a sin phi
+  float LevelCosine[2][BlockSize];
 };
 
 OrbitAxes AxesAt(const WaveTrain& train, double height, double depth)
@@ -344,34 +389,83 @@ WaveOrbits::WaveOrbits(const SeaState& sea, const WaveOrbitOptions& options, dou
 {
   for (const WaveTrain& wave : sea.Trains)
   {
-    Train train;
-    const double k = wave.WaveNumber;
-    train.DirectionX = std::cos(wave.Direction);
-    train.DirectionY = std::sin(wave.Direction);
-    train.X = k * train.DirectionX;
-    train.Y = k * train.DirectionY;
-    train.Frequency = wave.AngularFrequency;
-    double atFixedPoint = wave.AngularFrequency;
-    // Frequency at a fixed point: w + k . U
-    if (options.DopplerShift)
-    {
-      atFixedPoint += train.X * options.Current[0] + train.Y * options.Current[1];
-    }
-    train.Phase = std::remainder(wave.Phase - std::remainder(atFixedPoint * time, TwoPi), TwoPi);
-    const double relative = k * sea.Depth;
-    train.Kind = relative > DeepInSingle ? Form::Deep : relative > ShallowInSingle ? Form::Finite : Form::Shallow;
-    train.Octaves = static_cast<float>(k / std::log(2.0));
-    train.WaveNumber = static_cast<float>(k);
-    const double part = train.Kind == Form::Shallow ? std::sinh(relative) : -std::expm1(-2.0 * relative);
-    train.Scale = static_cast<float>(wave.Amplitude / part);
-    train.Mirror = static_cast<float>(std::exp(-2.0 * relative));
-    for (std::size_t age = 0; age < options.Ages.size(); ++age)
-    {
-      train.PastCosine[age] = static_cast<float>(std::cos(atFixedPoint * options.Ages[age]));
-      train.PastSine[age] = static_cast<float>(std::sin(atFixedPoint * options.Ages[age]));
-    }
-    this->Trains.push_back(train);
+    this->Trains.push_back(this->MomentOf(wave, sea.Depth));
+    this->Trains.back().Last = static_cast<int>(this->Trains.size()) - 1;
   }
+  this->BySums = sea.Order == SeaOrder::Second && options.Bound.Motion == BoundMotion::Surface &&
+    options.Choppiness == 1.0 && IsSortedLongCrestedDeep(sea);
+  if (sea.Order == SeaOrder::Second && !this->BySums)
+  {
+    this->Waves = BoundWavesOf(sea, options.Bound, options.Choppiness);
+  }
+  for (const BoundWave& wave : this->Waves)
+  {
+    this->Bound.push_back(this->MomentOf(wave));
+  }
+}
+
+/// A train at the moment.
+WaveOrbits::Train WaveOrbits::MomentOf(const WaveTrain& wave, double depth) const
+{
+  Train train;
+  const double k = wave.WaveNumber;
+  train.DirectionX = std::cos(wave.Direction);
+  train.DirectionY = std::sin(wave.Direction);
+  train.X = k * train.DirectionX;
+  train.Y = k * train.DirectionY;
+  train.Frequency = wave.AngularFrequency;
+  double atFixedPoint = wave.AngularFrequency;
+  // Frequency at a fixed point: w + k . U
+  if (this->Options.DopplerShift)
+  {
+    atFixedPoint += train.X * this->Options.Current[0] + train.Y * this->Options.Current[1];
+  }
+  train.Phase = std::remainder(wave.Phase - std::remainder(atFixedPoint * this->Time, TwoPi), TwoPi);
+  const double relative = k * depth;
+  train.Kind = relative > DeepInSingle ? Form::Deep : relative > ShallowInSingle ? Form::Finite : Form::Shallow;
+  train.Octaves = static_cast<float>(k / std::log(2.0));
+  train.WaveNumber = static_cast<float>(k);
+  const double part = train.Kind == Form::Shallow ? std::sinh(relative) : -std::expm1(-2.0 * relative);
+  train.Scale = static_cast<float>(wave.Amplitude / part);
+  train.Mirror = static_cast<float>(std::exp(-2.0 * relative));
+  for (std::size_t age = 0; age < this->Options.Ages.size(); ++age)
+  {
+    train.PastCosine[age] = static_cast<float>(std::cos(atFixedPoint * this->Options.Ages[age]));
+    train.PastSine[age] = static_cast<float>(std::sin(atFixedPoint * this->Options.Ages[age]));
+  }
+  return train;
+}
+
+/// A bound wave at the moment, as a train of amplitude 1 with a profile, directions and a rise of its own.
+WaveOrbits::Train WaveOrbits::MomentOf(const BoundWave& wave) const
+{
+  Train train = this->MomentOf(WaveTrain{ 1.0, 0.0, wave.Profile, 0.0, 0.0 }, this->Sea.Depth);
+  const Train& first = this->Trains[wave.First];
+  const Train& second = this->Trains[wave.Second];
+  const double own = wave.Sign == 0.0 ? 0.0 : 1.0;
+  train.X = own * first.X + wave.Sign * second.X;
+  train.Y = own * first.Y + wave.Sign * second.Y;
+  train.Phase = std::remainder(own * first.Phase + wave.Sign * second.Phase, TwoPi);
+  train.Frequency = own * first.Frequency + wave.Sign * second.Frequency;
+  train.DirectionX = wave.Along[0];
+  train.DirectionY = wave.Along[1];
+  train.IsFree = false;
+  train.Up = static_cast<float>(-wave.Up);
+  train.Last = std::max(wave.First, wave.Second);
+  train.First = std::min(wave.First, wave.Second);
+  return train;
+}
+
+/// Half of K_x H_y + K_y H_x.
+double WaveOrbits::Cross(const Train& bound)
+{
+  return 0.5 * (bound.X * bound.DirectionY + bound.Y * bound.DirectionX);
+}
+
+/// The part of a bound wave that acts.
+float WaveOrbits::ShareOf(const Train& bound, const float* shares) const
+{
+  return shares ? shares[bound.First] * shares[bound.Last] : 1.0f;
 }
 
 std::array<double, 2> WaveOrbits::StokesVelocity(double height, std::size_t trains, const float* shares) const
@@ -414,13 +508,9 @@ void WaveOrbits::Evaluate(const OrbitRequest<double>& request, std::size_t begin
     Vector3 acceleration(0.0);
     double gradient[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
     double shear[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
-    for (std::size_t n = 0; n < trains; ++n)
-    {
-      const Train& train = this->Trains[n];
-      const OrbitAxes axes = AxesAt(this->Sea.Trains[n], z, this->Sea.Depth);
-      const double share = request.Shares ? request.Shares[n] : 1.0;
+    const auto add = [&](const Train& train, const OrbitAxes& axes, double share, double up) {
       const double a = share * chop * axes.Horizontal;
-      const double b = share * axes.Vertical;
+      const double b = share * up * axes.Vertical;
       // phi = k d . x - w t + phase
       const double phi = train.X * x + train.Y * y + train.Phase;
       const double s = std::sin(phi);
@@ -434,16 +524,40 @@ void WaveOrbits::Evaluate(const OrbitRequest<double>& request, std::size_t begin
       acceleration -= w * w * orbit;
       // Its derivatives by the center, grad phi = k d
       gradient[0] += a * c * train.X * train.DirectionX;
-      gradient[1] += a * c * train.X * train.DirectionY;
+      gradient[1] += train.IsFree ? a * c * train.X * train.DirectionY : a * c * Cross(train);
       gradient[2] += a * c * train.Y * train.DirectionY;
       gradient[3] += b * s * train.X;
       gradient[4] += b * s * train.Y;
       // And those of the velocity
       shear[0] += w * a * s * train.X * train.DirectionX;
-      shear[1] += w * a * s * train.X * train.DirectionY;
+      shear[1] += train.IsFree ? w * a * s * train.X * train.DirectionY : w * a * s * Cross(train);
       shear[2] += w * a * s * train.Y * train.DirectionY;
       shear[3] -= w * b * c * train.X;
       shear[4] -= w * b * c * train.Y;
+    };
+    LevelSums levels;
+    for (std::size_t n = 0; n < trains; ++n)
+    {
+      const Train& train = this->Trains[n];
+      const double share = request.Shares ? request.Shares[n] : 1.0;
+      add(train, AxesAt(this->Sea.Trains[n], z, this->Sea.Depth), share, 1.0);
+      if (this->BySums)
+      {
+        const WaveTrain& wave = this->Sea.Trains[n];
+        const double slope =
+          levels.Add(wave.WaveNumber, share * wave.Amplitude, train.X * x + train.Y * y + train.Phase, displacement.z);
+        gradient[3] += slope * train.DirectionX;
+        gradient[4] += slope * train.DirectionY;
+      }
+    }
+    for (std::size_t n = 0; n < this->Bound.size(); ++n)
+    {
+      const Train& train = this->Bound[n];
+      if (static_cast<std::size_t>(train.Last) < trains)
+      {
+        const WaveTrain profile{ 1.0, 0.0, this->Waves[n].Profile, 0.0, 0.0 };
+        add(train, AxesAt(profile, z, this->Sea.Depth), this->ShareOf(train, request.Shares), -this->Waves[n].Up);
+      }
     }
     const auto store = [i](double* to, const double* from, int count) {
       if (to)
@@ -501,6 +615,24 @@ void WaveOrbits::EvaluateBlock(Block& block, const OrbitRequest<float>& request,
       Mask(counts, n, count, block.A, block.B);
     }
     this->AddTrain(block, request, this->Trains[n], share, count);
+    if (this->BySums)
+    {
+      this->AddLevels(block, this->Trains[n], share, count);
+    }
+  }
+  for (const Train& wave : this->Bound)
+  {
+    const float share = this->ShareOf(wave, request.Shares);
+    if (share == 0.0f || wave.Last >= trains)
+    {
+      continue;
+    }
+    this->FindAxes(block, wave, count);
+    if (wave.Last >= shared)
+    {
+      Mask(counts, wave.Last, count, block.A, block.B);
+    }
+    this->AddTrain(block, request, wave, share, count);
   }
   const auto to = [begin](float* array, int components) { return array ? array + components * begin : nullptr; };
   if (request.Displacement)
@@ -546,6 +678,12 @@ void WaveOrbits::StartBlock(Block& block, const OrbitRequest<float>& request, st
     }
   };
   zero(block.Displacement);
+  if (this->BySums)
+  {
+    zero(block.LevelSine);
+    zero(block.LevelCosine);
+    zero(block.Gradient);
+  }
   const auto clear = [&zero](const float* requested, auto& sums) {
     if (requested)
     {
@@ -599,10 +737,11 @@ void WaveOrbits::FindAxes(Block& block, const Train& train, int count) const
 void WaveOrbits::AddTrain(
   Block& block, const OrbitRequest<float>& request, const Train& train, float share, int count) const
 {
-  const float up = share * train.Scale;
+  float up = share * train.Scale;
   const float chop = up * static_cast<float>(this->Options.Choppiness);
   const float dx = chop * static_cast<float>(train.DirectionX);
   const float dy = chop * static_cast<float>(train.DirectionY);
+  up *= train.Up;
   // a sin phi d, -b cos phi
   float(*places)[BlockSize] = block.Displacement;
   if (!request.Velocity && !request.Acceleration && !request.Gradient && !request.VelocityGradient &&
@@ -632,14 +771,15 @@ void WaveOrbits::AddTrain(
   }
   const float kx = static_cast<float>(train.X);
   const float ky = static_cast<float>(train.Y);
+  const float cross = train.IsFree ? kx * dy : 0.5f * (kx * dy + ky * dx);
   // k_x a cos phi d_x, k_x a cos phi d_y, k_y a cos phi d_y; k_x b sin phi, k_y b sin phi
   if (request.Gradient)
   {
     float(*sums)[BlockSize] = block.Gradient;
-    const float factor[5] = { kx * dx, kx * dy, ky * dy, kx * up, ky * up };
+    const float factor[5] = { kx * dx, cross, ky * dy, kx * up, ky * up };
     AddGradient(block.ACosine, block.BSine, factor, count, sums[0], sums[1], sums[2], sums[3], sums[4]);
   }
-  if (request.PastGradient)
+  if (request.PastGradient && train.IsFree)
   {
     this->AddPast(block, train, chop, count);
   }
@@ -647,9 +787,18 @@ void WaveOrbits::AddTrain(
   if (request.VelocityGradient)
   {
     float(*sums)[BlockSize] = block.VelocityGradient;
-    const float factor[5] = { w * kx * dx, w * kx * dy, w * ky * dy, -w * kx * up, -w * ky * up };
+    const float factor[5] = { w * kx * dx, train.IsFree ? w * kx * dy : w * cross, w * ky * dy, -w * kx * up,
+      -w * ky * up };
     AddGradient(block.ASine, block.BCosine, factor, count, sums[0], sums[1], sums[2], sums[3], sums[4]);
   }
+}
+
+/// Adds what a train of a surface makes with those before it.
+void WaveOrbits::AddLevels(Block& block, const Train& train, float share, int count) const
+{
+  AddLevelSums(block.Turns, block.A, share * train.Scale, train.WaveNumber, static_cast<float>(train.DirectionX),
+    static_cast<float>(train.DirectionY), count, block.LevelSine, block.LevelCosine, block.Displacement[2],
+    block.Gradient[3], block.Gradient[4]);
 }
 
 /// Adds the gradients by a train at the ages before.

@@ -4,6 +4,7 @@
 #define LittoralWaveOrbits_h
 
 #include "Numerics/Vector3.h"
+#include "Sea/SecondOrder.h"
 #include "Sea/WaveTrains.h"
 
 #include <array>
@@ -36,6 +37,8 @@ struct WaveOrbitOptions
   double Current[2] = { 0.0, 0.0 }; ///< current that carries the centers [m/s]; used with DopplerShift only
   double Choppiness = 1.0;          ///< factor of the horizontal motion, 0 to 1
   std::vector<double> Ages;         ///< of OrbitRequest::PastGradient, at most MostAges [s]
+  /// Points in a sea of second order: whether they are followed, are the surface at sea level, or stay where they are.
+  BoundWaveOptions Bound;
 };
 
 /// Points and what is asked of them; three numbers a point, null where it is not wanted.
@@ -73,6 +76,9 @@ double SurfaceJacobian(const double gradient[3]);
  * polynomials over whole blocks of points, with phases formed and reduced in double precision; their displacements are
  * good to some 1e-6 of the sum of amplitudes, up to 3e7 waves from the origin, where numbers in single precision are
  * whole waves apart. Each point is computed for itself: results do not depend on ranges.
+ *
+ * A sea of second order has the waves that pairs of trains force (BoundWave), each with the first trains up to its own
+ * two, without PastGradient. Its gradient dX/dy is the mean of dX/dy and dY/dx.
  */
 class WaveOrbits
 {
@@ -107,9 +113,18 @@ private:
     float WaveNumber;           ///< k
     float Scale;                ///< r / (1 - e^-2kh), or r / sinh kh
     float Mirror;               ///< e^-2kh
+    bool IsFree = true;         ///< else a bound wave
+    float Up = 1.0f;            ///< vertical over the train's own semi-axis
+    int Last = 0;               ///< of the trains that must act on a point
+    int First = 0;              ///< the other one of a bound wave
     float PastCosine[MostAges]; ///< cos(w age)
     float PastSine[MostAges];
   };
+
+  Train MomentOf(const WaveTrain& wave, double depth) const;
+  Train MomentOf(const BoundWave& wave) const;
+  static double Cross(const Train& bound);
+  float ShareOf(const Train& bound, const float* shares) const;
 
   struct Block;
   void EvaluateBlock(Block& block, const OrbitRequest<float>& request, std::size_t begin, int count) const;
@@ -118,11 +133,15 @@ private:
   void FindAxes(Block& block, const Train& train, int count) const;
   void AddTrain(Block& block, const OrbitRequest<float>& request, const Train& train, float share, int count) const;
   void AddPast(Block& block, const Train& train, float chop, int count) const;
+  void AddLevels(Block& block, const Train& train, float share, int count) const;
 
   SeaState Sea;
   WaveOrbitOptions Options;
   double Time;
   std::vector<Train> Trains;
+  std::vector<BoundWave> Waves;
+  std::vector<Train> Bound; ///< Waves as trains with profiles of their own
+  bool BySums = false;      ///< of the surface of IsSortedLongCrestedDeep, in place of Bound
 };
 
 }

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 
 namespace littoral
@@ -25,6 +26,8 @@ constexpr double DispersionTolerance = 5e-4;
 constexpr int MostTrains = 100000;
 /// Beyond this exponent the spreading is narrower than anyone can see.
 constexpr double LargestSpreading = 10000.0;
+/// An exponent with the same energy from all sides.
+constexpr double LeastSpreading = 1e-3;
 
 /// Frequencies that are whole multiples of one: First w0, (First + 1) w0, ...
 struct FrequencyComb
@@ -61,6 +64,47 @@ std::vector<double> EdgesOf(const std::array<double, 2>& range, const TrainParam
   }
   edges.push_back(range[1]);
   return edges;
+}
+
+/// Direction and spreading at a frequency, between those that are given by their vectors, and those beyond at the ends.
+WaveDirection DirectionOf(const std::vector<DirectionAt>& known, double frequency)
+{
+  const auto next = std::lower_bound(
+    known.begin(), known.end(), frequency, [](const DirectionAt& at, double w) { return at.Frequency < w; });
+  const auto vectorOf = [](const DirectionAt& at) { return std::polar(at.Length, at.Mean); };
+  std::complex<double> mean = vectorOf(next == known.end() ? known.back() : *next);
+  if (next != known.begin() && next != known.end())
+  {
+    // Densities times vectors are linear, as densities are
+    const DirectionAt& before = *(next - 1);
+    const double part = (frequency - before.Frequency) / (next->Frequency - before.Frequency);
+    const double left = (1.0 - part) * before.Density;
+    const double right = part * next->Density;
+    mean = left + right > 0.0 ? (left * vectorOf(before) + right * mean) / (left + right) : mean;
+  }
+  // s = r / (1 - r)
+  const double length = std::abs(mean);
+  const double exponent = length < 1.0 ? length / (1.0 - length) : LargestSpreading;
+  return { std::arg(mean), std::clamp(exponent, LeastSpreading, LargestSpreading) };
+}
+
+/// Whether the spreading varies with frequency.
+bool HasModel(const TrainParameters& parameters)
+{
+  return parameters.Model == SpreadingModel::DonelanBanner ||
+    (parameters.Model == SpreadingModel::Mitsuyasu && parameters.Spreading > 0.0);
+}
+
+/// Direction and spreading of a train of a swell or of the wind sea beside it.
+WaveDirection DirectionIn(bool isSwell, const TrainParameters& parameters, double frequency)
+{
+  if (!isSwell && HasModel(parameters))
+  {
+    return DirectionOf(parameters.Model, parameters.MeanDirection, parameters.Spreading, frequency);
+  }
+  const double exponent = isSwell ? parameters.SwellSpreading : parameters.Spreading;
+  return { isSwell ? parameters.SwellDirection : parameters.MeanDirection,
+    exponent > 0.0 ? std::max(exponent, LeastSpreading) : LargestSpreading };
 }
 
 /// A wave of a spectrum's whole energy, with a crest at the origin at time 0.
@@ -107,6 +151,10 @@ std::string WhyInvalid(const SeaState& sea)
   check.Require(!sea.Trains.empty(), "the sea state has no wave trains.");
   check.Require(sea.Depth > 0.0, "WaterDepth", sea.Depth, "m", "positive"); // or infinite
   check.Finite("SeaLevel", sea.SeaLevel, "m");
+  check.Range("Order", static_cast<int>(sea.Order), 1, 2);
+  check.Require(sea.Order == SeaOrder::First || sea.Trains.size() <= MostBoundTrains,
+    "a sea of second order has at most " + std::to_string(MostBoundTrains) + " wave trains; this one has " +
+      std::to_string(sea.Trains.size()) + ".");
   const auto isBad = [&](const WaveTrain& train) { return !IsGood(train) || !IsOfDepth(train, sea.Depth); };
   const auto bad = std::find_if(sea.Trains.begin(), sea.Trains.end(), isBad);
   if (check.IsGood() && bad != sea.Trains.end())
@@ -127,6 +175,9 @@ std::string WhyInvalid(const TrainParameters& parameters)
       " peak frequencies; it must be increasing, not negative and at most 1000, or 0 and 0.");
   check.Finite("MeanDirection", parameters.MeanDirection * 180.0 / Pi, "degrees");
   check.Range("Spreading", parameters.Spreading, 0.0, LargestSpreading);
+  check.Finite("SwellDirection", parameters.SwellDirection * 180.0 / Pi, "degrees");
+  check.Range("SwellSpreading", parameters.SwellSpreading, 0.0, LargestSpreading);
+  check.Choice("SpreadingModel", static_cast<int>(parameters.Model), 3);
   return check.Reason();
 }
 
@@ -163,7 +214,34 @@ std::vector<WaveTrain> TrainsOf(const SeaSpectrum& spectrum, double depth, const
     trains.push_back(train);
     energies.push_back(energy);
   }
-  if (parameters.Spreading > 0.0)
+  if (!parameters.Directions.empty() || HasModel(parameters) || spectrum.HasSwell())
+  {
+    const double peak = spectrum.WindSeaPeak();
+    // A train is all swell or all wind sea, and each has its mean direction
+    std::vector<std::size_t> groups[2];
+    for (std::size_t n = 0; n < trains.size(); ++n)
+    {
+      groups[phases.UniformPair(n, 1)[0] < spectrum.SwellPart(trains[n].AngularFrequency) ? 1 : 0].push_back(n);
+    }
+    for (int isSwell = 0; isSwell < 2; ++isSwell)
+    {
+      std::vector<WaveDirection> own;
+      std::vector<double> part;
+      for (const std::size_t n : groups[isSwell])
+      {
+        const double w = trains[n].AngularFrequency;
+        own.push_back(parameters.Directions.empty() ? DirectionIn(isSwell == 1, parameters, w / peak)
+                                                    : DirectionOf(parameters.Directions, w));
+        part.push_back(energies[n]);
+      }
+      const std::vector<double> angles = WaveAngles(part, own, directions);
+      for (std::size_t n = 0; n < angles.size(); ++n)
+      {
+        trains[groups[isSwell][n]].Direction = angles[n];
+      }
+    }
+  }
+  else if (parameters.Spreading > 0.0)
   {
     const std::vector<double> angles = WaveAngles(energies, WaveSpreading(parameters.Spreading), directions);
     for (std::size_t n = 0; n < trains.size(); ++n)

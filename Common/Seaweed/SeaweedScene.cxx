@@ -22,6 +22,14 @@ Vector3 ConvectiveAcceleration(const Vector3& u, const float* g)
     u.x * g[3] + u.y * g[4] - u.z * (g[0] + g[2]) };
 }
 
+/// Links stay near their places: the water is that which passes there.
+WaveOrbitOptions FlowAtPlaces()
+{
+  WaveOrbitOptions options;
+  options.Bound.Motion = BoundMotion::Places;
+  return options;
+}
+
 /// Shares of links in a plant in view by the least detailed level in which they move.
 std::array<double, 3> ByLevel(const SeaweedLevelShares& shares)
 {
@@ -150,7 +158,7 @@ void SeaweedScene::Advance()
 void SeaweedScene::StepAll(double time, double step, const StepCurrents& currents, std::vector<LinkState>& states,
   std::vector<LinkPose>& poses) const
 {
-  const WaveOrbits orbits(this->Sea, WaveOrbitOptions(), time + 0.5 * step);
+  const WaveOrbits orbits(this->Sea, FlowAtPlaces(), time + 0.5 * step);
   this->Parallel(this->BatchRanges.size(), [&](std::size_t begin, std::size_t end) {
     Work work;
     for (std::size_t index = begin; index < end; ++index)
@@ -396,7 +404,7 @@ SeaweedCounters SeaweedScene::ShowAt(
     std::vector<LinkPose> poses = this->Poses;
     this->StepAll(time - remainder, remainder, currents, partly, poses);
   }
-  const WaveOrbits orbits(this->Sea, WaveOrbitOptions(), time);
+  const WaveOrbits orbits(this->Sea, FlowAtPlaces(), time);
   const Picture picture{ orbits, currents, levels, partly.empty() ? this->Marching.State() : partly,
     levels.UseLevels ? std::make_unique<ViewFrustum>(levels.Seen) : nullptr };
   const std::size_t plants = this->Stand.GetPlants().size();

@@ -7,6 +7,7 @@
 #include "Data/Tables.h"
 #include "Numerics/Constants.h"
 #include "Numerics/InvalidInput.h"
+#include "Sea/MeasuredSpectrum.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -38,6 +39,10 @@ void WriteSeaState(const SeaState& state, vtkTable* table)
   AddField(table, sea::WaterDepth, { state.Depth });
   AddField(table, sea::SeaLevel, { state.SeaLevel });
   AddField(table, sea::Period, { state.Period });
+  if (state.Order != SeaOrder::First)
+  {
+    AddField(table, sea::Order, { static_cast<double>(state.Order) });
+  }
 }
 
 void WriteSpectrum(const SeaSpectrum& spectrum, const TrainParameters& parameters, vtkTable* table)
@@ -70,6 +75,19 @@ void WriteSpectrum(const SeaSpectrum& spectrum, const TrainParameters& parameter
   }
   frequencies->InsertNextValue(edges.back() / TwoPi);
   densities->InsertNextValue(densityAt(edges.back()));
+}
+
+void WritePeriods(const SeaPeriods& periods, vtkTable* table)
+{
+  AddField(table, sea::EnergyPeriod, { periods.Energy });
+  AddField(table, sea::MeanPeriod, { periods.Mean });
+  AddField(table, sea::ZeroCrossingPeriod, { periods.ZeroCrossing });
+}
+
+void WriteDirection(const MeanVector& mean, vtkTable* table)
+{
+  AddField(table, sea::MeanDirection, { mean.Direction * 180.0 / Pi });
+  AddField(table, sea::DirectionalSpread, { CircularSpread(mean.Length) * 180.0 / Pi });
 }
 
 SampledSpectrum ReadSpectrum(vtkTable* table)
@@ -123,6 +141,10 @@ SeaState ReadSeaState(vtkTable* table)
   field(sea::WaterDepth, state.Depth);
   field(sea::SeaLevel, state.SeaLevel);
   field(sea::Period, state.Period);
+  double order = static_cast<double>(state.Order);
+  field(sea::Order, order);
+  Require(order == 1.0 || order == 2.0 ? "" : "Order of the sea state must be 1 or 2.");
+  state.Order = static_cast<SeaOrder>(static_cast<int>(order));
   Require(WhyInvalid(state));
   return state;
 }

@@ -6,6 +6,8 @@
 // Sea states between the numerics and VTK: the one place that knows names and types of their columns. Private: never
 // installed, never wrapped.
 
+#include "Sea/SeaPeriods.h"
+#include "Sea/SeaStatistics.h"
 #include "Sea/WaveTrains.h"
 
 #include <string>
@@ -28,8 +30,16 @@ constexpr const char* WaterDepth = "WaterDepth";
 constexpr const char* SeaLevel = "SeaLevel";
 constexpr const char* SignificantWaveHeight = "SignificantWaveHeight";
 constexpr const char* PeakPeriod = "PeakPeriod";
-constexpr const char* Period = "Period";                   ///< after which the sea returns [s]
-constexpr const char* EnergyLeftOut = "EnergyLeftOut";     ///< part of the spectrum's
+constexpr const char* Period = "Period";                         ///< after which the sea returns [s]
+constexpr const char* Order = "Order";                           ///< SeaOrder; absent: First
+constexpr const char* EnergyPeriod = "EnergyPeriod";             ///< Tm-1,0 [s]
+constexpr const char* MeanPeriod = "MeanPeriod";                 ///< Tm01 [s]
+constexpr const char* ZeroCrossingPeriod = "ZeroCrossingPeriod"; ///< Tm02 [s]
+constexpr const char* MeanDirection = "MeanDirection";           ///< towards, from x towards y, by energy [degrees]
+constexpr const char* DirectionalSpread = "DirectionalSpread";   ///< circular, (2 (1 - r))^0.5 [degrees]
+constexpr const char* DirectionTowards = "DirectionTowards";     ///< at a frequency, from x towards y [degrees]
+constexpr const char* Skewness = "Skewness";                     ///< of the elevation, by trains of second order
+constexpr const char* EnergyLeftOut = "EnergyLeftOut";           ///< part of the spectrum's
 constexpr const char* BinEdges = "BinEdges";               ///< frequencies between which the bins of trains lie [Hz]
 constexpr const char* SpectralDensity = "SpectralDensity"; ///< at the edges and at equal steps within each bin [m2/Hz]
 // Particles.
@@ -73,6 +83,12 @@ void WriteSeaState(const SeaState& state, vtkTable* table);
 
 /// Writes the spectrum of a sea as field data: edges of bins, and densities at them and within the bins.
 void WriteSpectrum(const SeaSpectrum& spectrum, const TrainParameters& parameters, vtkTable* table);
+
+/// Writes the periods by moments as field data.
+void WritePeriods(const SeaPeriods& periods, vtkTable* table);
+
+/// Writes mean direction and spread as field data.
+void WriteDirection(const MeanVector& mean, vtkTable* table);
 
 /// A spectrum as WriteSpectrum wrote it.
 struct SampledSpectrum

@@ -286,7 +286,7 @@ bool CheckBadInput()
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   bool good = true;
-  good &= SeaFails("Spectrum", [](Sea* s) { s->SetSpectrum(5); });
+  good &= SeaFails("Spectrum", [](Sea* s) { s->SetSpectrum(6); });
   good &= SeaFails("Spectrum", [](Sea* s) { s->SetSpectrum(-1); });
   good &= SeaFails("SeaBy", [](Sea* s) { s->SetSeaBy(2); });
   good &= SeaFails("WindSpeed", [](Sea* s) { s->SetWindSpeed(0.0); });

@@ -216,7 +216,8 @@ def print_raster():
 
 def print_table():
     """Hashes of a table that the reader reads."""
-    print_outputs(make("vtkTextTableReader", **classes.BY_NAME["vtkTextTableReader"].small), "vtkTextTableReader")
+    for reader in ("vtkTextTableReader", "vtkWaveSpectrumReader"):
+        print_outputs(make(reader, **classes.BY_NAME[reader].small), reader)
 
 
 def main(wanted):

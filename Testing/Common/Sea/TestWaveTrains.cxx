@@ -463,6 +463,133 @@ TEST(WaveDirections, OfFewOrUnequalTrains)
   }
 }
 
+// Trains of a band of frequencies have the mean cosine of the model there, and all of them the mean direction.
+TEST(WaveDirections, SpreadByFrequency)
+{
+  TrainParameters cut;
+  cut.Count = 1000;
+  cut.Spreading = 12.0;
+  cut.MeanDirection = 2.0;
+  const SeaSpectrum spectrum{ SpectrumParameters() };
+  const double peak = spectrum.PeakFrequency();
+  const auto sech = [](double b) {
+    const auto density = [b](double x) { return 1.0 / std::pow(std::cosh(b * x), 2.0); };
+    const auto along = [&](double x) { return std::cos(x) * density(x); };
+    using Rule = boost::math::quadrature::gauss_kronrod<double, 61>;
+    return Rule::integrate(along, 0.0, Pi) / Rule::integrate(density, 0.0, Pi);
+  };
+  const auto cosine = [](double s) { return s / (s + 1.0); };
+  const struct
+  {
+    SpreadingModel Model;
+    double Frequency;
+    double Cosine;
+  } bands[] = { { SpreadingModel::Mitsuyasu, 0.8, cosine(12.0 * std::pow(0.8, 5.0)) },
+    { SpreadingModel::Mitsuyasu, 2.0, cosine(12.0 / std::pow(2.0, 2.5)) },
+    { SpreadingModel::Mitsuyasu, 3.0, cosine(12.0 / std::pow(3.0, 2.5)) },
+    { SpreadingModel::DonelanBanner, 0.53, sech(2.61 * std::pow(0.56, 1.3)) },
+    { SpreadingModel::DonelanBanner, 0.8, sech(2.61 * std::pow(0.8, 1.3)) },
+    { SpreadingModel::DonelanBanner, 1.3, sech(2.28 / std::pow(1.3, 1.3)) },
+    { SpreadingModel::DonelanBanner, 3.0, sech(std::pow(10.0, -0.4 + 0.8393 * std::exp(-0.567 * std::log(9.0)))) } };
+  std::vector<WaveTrain> trains;
+  for (const auto& band : bands)
+  {
+    if (trains.empty() || cut.Model != band.Model)
+    {
+      cut.Model = band.Model;
+      trains = TrainsOf(spectrum, Infinity, cut);
+    }
+    std::complex<double> mean(0.0, 0.0), all(0.0, 0.0);
+    double energy = 0.0;
+    for (const WaveTrain& train : trains)
+    {
+      const auto part = train.Amplitude * train.Amplitude * std::polar(1.0, train.Direction - cut.MeanDirection);
+      const bool isIn = std::abs(train.AngularFrequency / (peak * band.Frequency) - 1.0) < 0.05;
+      mean += isIn ? part : 0.0;
+      energy += isIn ? train.Amplitude * train.Amplitude : 0.0;
+      all += part;
+    }
+    EXPECT_NEAR(MeanCosineOf(DirectionOf(band.Model, 0.0, 12.0, band.Frequency)), band.Cosine, 1e-6);
+    // The lowest band has few trains
+    EXPECT_NEAR(std::abs(mean) / energy, band.Cosine, band.Frequency < 0.6 ? 0.15 : 0.05) << band.Frequency;
+    EXPECT_NEAR(std::arg(all), 0.0, 1e-9);
+  }
+  cut.Model = SpreadingModel::Mitsuyasu;
+  cut.Spreading = 0.0;
+  EXPECT_EQ(TrainsOf(spectrum, Infinity, cut)[7].Direction, 2.0);
+  cut.Model = static_cast<SpreadingModel>(3);
+  EXPECT_NE(WhyInvalid(cut).find("SpreadingModel"), std::string::npos);
+}
+
+// Ochi and Hubble's form as it is printed: 1/4 sum ((4 l + 1)/4 wp^4)^l / Gamma(l) H^2 / w^(4 l + 1) exp(...).
+TEST(Spectrum, SwellBesideAWindSea)
+{
+  SpectrumParameters given;
+  given.Kind = SpectrumKind::OchiHubble;
+  given.FromWind = false;
+  given.SignificantHeight = 1.5;
+  given.PeakPeriod = 6.0;
+  given.Shape = 1.7;
+  given.SwellHeight = 2.0;
+  given.SwellPeriod = 14.0;
+  given.SwellShape = 5.0;
+  const SeaSpectrum spectrum(given);
+  const auto printed = [](double height, double period, double shape, double w) {
+    const double b = (4.0 * shape + 1.0) / 4.0 * std::pow(TwoPi / period, 4.0);
+    return 0.25 * std::pow(b, shape) / std::tgamma(shape) * height * height / std::pow(w, 4.0 * shape + 1.0) *
+      std::exp(-b / std::pow(w, 4.0));
+  };
+  const auto density = [&](double w) { return printed(2.0, 14.0, 5.0, w) + printed(1.5, 6.0, 1.7, w); };
+  for (const double w : { 0.3, 0.45, 0.8, 1.05, 3.0 })
+  {
+    EXPECT_NEAR(spectrum.Density(w) / density(w), 1.0, 1e-12);
+    EXPECT_NEAR(spectrum.SwellPart(w), printed(2.0, 14.0, 5.0, w) / density(w), 1e-12);
+    using Rule = boost::math::quadrature::gauss_kronrod<double, 61>;
+    for (const double width : { 1e-5, 0.09, 0.11, 0.5 })
+    {
+      const double wanted = Rule::integrate(density, w, w * (1.0 + width));
+      EXPECT_NEAR(spectrum.Energy(w, w * (1.0 + width)) / wanted, 1.0, 1e-11) << w << " " << width;
+    }
+  }
+  EXPECT_NEAR(spectrum.TotalEnergy(), (4.0 + 2.25) / 16.0, 1e-15);
+  EXPECT_NEAR(spectrum.Energy(0.0, Infinity), (4.0 + 2.25) / 16.0, 1e-12);
+  EXPECT_NEAR(spectrum.PeakFrequency(), TwoPi / 14.0, 1e-3);
+  SpectrumParameters old = given;
+  old.Kind = SpectrumKind::PiersonMoskowitz;
+  given.Shape = 1.0;
+  given.SwellHeight = 1e-6;
+  EXPECT_NEAR(SeaSpectrum(given).Density(1.2) / SeaSpectrum(old).Density(1.2), 1.0, 1e-9);
+  given.SwellShape = 0.5;
+  EXPECT_NE(WhyInvalid(given).find("SwellShape"), std::string::npos);
+}
+
+TEST(WaveTrains, SwellHasItsOwnDirection)
+{
+  SpectrumParameters given;
+  given.Kind = SpectrumKind::OchiHubble;
+  given.FromWind = false;
+  given.SignificantHeight = 1.5;
+  given.PeakPeriod = 5.0;
+  given.SwellHeight = 1.5;
+  given.SwellPeriod = 15.0;
+  TrainParameters cut;
+  cut.Count = 300;
+  cut.MeanDirection = 2.0;
+  cut.SwellDirection = -1.0;
+  std::complex<double> swell(0.0, 0.0), wind(0.0, 0.0);
+  double energy = 0.0;
+  for (const WaveTrain& train : TrainsOf(SeaSpectrum(given), Infinity, cut))
+  {
+    const bool isSwell = train.AngularFrequency < 0.75;
+    const auto part = train.Amplitude * train.Amplitude * std::polar(1.0, train.Direction);
+    (isSwell ? swell : wind) += part;
+    energy += isSwell ? train.Amplitude * train.Amplitude : 0.0;
+  }
+  EXPECT_NEAR(std::arg(swell), -1.0, 0.05);
+  EXPECT_NEAR(std::arg(wind), 2.0, 0.1);
+  EXPECT_NEAR(std::abs(swell) / energy, 50.0 / 51.0, 0.02);
+}
+
 TEST(WaveTrains, NumbersOfNoSeaAreRefusedByName)
 {
   SeaState sea;
