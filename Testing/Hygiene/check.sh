@@ -167,7 +167,7 @@ case "${1:-}" in
     # Classes that put out no more than a table or a few primitives, and pass on what they get.
     small='vtkFlowPrimitiveSource|vtkSeaStateSource|vtkFlowArrowFilter|vtkPlantWakeFilter|vtkSeaStatisticsFilter'
     # Functions that ask for the class that calls them.
-    asks='RequireMemory|ReadHeights|WhyTooLarge|ReadSeaweeds|ReadWind|SwayBlocks'
+    asks='RequireMemory|BytesOfFile|ReadHeights|WhyTooLarge|ReadSeaweeds|ReadWind|SwayBlocks'
     grep -lE '::(RequestData|WriteData)\(' Filters/*.cxx Sources/*.cxx IO/vtk*.cxx | grep -vE "($small)\.cxx" |
       xargs grep -LE "\b($asks)\b" | fail_if_found "Classes that do not ask for the memory that they take:"
     ;;

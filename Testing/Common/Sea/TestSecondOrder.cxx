@@ -606,7 +606,7 @@ TEST(SecondOrder, PairsAreLeftOutByTheirSkewness)
   TrainParameters cut;
   const SeaState sea = SeaOf(TrainsOf(SeaSpectrum(spectrum), Infinity, cut), Infinity);
   const auto all = BoundWavesOf(sea, { BoundMotion::Surface, 0.0 }, 1.0);
-  const auto some = BoundWavesOf(sea, { BoundMotion::Surface, 0.002 }, 1.0);
+  const auto some = BoundWavesOf(sea, { BoundMotion::Surface, 0.001 }, 1.0);
   double full = 0.0;
   double left = 0.0;
   const auto part = [&](const BoundWave& wave) {
@@ -623,7 +623,7 @@ TEST(SecondOrder, PairsAreLeftOutByTheirSkewness)
     left += part(wave);
   }
   EXPECT_LT(10 * some.size(), 9 * all.size());
-  EXPECT_NEAR(left, full, 0.002);
+  EXPECT_NEAR(left, full, 0.001);
   EXPECT_NEAR(full, SkewnessOf(sea), 0.2 * full);
 }
 
