@@ -15,7 +15,8 @@ NUMBERS = {"IntVectorProperty": int, "DoubleVectorProperty": float}
 
 # Where a proxy differs from its class on purpose, with the reason.
 OTHER_DEFAULTS = {
-    **{(name, "StandardDeviation"): "at 2 m, slopes that soil stays on" for name in ("TurningBandsTerrain", "TwinOfAPlace")},
+    **{(name, key): "at 2 m, slopes that soil stays on" for name in ("TurningBandsTerrain", "TwinOfAPlace")
+       for key in ("StandardDeviation", "FractalDimension")},
     ("MeasuredSeaState", "Spectrum"): "the table of a measured spectrum, which this proxy has as its input",
     ("GLTFSceneViewWriter", "WriteCamera"): "a view has a camera",
     ("GLTFSceneViewWriter", "WriteSun"): "a view has lights",
