@@ -215,6 +215,7 @@ ROWS = [
         shown={"RiverSurface": lambda pv: rivers_and_terrain(pv, pv.Drainage(Input=pv.TurningBandsTerrain()))}),
     Row("vtkTerrainZoomFilter", "Drainage",
         fed_by=[TERRAIN],
+        small={"SetFactor": (2,)},
         inputs=lambda h: [h.terrain(20)],
         variants=[{"SetFactor": (2,)}, {"SetFactor": (4,), "SetGrowth": (0.0,)},
                   {"SetMaximumShift": (0.01,), "SetSeed": (3,)}],
