@@ -13,7 +13,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 TIERS = os.path.join(HERE, "..", "Tiers")
 
 
-def check(*cases):
+def check(*cases, whole=()):
     """The end and the text of a check of tests by name, labels, output and status, as ctest writes them."""
     rows = "".join(f'<testcase name="{name}" status="{status}"><system-out>{output}</system-out></testcase>'
                    for name, _, output, status in cases)
@@ -22,8 +22,8 @@ def check(*cases):
     with open("tests.json", "w", encoding="utf-8") as file:
         json.dump({"tests": [{"name": name, "properties": [{"name": "LABELS", "value": labels.split(";")}]}
                              for name, labels, _, _ in cases]}, file)
-    run = subprocess.run([sys.executable, "-B", os.path.join(TIERS, "check.py"), "record.xml", "tests.json", "names.txt"],
-                         capture_output=True, text=True, check=False)
+    run = subprocess.run([sys.executable, "-B", os.path.join(TIERS, "check.py"), "record.xml", "tests.json", "names.txt",
+                          *whole], capture_output=True, text=True, check=False)
     return run.returncode, run.stdout + run.stderr
 
 
@@ -48,6 +48,19 @@ class Tiers(unittest.TestCase):
             with open("names.txt", encoding="utf-8") as file:
                 self.assertEqual(file.read(), "dear\n")
             self.assertNotIn("good takes", text)
+
+    def test_slower_machine(self):
+        """Where all tests take longer, a test may; if it alone does, or they are too dear, it may not."""
+        def tier(seconds, dear):
+            return *((f"t{k}", "python;standard", time(seconds), "run") for k in range(300)), \
+                   ("dear", "cxx;standard", time(dear), "run")
+        for seconds, dear, end in ((1.0, 11.9, 1), (2.61, 14.0, 0), (2.61, 15.9, 1), (9.0, 19.0, 0), (9.0, 21.0, 1)):
+            self.assertEqual(check(*tier(seconds, dear))[0], end, (seconds, dear))
+        check(*tier(2.61, 15.9))
+        os.rename("record.xml", "whole.xml")
+        for dear, end in ((14.0, 0), (15.9, 1)):
+            self.assertEqual(check(("dear", "cxx;standard", time(dear), "run"), whole=["whole.xml"])[0], end)
+        self.assertEqual(check(("dear", "cxx;standard", time(14.0), "run"))[0], 1)
 
     def test_scripts_of_one_test(self):
         """Each has the budget, and so has the rest; named is the test that they share."""
