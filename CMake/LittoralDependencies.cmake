@@ -36,6 +36,7 @@ if (LITTORAL_WITH_FFTW)
 endif ()
 
 if (NOT LITTORAL_WITH_VTK)
+  set(LITTORAL_WITH_TBB OFF)
   set(LITTORAL_WITH_OPENVDB OFF)
   set(LITTORAL_WITH_TINYGLTF OFF)
   set(LITTORAL_WITH_GDAL OFF)
@@ -49,12 +50,20 @@ if (LITTORAL_WITH_PYTHON AND NOT DEFINED Python3_EXECUTABLE AND EXISTS /usr/bin/
   set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Python interpreter")
 endif ()
 
+# --- TBB.
+if (LITTORAL_WITH_TBB OR LITTORAL_WITH_OPENVDB)
+  find_package(TBB QUIET CONFIG)
+endif ()
+if (LITTORAL_WITH_TBB AND NOT TARGET TBB::tbb)
+  message(STATUS "TBB was not found: loops run on the threads of vtkSMPTools")
+  set(LITTORAL_WITH_TBB OFF)
+endif ()
+
 # --- OpenVDB. Its own find module insists on what it was compiled with; a program wants less.
 if (LITTORAL_WITH_OPENVDB)
   find_path(OpenVDB_INCLUDE_DIR openvdb/openvdb.h)
   find_library(OpenVDB_LIBRARY openvdb)
   mark_as_advanced(OpenVDB_INCLUDE_DIR OpenVDB_LIBRARY)
-  find_package(TBB QUIET CONFIG)
   find_package(Imath QUIET CONFIG)
   if (OpenVDB_INCLUDE_DIR AND OpenVDB_LIBRARY AND TARGET TBB::tbb AND TARGET Imath::Imath)
     add_library(OpenVDB::openvdb UNKNOWN IMPORTED GLOBAL)

@@ -76,8 +76,16 @@ constexpr double LargestSpread = 0.25;
 /// current [m].
 constexpr double WayStep = 0.1;
 
-/// Particles that are fog go by steps of this length where all go the same way: much less than the cells of fog [m].
-constexpr double FogStep = 0.005;
+/// Maximum length of the steps of fog, much less than its cells [m].
+constexpr double LargestFogStep = 0.02;
+
+/// Length of the steps by which particles that are fog go where all go the same way: so many pixels where fog is
+/// nearest [m].
+double FogStep(const littoral::View& view, const littoral::ParticleLevelOptions& options, double pixels)
+{
+  const double nearest = view.DetailFactor * std::max(0.0, options.FarDistance - options.BlendDistance);
+  return std::min(LargestFogStep, pixels * 2.0 * nearest * std::tan(0.5 * view.Angle) / view.Height);
+}
 
 /// The ways between multiples of WayStep about some ways. A multiple but 0 counts to those above it: one that all have
 /// gone asks for no choice of its own.
@@ -689,11 +697,12 @@ int vtkParticleLevelOfDetailFilter::RequestData(
   littoral::ShownParticles shown{ *internals.Selection, *internals.Groups, places, internals.Sorted,
     internals.Way.value_or(littoral::Vector3(0.0)), this->SlavePlacement == Scattered, view, options };
   const char* const names[] = { littoral::sea::Near, littoral::sea::MasterSlave, littoral::sea::Far };
+  const double step = FogStep(view, options, this->PixelError);
   for (const littoral::ParticleLevel kind : Levels)
   {
-    if (kind == littoral::ParticleLevel::Far && internals.Way)
+    if (kind == littoral::ParticleLevel::Far && step > 0.0)
     {
-      shown.Way = FogStep * glm::round(shown.Way / FogStep);
+      shown.Way = step * glm::round(shown.Way / step);
     }
     littoral::AddBlock(output, names[static_cast<int>(kind)],
       places.GetSingles() ? internals.Block<vtkFloatArray>(shown, kind) : internals.Block<vtkDoubleArray>(shown, kind));

@@ -25,9 +25,10 @@
  *
  * A group of a master and its slaves is in the levels that the distance of its master tells. The view determines what
  * is shown, never the position of a particle: centers, groups and orders are functions of the input and are kept until
- * it changes. Particles in Far that vtkCurrentDriftFilter carries all the same way are there by steps of 5 mm. Each
- * piece holds its share of the groups of the whole input. Defaults of inherited properties: NearDistance 2 m,
- * FarDistance 12 m. A property out of range or a table that is no sea state is reported as one error.
+ * it changes. Particles in Far that vtkCurrentDriftFilter carries all the same way are there by steps of PixelError
+ * where Far begins, at most 2 cm. Each piece holds its share of the groups of the whole input. Defaults of inherited
+ * properties: NearDistance 2 m, FarDistance 12 m. A property out of range or a table that is no sea state is reported
+ * as one error.
  *
  * Coulais et al., section 3.3; see Documentation/design/particles.md.
  *

@@ -3,7 +3,7 @@
 #include "RippleTextures.h"
 
 #include "OpenGL.h"
-#include "Threads.h"
+#include "Pipeline/Threads.h"
 #include "Uniforms.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -79,7 +79,7 @@ void RippleTextures::Take(double time, double variance, double meshVariance, con
   {
     this->Waves.emplace(Side, Samples, 1);
   }
-  const std::vector<SurfaceSlope> slopes = this->Waves->SlopesAt(time, OnThreads);
+  const std::vector<SurfaceSlope> slopes = this->Waves->SlopesAt(time, SmpFor);
   this->Slopes.clear();
   for (const SurfaceSlope& slope : slopes)
   {
@@ -96,7 +96,7 @@ void RippleTextures::Gather(const std::vector<SurfaceSlope>& slopes)
 {
   const double deviation = std::sqrt(this->Variance + this->MeshVariance);
   this->Light.resize(Samples * Samples);
-  OnThreads(Depths.size(), [&](std::size_t begin, std::size_t end) {
+  SmpFor(Depths.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t channel = begin; channel < end; ++channel)
     {
       ScatteringWay way = this->Down;

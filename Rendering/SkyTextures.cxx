@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SkyTextures.h"
 
-#include "Threads.h"
+#include "Pipeline/Threads.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkTextureObject.h"
@@ -51,7 +51,7 @@ std::shared_ptr<const Atmosphere> AtmosphereOf(const AirParameters& air)
   static std::shared_ptr<const Atmosphere> last;
   if (!last || !AreSame(air, lastAir))
   {
-    last = std::make_shared<const Atmosphere>(air, OnThreads);
+    last = std::make_shared<const Atmosphere>(air, SmpFor);
     lastAir = air;
   }
   return last;
@@ -70,7 +70,7 @@ void SkyTextures::TakeClear(const AirParameters& air, const Vector3& sun)
   }
   if (!this->Tables || glm::length(this->Tables->Sun - sun) > SameDirection)
   {
-    this->Tables = TabulateSky(*this->Air, sun, OnThreads);
+    this->Tables = TabulateSky(*this->Air, sun, SmpFor);
     this->Dome = nullptr;
   }
 }
@@ -86,7 +86,7 @@ void SkyTextures::TakeEven()
   const auto even = [](const std::vector<Vector3>& directions) {
     return std::vector<Vector3>(directions.size(), Vector3(1.0));
   };
-  this->Tables = TabulateSky(even, { 0.0, 0.0, 1.0 }, Vector3(0.0), OnThreads);
+  this->Tables = TabulateSky(even, { 0.0, 0.0, 1.0 }, Vector3(0.0), SmpFor);
   this->Dome = nullptr;
 }
 

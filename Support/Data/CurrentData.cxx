@@ -22,7 +22,6 @@
 #include "vtkMatrix4x4.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkStaticCellLocator.h"
 
@@ -363,7 +362,7 @@ vtkDataArray* FindVelocities(vtkDataSet* data, const std::string& name)
 
 std::shared_ptr<const VelocityGrid> SplineOf(const std::shared_ptr<const SampledVelocity>& samples)
 {
-  RequireMemory(SplineVelocity::BytesOf(*samples, vtkSMPTools::GetEstimatedNumberOfThreads()),
+  RequireMemory(SplineVelocity::BytesOf(*samples, static_cast<int>(NumberOfThreads())),
     "The spline of a current", "take a part of it, or Linear as VelocityInterpolation");
   return std::make_shared<SplineVelocity>(samples, SmpFor);
 }

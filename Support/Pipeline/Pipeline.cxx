@@ -16,20 +16,6 @@
 namespace littoral
 {
 
-void SmpFor(std::size_t count, const RangeTask& task)
-{
-  if (count == 1) // VTK would start a thread for it
-  {
-    task(0, 1);
-    return;
-  }
-  FirstException first;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count), [&](vtkIdType begin, vtkIdType end) {
-    first.Catch([&] { task(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
-  });
-  first.Rethrow();
-}
-
 bool IsAborted(vtkAlgorithm* algorithm)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220816)
@@ -43,7 +29,7 @@ bool ForBatches(std::size_t count, const std::function<bool(std::size_t done)>& 
 {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::duration<double> longest(0.05);
-  const auto smallest = static_cast<std::size_t>(std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()));
+  const std::size_t smallest = NumberOfThreads();
   std::size_t batch = smallest;
   for (std::size_t done = 0; done < count;)
   {
@@ -54,21 +40,11 @@ bool ForBatches(std::size_t count, const std::function<bool(std::size_t done)>& 
     EndIfShortOfMemory();
     const std::size_t end = done + std::min(batch, count - done);
     // Small parts, for pieces of the same batch can take unlike times.
-    const auto grain = static_cast<vtkIdType>(std::max<std::size_t>(1, (end - done) / (8 * smallest)));
+    const std::size_t grain = std::max<std::size_t>(1, (end - done) / (8 * smallest));
     const Clock::time_point begin = Clock::now();
-    if (end - done == 1) // VTK would start a thread for it
-    {
-      task(done, end);
-      done = end;
-      continue;
-    }
-    FirstException first;
-    vtkSMPTools::For(static_cast<vtkIdType>(done), static_cast<vtkIdType>(end), grain, [&](vtkIdType a, vtkIdType b) {
-      first.Catch([&] { task(static_cast<std::size_t>(a), static_cast<std::size_t>(b)); });
-    });
-    first.Rethrow();
+    OnThreads(done, end, grain, task);
     const auto elapsed = Clock::now() - begin;
-    // Threads take some 0.1 ms to call: short batches grow fast.
+    // Short batches grow fast: each takes a call of the threads.
     const std::size_t growth = elapsed < longest / 24 ? 8 : elapsed < longest / 3 ? 2 : 1;
     batch = elapsed > longest ? std::max(smallest, batch / 2) : growth * batch;
     done = end;

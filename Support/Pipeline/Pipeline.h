@@ -8,10 +8,10 @@
 #include "Numerics/Parallel.h"
 #include "Pipeline/Exceptions.h"
 #include "Pipeline/Memory.h"
+#include "Pipeline/Threads.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkInformation.h"
-#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
@@ -23,9 +23,6 @@ class vtkInformationVector;
 
 namespace littoral
 {
-
-/// The numerics' parallel loop on VTK's threads.
-void SmpFor(std::size_t count, const RangeTask& task);
 
 /// Whether the user asked to stop.
 bool IsAborted(vtkAlgorithm* algorithm);

@@ -3,6 +3,7 @@
 #include "Pipeline/Ranges.h"
 
 #include "Pipeline/SharedKey.h"
+#include "Pipeline/Threads.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
@@ -17,11 +18,10 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
-#include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace littoral
 {
@@ -39,11 +39,11 @@ TupleRanges RangesOf(const T* values, vtkIdType tuples, int components)
     all.AddTuples(values, values + tuples * components, components);
     return all;
   }
-  vtkSMPThreadLocal<TupleRanges> local;
-  vtkSMPTools::For(0, tuples, atOnce, [&](vtkIdType begin, vtkIdType end) {
-    local.Local().AddTuples(values + begin * components, values + end * components, components);
+  std::vector<TupleRanges> parts((tuples + atOnce - 1) / atOnce);
+  ForRanges(SmpFor, tuples, atOnce, [&](std::size_t begin, std::size_t end) {
+    parts[begin / atOnce].AddTuples(values + begin * components, values + end * components, components);
   });
-  for (const TupleRanges& part : local)
+  for (const TupleRanges& part : parts)
   {
     all.Add(part);
   }
