@@ -111,14 +111,15 @@ class EntryScript(unittest.TestCase):
         return text.decode().replace("\x1b[K", "").split("\r")
 
     def test_each_release_takes_its_list(self):
+        uses = ("run", "build", "run-vtk", "build-vtk", "test", "documentation")
         for name, (_, _, _, wanted, _) in RELEASES.items():
-            with self.subTest(release=name):
-                self.release(name)
-                for use in ("run", "build", "run-vtk", "build-vtk", "test", "documentation"):
-                    printed = self.run_script("packages", use)
+            self.release(name)
+            lists = words(wanted or "debian-13")  # elsewhere the names of Debian 13 serve as a description
+            for asked in [uses, *((use,) for use in uses if name == "Debian 13")]:
+                with self.subTest(release=name, uses=asked):
+                    printed = self.run_script("packages", *asked)
                     self.assertEqual(printed.returncode, 0, printed.stderr)
-                    # Elsewhere the names of Debian 13 serve as a description.
-                    self.assertEqual(set(printed.stdout.split()), words(wanted or "debian-13")[use])
+                    self.assertEqual(set(printed.stdout.split()), set().union(*(lists[use] for use in asked)))
 
     def test_a_release_that_was_not_tried_is_told(self):
         for name, (_, _, _, wanted, tried) in RELEASES.items():

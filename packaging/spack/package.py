@@ -34,6 +34,7 @@ class Littoral(CMakePackage):
     depends_on("paraview@5.11: +development_files", when="+paraview")
     depends_on("vtk@9.1: +python", when="~paraview +python")
     depends_on("vtk@9.1:", when="~paraview")
+    depends_on("tbb")
     depends_on("openvdb", when="+openvdb")
     depends_on("tinygltf", when="+tinygltf")
     depends_on("gdal@3.4:", when="+gdal")
