@@ -127,7 +127,7 @@ public:
    * a number a point, finite where the terrain has heights: `Erodibility`, by which K of the rivers is multiplied, and
    * `UpliftFactor`, by which the uplift is, both 0.001 to 1000 over their geometric mean, for slopes of rivers of a
    * steady state that go with UpliftFactor / Erodibility; `FaultThrow` [m], by which faults lift the grown ground at
-   * last. Heights then have the target's distribution but for that lift.
+   * last. Under factors that differ from place to place heights have the target's mean and deviation only.
    */
   vtkSetMacro(UseRock, bool);
   vtkGetMacro(UseRock, bool);

@@ -87,6 +87,9 @@ constexpr double PartWork = 0.3;
 /// Least factor of rock and uplift, and one over the greatest.
 constexpr double LeastFactor = 1e-3;
 
+/// Logarithm of factors below which they are the same everywhere.
+constexpr double LeastLogFactor = 1e-9;
+
 GridSamples MiddleOf(const GridSamples& terrain)
 {
   const int width = std::min(LargestPart, terrain.Width);
@@ -248,9 +251,15 @@ private:
       logs.Values[n] = std::log(factors[n]);
     }
     const double mean = Moments(logs).Mean;
+    double most = 0.0;
     for (double& value : logs.Values)
     {
       value -= mean;
+      most = std::max(most, std::abs(value));
+    }
+    if (most < LeastLogFactor)
+    {
+      return {};
     }
     return WithEdges(logs, this->Before, this->After[0], this->After[1]);
   }
@@ -419,10 +428,12 @@ private:
     {
       height = mean + this->PlaceHeights.StandardDeviation / is.StandardDeviation * (height - is.Mean);
     }
-    for (double part = PartStep; part <= 1.0; part += PartStep)
+    // ranks of a place of other rocks would take the contrast of slopes back
+    const double most = this->LogSteepness.empty() ? 1.0 : 0.0;
+    for (double part = most * PartStep; part <= 1.0; part += PartStep)
     {
       ground.Values = Between(line, matched, part);
-      if (this->HasHypsometry(ShapeOf(ground.Values)))
+      if (part >= most || this->HasHypsometry(ShapeOf(ground.Values)))
       {
         break;
       }
