@@ -43,16 +43,17 @@ namespace
 
 /// Heights, spill elevations, routing, areas, streams and the arrays of the output; carving needs more.
 constexpr double BytesACell = 100.0;
+constexpr double RockBytesACell = 150.0; // values, their logarithms with margins, and factors of points
 constexpr int MaximumGrowthIterations = 12;
 constexpr long long MaximumStreamThreshold = 1000000000;
 constexpr double MaximumChannelThreshold = 1e6;
 
 /// Memory of a cell of a grid [bytes], with that of carving or growth for all cells.
-littoral::CellMemory MemoryOf(vtkImageData* image, double (*work)(int, int))
+littoral::CellMemory MemoryOf(vtkImageData* image, double (*work)(int, int), double more = 0.0)
 {
   const int* size = image->GetDimensions();
   const double cells = std::max(1.0, static_cast<double>(size[0]) * size[1]);
-  return { BytesACell + (work ? work(size[0], size[1]) / cells : 0.0), "draining it" };
+  return { BytesACell + more + (work ? work(size[0], size[1]) / cells : 0.0), "draining it" };
 }
 
 /// Heights of the target: its array of a name, or else its active scalars.
@@ -76,6 +77,29 @@ littoral::OutletMask ChosenOutlets(vtkImageData* image)
     outlets.push_back(chosen->GetComponent(cell, 0) != 0.0);
   }
   return outlets;
+}
+
+/// Values by place of an array of the terrain; none if it has no such array.
+std::vector<double> ValuesByPlace(vtkImageData* image, const char* name)
+{
+  vtkDataArray* array = littoral::ArrayReader::OfPoints(image, "Terrain").Find(name, 1);
+  std::vector<double> values;
+  for (vtkIdType cell = 0; array && cell < image->GetNumberOfPoints(); ++cell)
+  {
+    values.push_back(array->GetComponent(cell, 0));
+  }
+  return values;
+}
+
+/// Rock and faults of the terrain's arrays, of which it needs one at least.
+littoral::GrowthRock RockOf(vtkImageData* image)
+{
+  littoral::GrowthRock rock{ ValuesByPlace(image, "Erodibility"), ValuesByPlace(image, "UpliftFactor"),
+    ValuesByPlace(image, "FaultThrow") };
+  littoral::Require(rock.Erodibility.empty() && rock.UpliftFactor.empty() && rock.FaultThrow.empty()
+      ? "UseRock is on, but Terrain has none of the point arrays Erodibility, UpliftFactor and FaultThrow."
+      : "");
+  return rock;
 }
 
 /// Outlets by a choice of vtkDrainageFilter.
@@ -157,6 +181,7 @@ vtkDrainageFilter::vtkDrainageFilter()
   , StreamThreshold(100)
   , Carve(true)
   , Grow(false)
+  , UseRock(false)
   , KeepHypsometry(false)
   , HypsometricIntegral(0.4)
   , ElevationSkewness(0.4)
@@ -224,7 +249,8 @@ void vtkDrainageFilter::ReadGround(vtkInformationVector** inputVector, Ground& g
   auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Terrain");
   ground.Heights = littoral::ReadHeights(image, this->GetInputArrayToProcess(0, inputVector),
     this->GetInputArrayInformation(0), "Terrain",
-    MemoryOf(image, this->Carve ? (this->Grow ? &littoral::GrowthMemory : &littoral::CarvingMemory) : nullptr));
+    MemoryOf(image, this->Carve ? (this->Grow ? &littoral::GrowthMemory : &littoral::CarvingMemory) : nullptr,
+      this->Carve && this->Grow && this->UseRock ? RockBytesACell : 0.0));
   ground.Outlets = OutletsOf(this->Outlets, this->SeaLevel, image, ground.Heights);
   littoral::Require(littoral::WhyUndrainable(ground.Heights, ground.Outlets.Of(ground.Heights)));
   littoral::RequireRelief(ground.Heights, "Terrain");
@@ -284,6 +310,10 @@ void vtkDrainageFilter::GrowGround(vtkInformationVector** inputVector, Ground& g
   littoral::GrowthParameters parameters;
   parameters.MaximumIterations = std::min(this->MaximumNumberOfIterations, MaximumGrowthIterations);
   parameters.Seed = this->Seed;
+  if (this->UseRock)
+  {
+    parameters.Rock = RockOf(littoral::InputOf<vtkImageData>(inputVector[0], "Terrain"));
+  }
   littoral::Require(littoral::WhyInvalid(ground.Heights, parameters));
   const littoral::GridSamples place = ReadTarget(target, this->GetInputArrayInformation(0), &littoral::GrowthMemory);
   littoral::InContext("The target is of no use. ", [&] {
@@ -396,6 +426,7 @@ void vtkDrainageFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StreamThreshold: " << this->StreamThreshold << "\n";
   os << indent << "Carve: " << (this->Carve ? "on" : "off") << "\n";
   os << indent << "Grow: " << (this->Grow ? "on" : "off") << "\n";
+  os << indent << "UseRock: " << (this->UseRock ? "on" : "off") << "\n";
   os << indent << "KeepHypsometry: " << (this->KeepHypsometry ? "on" : "off") << "\n";
   os << indent << "HypsometricIntegral: " << this->HypsometricIntegral << "\n";
   os << indent << "ElevationSkewness: " << this->ElevationSkewness << "\n";

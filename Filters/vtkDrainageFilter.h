@@ -123,6 +123,19 @@ public:
 
   ///@{
   /**
+   * Rock and faults of the terrain's point arrays; default off. Used only with Grow; needs one of these at least, each
+   * a number a point, finite where the terrain has heights: `Erodibility`, by which K of the rivers is multiplied, and
+   * `UpliftFactor`, by which the uplift is, both 0.001 to 1000 over their geometric mean, for slopes of rivers of a
+   * steady state that go with UpliftFactor / Erodibility; `FaultThrow` [m], by which faults lift the grown ground at
+   * last. Under factors that differ from place to place heights have the target's mean and deviation only.
+   */
+  vtkSetMacro(UseRock, bool);
+  vtkGetMacro(UseRock, bool);
+  vtkBooleanMacro(UseRock, bool);
+  ///@}
+
+  ///@{
+  /**
    * Distribution of heights kept as the terrain has it; default off: a lognormal distribution of HypsometricIntegral
    * and ElevationSkewness. Used only without a target image and a table of statistics.
    */
@@ -221,6 +234,7 @@ protected:
   int StreamThreshold;
   bool Carve;
   bool Grow;
+  bool UseRock;
   bool KeepHypsometry;
   double HypsometricIntegral;
   double ElevationSkewness;

@@ -84,11 +84,25 @@ constexpr int LargestPart = 288;
 constexpr int LargeIterations = 2;
 constexpr double PartWork = 0.3;
 
+/// Least factor of rock and uplift, and one over the greatest.
+constexpr double LeastFactor = 1e-3;
+
+/// Logarithm of factors below which they are the same everywhere.
+constexpr double LeastLogFactor = 1e-9;
+
 GridSamples MiddleOf(const GridSamples& terrain)
 {
   const int width = std::min(LargestPart, terrain.Width);
   const int height = std::min(LargestPart, terrain.Height);
   return PartOf(terrain, (terrain.Width - width) / 2, (terrain.Height - height) / 2, width, height);
+}
+
+/// Values of the middle part of a terrain, if there are any.
+std::vector<double> MiddleOf(const GridSamples& terrain, const std::vector<double>& values)
+{
+  GridSamples grid = terrain;
+  grid.Values = values;
+  return values.empty() ? values : MiddleOf(grid).Values;
 }
 
 std::string WhyTooSmall(const GridSamples& ground, const char* name)
@@ -168,6 +182,7 @@ public:
   {
     this->Target.Measures.Concavity = this->Wanted.Concavity;
     this->SetMargins();
+    this->SetFactors(parameters.Rock);
     this->SetLaw();
     this->SetLongWaves();
     int steps = 0;
@@ -217,6 +232,56 @@ public:
   const GroundMeasures& TargetMeasures() const { return this->Target.Measures; }
 
 private:
+  /// Logarithms of factors by place, about their mean, with margins.
+  void SetFactors(const GrowthRock& rock)
+  {
+    this->LogErodibility = this->LogFactors(rock.Erodibility);
+    this->LogUplift = this->LogFactors(rock.UpliftFactor);
+  }
+
+  GridSamples LogFactors(const std::vector<double>& factors) const
+  {
+    if (factors.empty())
+    {
+      return {};
+    }
+    GridSamples logs = this->Terrain;
+    for (std::size_t n = 0; n < factors.size(); ++n)
+    {
+      logs.Values[n] = std::log(factors[n]);
+    }
+    const double mean = Moments(logs).Mean;
+    double most = 0.0;
+    for (double& value : logs.Values)
+    {
+      value -= mean;
+      most = std::max(most, std::abs(value));
+    }
+    if (most < LeastLogFactor)
+    {
+      return {};
+    }
+    return WithEdges(logs, this->Before, this->After[0], this->After[1]);
+  }
+
+  /// Factors and ln(f / e) at the points of a level.
+  void SetFactorsOfLevel()
+  {
+    this->LogSteepness.assign(
+      this->LogErodibility.Values.empty() && this->LogUplift.Values.empty() ? 0 : this->Mesh.Count(), 0.0);
+    const auto factors = [&](const GridSamples& logs, double sign) {
+      std::vector<double> values = logs.Values.empty() ? std::vector<double>() : BlockMeans(logs, this->Factor).Values;
+      for (std::size_t n = 0; n < values.size(); ++n)
+      {
+        this->LogSteepness[n] += sign * values[n];
+        values[n] = std::exp(values[n]);
+      }
+      return values;
+    };
+    this->Factors.Erodibility = factors(this->LogErodibility, -1.0);
+    this->Factors.Uplift = factors(this->LogUplift, 1.0);
+  }
+
   /// Wave number of the shortest waves that the steering reaches, of twice its filter's wavelength pi s.
   double ShortestWave() const
   {
@@ -275,6 +340,7 @@ private:
     this->Guide = BlockMeans(this->Wide, factor);
     this->Mesh = JitteredMesh(this->Guide.Width, this->Guide.Height, this->Guide.Spacing, this->Seed, factor);
     this->SetRock();
+    this->SetFactorsOfLevel();
     if (coarse.Points.empty())
     {
       this->Heights = this->RoughGuide();
@@ -309,8 +375,13 @@ private:
     for (int step = 0; step < steps; ++step)
     {
       const MeshDrainage drainage = DrainMesh(this->Mesh, this->Heights, this->Parallel);
-      StepLandscape(this->Mesh, drainage, this->Law, this->Uplift, this->Hardness, time, this->Heights, this->Parallel);
+      StepLandscape(this->Mesh, drainage, this->Law, this->Uplift, this->Hardness, time, this->Heights, this->Parallel,
+        this->Factors);
       SteerUplift(steering, this->Heights, this->Guide, this->Rock, this->Hardness, this->Parallel);
+      if (!this->LogSteepness.empty())
+      {
+        KeepSteepness(this->LogSteepness, this->Hardness);
+      }
       this->SteerRelief();
       this->Progress(static_cast<double>(this->Steps++) / this->AllSteps);
     }
@@ -357,10 +428,12 @@ private:
     {
       height = mean + this->PlaceHeights.StandardDeviation / is.StandardDeviation * (height - is.Mean);
     }
-    for (double part = PartStep; part <= 1.0; part += PartStep)
+    // ranks of a place of other rocks would take the contrast of slopes back
+    const double most = this->LogSteepness.empty() ? 1.0 : 0.0;
+    for (double part = most * PartStep; part <= 1.0; part += PartStep)
     {
       ground.Values = Between(line, matched, part);
-      if (this->HasHypsometry(ShapeOf(ground.Values)))
+      if (part >= most || this->HasHypsometry(ShapeOf(ground.Values)))
       {
         break;
       }
@@ -465,9 +538,13 @@ private:
   int Before = 0;
   std::array<int, 2> After{ 0, 0 };
   LandscapeLaw Law;
-  GridSamples Wide;        ///< long waves with margins
-  double Relief = 0.0;     ///< standard deviation of the field [m]
-  double ShortWaves = 0.0; ///< that of the field without its long waves [m]
+  GridSamples LogErodibility;       ///< ln e with margins, without a mean; none without rock
+  GridSamples LogUplift;            ///< ln f
+  RockFactors Factors;              ///< of the level
+  std::vector<double> LogSteepness; ///< ln(f / e) of the level
+  GridSamples Wide;                 ///< long waves with margins
+  double Relief = 0.0;              ///< standard deviation of the field [m]
+  double ShortWaves = 0.0;          ///< that of the field without its long waves [m]
   int Factor = 1;
   GridSamples Guide; ///< long waves at the resolution of the level
   PointMesh Mesh;
@@ -483,6 +560,65 @@ private:
 
 }
 
+namespace
+{
+
+/// Why values by place cannot be used: their number, or one where the terrain has a height; empty when they can.
+std::string WhyUnusable(const GridSamples& terrain, const std::vector<double>& values, const char* name, bool isFactor)
+{
+  if (!values.empty() && values.size() != terrain.Values.size())
+  {
+    return std::string(name) + " has another number of values than the terrain has cells.";
+  }
+  for (std::size_t n = 0; n < values.size(); ++n)
+  {
+    const bool isGood =
+      std::isfinite(values[n]) && (!isFactor || (values[n] >= LeastFactor && values[n] <= 1.0 / LeastFactor));
+    if (!isGood && !std::isnan(terrain.Values[n]))
+    {
+      return std::string(name) +
+        (isFactor ? " has values that are not between 0.001 and 1000." : " has values that are not finite.");
+    }
+  }
+  return "";
+}
+
+std::string WhyInvalid(const GridSamples& terrain, const GrowthRock& rock)
+{
+  ParameterCheck check;
+  check.Require(WhyUnusable(terrain, rock.Erodibility, "Erodibility", true));
+  check.Require(WhyUnusable(terrain, rock.UpliftFactor, "UpliftFactor", true));
+  check.Require(WhyUnusable(terrain, rock.FaultThrow, "FaultThrow", false));
+  return check.Reason();
+}
+
+/// Lifts ground by throws [m] and breaches what they dam.
+void MoveFaults(GridSamples& ground, const GridSamples& given, const std::vector<double>& faultThrow)
+{
+  for (std::size_t n = 0; n < faultThrow.size(); ++n)
+  {
+    ground.Values[n] += std::isnan(given.Values[n]) ? 0.0 : faultThrow[n];
+  }
+  if (!faultThrow.empty())
+  {
+    BreachDepressions(ground, BorderOutlets(ground.Width, ground.Height), BreachPath::LeastCost);
+  }
+}
+
+/// Factors that go on smoothly where the terrain has no heights.
+std::vector<double> FilledOut(const GridSamples& terrain, const std::vector<double>& factors)
+{
+  GridSamples grid = terrain;
+  for (std::size_t n = 0; n < factors.size(); ++n)
+  {
+    grid.Values[n] = std::isnan(terrain.Values[n]) ? terrain.Values[n] : factors[n];
+  }
+  FillHoles(grid);
+  return factors.empty() ? factors : grid.Values;
+}
+
+}
+
 std::string WhyInvalid(const GridSamples& terrain, const GrowthParameters& parameters)
 {
   ParameterCheck check;
@@ -494,6 +630,7 @@ std::string WhyInvalid(const GridSamples& terrain, const GrowthParameters& param
   check.Positive("Rate", parameters.Steering.Rate, "", 1.0);
   check.Count("MaximumIterations", parameters.MaximumIterations, 0, 100);
   check.Require(WhyTooSmall(terrain, "The terrain"));
+  check.Require(WhyInvalid(terrain, parameters.Rock));
   const auto isMissing = [](double height) { return std::isnan(height); };
   if (check.IsGood() && std::all_of(terrain.Values.begin(), terrain.Values.end(), isMissing))
   {
@@ -530,6 +667,8 @@ CarvingReport GrowLandscape(GridSamples& terrain, const GridSamples& measured, c
   const bool isLarge = terrain.Values.size() > MaximumCellsToFit;
   whole.MaximumIterations = isLarge ? std::min(LargeIterations, whole.MaximumIterations) : whole.MaximumIterations;
   const GridSamples given = terrain;
+  whole.Rock.Erodibility = FilledOut(given, whole.Rock.Erodibility);
+  whole.Rock.UpliftFactor = FilledOut(given, whole.Rock.UpliftFactor);
   const OutletMask rim = RimOutlets(given);
   FillHoles(terrain);
   CarvingReport report;
@@ -538,13 +677,17 @@ CarvingReport GrowLandscape(GridSamples& terrain, const GridSamples& measured, c
   if (isLarge)
   {
     const GridSamples part = MiddleOf(terrain);
-    Grower fit(part, place, parameters, parallel, [&](double done) { progress(PartWork * done); });
+    GrowthParameters ofPart = parameters;
+    ofPart.Rock.Erodibility = MiddleOf(terrain, whole.Rock.Erodibility);
+    ofPart.Rock.UpliftFactor = MiddleOf(terrain, whole.Rock.UpliftFactor);
+    Grower fit(part, place, ofPart, parallel, [&](double done) { progress(PartWork * done); });
     fit.Grow();
     grower.TakeLaw(fit);
   }
   const GroundMeasures& target = grower.TargetMeasures();
   report.Before = MeasureGround(given, rim, parallel, NoPoll, target.MaximumArea);
   terrain = grower.Grow();
+  MoveFaults(terrain, given, whole.Rock.FaultThrow);
   TakeHoles(given, terrain);
   report.After = MeasureGround(terrain, rim, parallel, NoPoll, target.MaximumArea);
   report.Iterations = grower.IterationsDone();

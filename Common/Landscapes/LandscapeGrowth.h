@@ -13,12 +13,22 @@
 namespace littoral
 {
 
+/// Rock and faults by place, each one number a cell of the terrain or none at all; they count where the terrain has
+/// heights.
+struct GrowthRock
+{
+  std::vector<double> Erodibility;  ///< factor of K, positive; only its ratios count
+  std::vector<double> UpliftFactor; ///< factor of U, positive; only its ratios count
+  std::vector<double> FaultThrow;   ///< what a young fault lifts the ground by [m]
+};
+
 /// Parameters of growth.
 struct GrowthParameters
 {
   UpliftSteering Steering;
   int MaximumIterations = 12; ///< corrections of the law by what is measured, 0 to 100
   int Seed = 1;               ///< seed of points, of the first roughness, and of waves that the terrain lacks
+  GrowthRock Rock;
 };
 
 /// Why a terrain cannot be grown with these parameters; empty when it can.
@@ -43,6 +53,10 @@ double GrowthMemory(int width, int height);
  *    rocks and waves by what is missing, and goes on from where it is.
  * 4. The first that is within its tolerances, or else the best, is brought to the grid, its heights are matched, and
  *    it is breached where the grid lost its way.
+ * 5. Faults lift it by their throws, and it is breached where they dam rivers.
+ *
+ * Rock and uplift by place multiply K and U over their geometric means, since the place tells these; the steering does
+ * not take back what they ask for (KeepSteepness).
  *
  * Missing heights are filled smoothly, grown over and missing again: water leaves at their rim, too. On more than 2^18
  * cells the law is fitted on the middle 288 x 288 first. The result does not depend on the threads.

@@ -31,6 +31,11 @@ struct PointEquation
   }
 };
 
+double FactorAt(const std::vector<double>& factors, std::size_t point)
+{
+  return factors.empty() ? 1.0 : factors[point];
+}
+
 }
 
 std::string WhyInvalid(const LandscapeLaw& law)
@@ -45,20 +50,22 @@ std::string WhyInvalid(const LandscapeLaw& law)
 }
 
 void StepLandscape(const PointMesh& mesh, const MeshDrainage& drainage, const LandscapeLaw& law, double uplift,
-  const std::vector<double>& hardness, double time, std::vector<double>& heights, const ParallelFor& parallel)
+  const std::vector<double>& hardness, double time, std::vector<double>& heights, const ParallelFor& parallel,
+  const RockFactors& factors)
 {
   std::vector<double> start(heights.size());
   std::vector<double> incision(heights.size(), 0.0);
   parallel(heights.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)
     {
-      // z0 / dt + U h^1/2, and K A^m / d h^-1/2
+      // z0 / dt + U f h^1/2, and K e A^m / d h^-1/2
       const double root = std::sqrt(hardness[n]);
-      start[n] = heights[n] / time + uplift * root;
+      start[n] = heights[n] / time + uplift * FactorAt(factors.Uplift, n) * root;
       const CellIndex link = drainage.Link[n];
       incision[n] =
         link < 0 ? 0.0 : law.Erodibility * std::pow(drainage.Area[n], law.AreaExponent) / mesh.Distance[link];
       incision[n] /= root;
+      incision[n] *= FactorAt(factors.Erodibility, n);
     }
   });
   const double threshold = law.ThresholdSlope * law.ThresholdSlope;

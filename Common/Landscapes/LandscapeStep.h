@@ -29,6 +29,14 @@ struct LandscapeLaw
   double MinimumSlope = 1e-6;  ///< least slope to a receiver, of what rivers lay down [m/m], not negative
 };
 
+/// Factors by place, one a point; 1 everywhere where there are none: rivers of a steady state then have the steepness
+/// U f / (K e).
+struct RockFactors
+{
+  std::vector<double> Erodibility; ///< e, factor of K, positive
+  std::vector<double> Uplift;      ///< f, factor of U, positive
+};
+
 /// Why the law is invalid, with the name of the parameter; empty when it is not.
 std::string WhyInvalid(const LandscapeLaw& law);
 
@@ -36,7 +44,7 @@ std::string WhyInvalid(const LandscapeLaw& law);
 /// its receiver. `uplift` is U [m/a], `hardness` h at each point, positive; the rim stays.
 void StepLandscape(const PointMesh& mesh, const MeshDrainage& drainage, const LandscapeLaw& law, double uplift,
   const std::vector<double>& hardness, double time, std::vector<double>& heights,
-  const ParallelFor& parallel = SerialFor);
+  const ParallelFor& parallel = SerialFor, const RockFactors& factors = {});
 
 }
 

@@ -155,6 +155,23 @@ GridSamples WithMargins(const GridSamples& grid, int before, int afterX, int aft
   return wide;
 }
 
+GridSamples WithEdges(const GridSamples& grid, int before, int afterX, int afterY)
+{
+  GridSamples wide = grid;
+  wide.Width = before + grid.Width + afterX;
+  wide.Height = before + grid.Height + afterY;
+  wide.Values.clear();
+  for (int j = 0; j < wide.Height; ++j)
+  {
+    for (int i = 0; i < wide.Width; ++i)
+    {
+      wide.Values.push_back(
+        grid.At(std::clamp(i - before, 0, grid.Width - 1), std::clamp(j - before, 0, grid.Height - 1)));
+    }
+  }
+  return wide;
+}
+
 GridSamples PartOf(const GridSamples& grid, int x, int y, int width, int height)
 {
   GridSamples part;

@@ -43,6 +43,9 @@ private:
 /// z(mirrored): heights and slopes have no jump there. Margins are shorter than the grid.
 GridSamples WithMargins(const GridSamples& grid, int before, int afterX, int afterY);
 
+/// Grid with margins that go on as its edge is.
+GridSamples WithEdges(const GridSamples& grid, int before, int afterX, int afterY);
+
 /// Part of a grid.
 GridSamples PartOf(const GridSamples& grid, int x, int y, int width, int height);
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace littoral
 {
@@ -48,6 +49,30 @@ void SteerUplift(const UpliftSteering& steering, const std::vector<double>& heig
       hardness[n] = std::clamp(hardness[n] * std::exp(steering.Rate * wanted), steering.Minimum, steering.Maximum);
     }
   });
+}
+
+void KeepSteepness(const std::vector<double>& logSteepness, std::vector<double>& hardness)
+{
+  const double count = static_cast<double>(hardness.size());
+  const double mean = std::accumulate(logSteepness.begin(), logSteepness.end(), 0.0) / count;
+  double covariance = 0.0;
+  double variance = 0.0;
+  for (std::size_t n = 0; n < hardness.size(); ++n)
+  {
+    const double aside = logSteepness[n] - mean;
+    covariance += aside * std::log(hardness[n]);
+    variance += aside * aside;
+  }
+  constexpr double least = 1e-12; // a deviation of 1e-6 is rounding
+  if (variance < least * count)
+  {
+    return;
+  }
+  for (std::size_t n = 0; n < hardness.size(); ++n)
+  {
+    // h' = h (q / q_mean)^-b
+    hardness[n] *= std::exp(-covariance / variance * (logSteepness[n] - mean));
+  }
 }
 
 }

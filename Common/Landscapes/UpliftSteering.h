@@ -33,6 +33,16 @@ struct UpliftSteering
 void SteerUplift(const UpliftSteering& steering, const std::vector<double>& heights, const GridSamples& longWaves,
   const std::vector<double>& rock, std::vector<double>& hardness, const ParallelFor& parallel = SerialFor);
 
+/**
+ * Takes out of the hardness what goes with a given steepness q, so that steering does not give soft ground back the
+ * relief that its rock has taken:
+ *
+ *   ln h' = ln h - b (ln q - mean(ln q)),  b = cov(ln h, ln q) / var(ln q)
+ *
+ * Where q has two values, the means of ln h' over both grounds are the same. `logSteepness` is ln q at each point.
+ */
+void KeepSteepness(const std::vector<double>& logSteepness, std::vector<double>& hardness);
+
 }
 
 #endif

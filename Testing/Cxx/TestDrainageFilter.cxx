@@ -296,6 +296,64 @@ bool GrownGroundDrains()
   return good && Check(Value(first, "Elevation", 999) != Value(drainage->GetOutput(), "Elevation", 999), "one seed");
 }
 
+/// An array of the terrain by place, of a value west of the middle and another east of it.
+void AddHalves(vtkImageData* image, const char* name, double west, double east)
+{
+  vtkNew<vtkDoubleArray> values;
+  values->SetName(name);
+  const int width = image->GetDimensions()[0];
+  for (vtkIdType n = 0; n < image->GetNumberOfPoints(); ++n)
+  {
+    values->InsertNextValue(n % width < width / 2 ? west : east);
+  }
+  image->GetPointData()->AddArray(values);
+}
+
+/// Rock counts if it is used; a throw lifts its side of the ground; bad rock is refused.
+bool RockIsUsed()
+{
+  const auto source = Terrain(50, 3);
+  source->Update();
+  vtkNew<vtkImageData> terrain;
+  terrain->DeepCopy(source->GetOutput());
+  const auto place = Terrain(40, 7);
+  vtkNew<vtkDrainageFilter> drainage;
+  drainage->SetInputData(terrain);
+  drainage->SetTargetConnection(place->GetOutputPort());
+  drainage->GrowOn();
+  drainage->SetMaximumNumberOfIterations(1);
+  const auto halves = [&](bool uses) {
+    drainage->SetUseRock(uses);
+    drainage->Modified();
+    drainage->Update();
+    const int width = terrain->GetDimensions()[0];
+    std::array<double, 2> means{ 0.0, 0.0 };
+    for (vtkIdType n = 0; n < terrain->GetNumberOfPoints(); ++n)
+    {
+      means[n % width < width / 2 ? 0 : 1] += Value(drainage->GetOutput(), "Elevation", n);
+    }
+    return (means[0] - means[1]) / static_cast<double>(terrain->GetNumberOfPoints() / 2);
+  };
+  AddHalves(terrain, "FaultThrow", 500.0, 0.0);
+  const double plain = halves(false);
+  bool good = Check(std::abs(halves(true) - plain - 500.0) < 50.0, "a fault does not lift its side by its throw");
+  good &= Check(Drains(drainage->GetOutput()), "faulted ground does not drain");
+  terrain->GetPointData()->RemoveArray("FaultThrow");
+  for (const auto& [west, east] : { std::pair{ 1.0, 8.0 }, { 8.0, 1.0 } })
+  {
+    AddHalves(terrain, "UpliftFactor", west, east);
+    AddHalves(terrain, "Erodibility", east, west);
+    good &= Check((halves(true) > plain) == (west > east), "soft ground that hardly rises is higher");
+  }
+  terrain->GetPointData()->GetArray("Erodibility")->SetComponent(77, 0, -1.0);
+  drainage->Modified();
+  good &= FailsNaming("Erodibility has values", drainage);
+  terrain->GetPointData()->RemoveArray("Erodibility");
+  terrain->GetPointData()->RemoveArray("UpliftFactor");
+  drainage->Modified();
+  return good && FailsNaming("UseRock is on", drainage);
+}
+
 /// A table of statistics hands over heights and concavity, as the same numbers set one by one do.
 bool StatisticsAreTaken()
 {
@@ -570,8 +628,8 @@ bool MemoryIsAsked()
 
 int TestDrainageFilter(int, char*[])
 {
-  return CarvedGroundDrains() && TargetIsTaken() && GrownGroundDrains() && StatisticsAreTaken() && OutletsAreChosen() &&
-      PartsAreOfOneWhole() && HolesAreOutside() && BadInput() && MemoryIsAsked()
+  return CarvedGroundDrains() && TargetIsTaken() && GrownGroundDrains() && RockIsUsed() && StatisticsAreTaken() &&
+      OutletsAreChosen() && PartsAreOfOneWhole() && HolesAreOutside() && BadInput() && MemoryIsAsked()
     ? EXIT_SUCCESS
     : EXIT_FAILURE;
 }

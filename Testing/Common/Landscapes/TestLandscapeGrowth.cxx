@@ -7,6 +7,7 @@
 #include "Drainage/ValleySpreading.h"
 #include "Landscapes/LandscapeGrowth.h"
 #include "Landscapes/LandscapeMeasures.h"
+#include "Landscapes/LongWaves.h"
 #include "Numerics/Constants.h"
 
 #include <gtest/gtest.h>
@@ -129,6 +130,65 @@ TEST(LandscapeGrowth, SameBytesOnAnyThreads)
   EXPECT_NE(one.Values, other.Values);
 }
 
+TEST(LandscapeGrowth, TwinOfTwoRocksHasTwo)
+{
+  const GridSamples place = PlaceWithRivers(60, 50);
+  const GridSamples terrain = RandomGround(90, 50, { 50.0, 50.0 }, 5);
+  GrowthParameters parameters;
+  parameters.MaximumIterations = 0;
+  // mean slope of the west over that of the east, of the landscape of such rock
+  const auto contrast = [&](const GrowthRock& rock, const ParallelFor& parallel = SerialFor) {
+    GridSamples ground = terrain;
+    parameters.Rock = rock;
+    EXPECT_EQ(WhyInvalid(terrain, parameters), "");
+    GrowLandscape(ground, place, parameters, parallel);
+    return MeasureLandscape(PartOf(ground, 0, 0, 45, 50)).MeanSlope /
+      MeasureLandscape(PartOf(ground, 45, 0, 45, 50)).MeanSlope;
+  };
+  const auto west = [&](double factor) {
+    std::vector<double> factors;
+    for (std::size_t n = 0; n < terrain.Values.size(); ++n)
+    {
+      factors.push_back(n % 90 < 45 ? factor : 1.0);
+    }
+    return factors;
+  };
+  const double soft = contrast({ west(3.0), {}, {} });
+  EXPECT_EQ(contrast({ west(3.0), {}, {} }, OnThreads(3)), soft);
+  const double softer = soft / contrast({ west(1.0 / 3.0), {}, {} });
+  const double higher = contrast({ {}, west(3.0), {} }) / contrast({ {}, west(1.0 / 3.0), {} });
+  // nine times the factor, less what hillslopes and thresholds take
+  EXPECT_LT(softer, 0.25);
+  EXPECT_GT(higher, 4.5);
+  // only ratios count
+  EXPECT_NEAR(contrast({ west(1.0), std::vector<double>(90 * 50, 5.0), {} }), contrast({}), 1e-9);
+}
+
+TEST(LandscapeGrowth, FaultsLiftTheGroundByTheirThrow)
+{
+  const GridSamples place = PlaceWithRivers(60, 50);
+  GridSamples whole = RandomGround(60, 50, { 50.0, 50.0 }, 5);
+  GridSamples faulted = whole;
+  GrowthParameters parameters;
+  parameters.MaximumIterations = 1;
+  GrowLandscape(whole, place, parameters);
+  for (int n = 0; n < 60 * 50; ++n)
+  {
+    parameters.Rock.FaultThrow.push_back(n % 60 < 25 + n / 60 / 5 ? 40.0 : 0.0);
+  }
+  GrowLandscape(faulted, place, parameters);
+  // rivers that the fault would dam cut through it, and nothing else changes
+  int cut = 0;
+  for (std::size_t n = 0; n < faulted.Values.size(); ++n)
+  {
+    const double lift = faulted.Values[n] - whole.Values[n];
+    cut += lift < parameters.Rock.FaultThrow[n] - 1e-9 ? 1 : 0;
+    EXPECT_LT(lift, parameters.Rock.FaultThrow[n] + 1e-9);
+  }
+  EXPECT_LT(cut, 90);
+  EXPECT_EQ(FloodDepressions(faulted, BorderOutlets(60, 50)).DepressionCells, 0u);
+}
+
 TEST(LandscapeGrowth, LeavesHolesAndDrainsIntoThem)
 {
   const GridSamples place = PlaceWithRivers(60, 50);
@@ -166,6 +226,19 @@ TEST(LandscapeGrowth, RefusesWhatCannotGrow)
   EXPECT_EQ(WhyInvalid(RandomGround(40, 15, { 50.0, 50.0 }, 5), GrowthParameters{}),
     "The terrain has fewer than 16 rows or columns; no valleys can grow there.");
   GrowthParameters parameters;
+  const GridSamples good = RandomGround(40, 30, { 50.0, 50.0 }, 5);
+  parameters.Rock.Erodibility = { 1.0, 2.0 };
+  EXPECT_EQ(WhyInvalid(good, parameters), "Erodibility has another number of values than the terrain has cells.");
+  parameters.Rock.Erodibility.assign(1200, 1.0);
+  parameters.Rock.Erodibility[7] = 0.0;
+  EXPECT_EQ(WhyInvalid(good, parameters), "Erodibility has values that are not between 0.001 and 1000.");
+  parameters.Rock.Erodibility.clear();
+  parameters.Rock.UpliftFactor.assign(1200, -1.0);
+  EXPECT_EQ(WhyInvalid(good, parameters), "UpliftFactor has values that are not between 0.001 and 1000.");
+  parameters.Rock.UpliftFactor.clear();
+  parameters.Rock.FaultThrow.assign(1200, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(WhyInvalid(good, parameters), "FaultThrow has values that are not finite.");
+  parameters.Rock = {};
   parameters.Steering.Smoothing = 0.0;
   EXPECT_EQ(WhyInvalid(RandomGround(40, 30, { 50.0, 50.0 }, 5), parameters),
     "Smoothing is 0 cells; it must be positive and at most 100 cells.");

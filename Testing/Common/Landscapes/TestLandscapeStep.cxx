@@ -45,8 +45,8 @@ std::vector<double> SlopesOf(const PointMesh& mesh, const MeshDrainage& drainage
 }
 
 /// Landscape after so many steps from a rough plain.
-std::vector<double> Evolved(
-  const PointMesh& mesh, const LandscapeLaw& law, double uplift, double time, int steps, double hardness = 1.0)
+std::vector<double> Evolved(const PointMesh& mesh, const LandscapeLaw& law, double uplift, double time, int steps,
+  double hardness = 1.0, const RockFactors& factors = {})
 {
   const RandomStream random(5, RandomPurpose::ElevationLines);
   int n = 0;
@@ -55,7 +55,7 @@ std::vector<double> Evolved(
   const std::vector<double> rock(heights.size(), hardness);
   for (int step = 0; step < steps; ++step)
   {
-    StepLandscape(mesh, DrainMesh(mesh, heights), law, uplift, rock, time, heights);
+    StepLandscape(mesh, DrainMesh(mesh, heights), law, uplift, rock, time, heights, SerialFor, factors);
   }
   return heights;
 }
@@ -235,6 +235,52 @@ TEST(LandscapeStep, HardRockRisesAndResists)
   const std::vector<double> one = Evolved(mesh, law, 0.01, 1e9, 100);
   const std::vector<double> four = Evolved(mesh, law, 0.01, 1e9, 100, 4.0);
   EXPECT_NEAR(four[15 * 24 + 12] / one[15 * 24 + 12], 2.0, 1e-2);
+}
+
+TEST(LandscapeStep, TwoRocksUnderTwoUpliftsHaveTheirSteepness)
+{
+  const PointMesh mesh = JitteredMesh(24, 30, { 50.0, 50.0 }, 2);
+  LandscapeLaw law;
+  law.Erodibility = 2e-4;
+  law.AreaExponent = 0.4;
+  law.Diffusivity = 0.0;
+  law.ThresholdSlope = 1e6;
+  law.MinimumSlope = 0.0;
+  // the west is four times as soft, the south rises three times as fast
+  const RockFactors factors{ HeightsOn(mesh, [](double x, double) { return x < 600.0 ? 4.0 : 1.0; }),
+    HeightsOn(mesh, [](double, double y) { return y < 700.0 ? 3.0 : 1.0; }) };
+  const std::vector<double> heights = Evolved(mesh, law, 1e-3, 1e9, 60, 1.0, factors);
+  const MeshDrainage drainage = DrainMesh(mesh, heights);
+  const std::vector<double> slopes = SlopesOf(mesh, drainage, heights);
+  for (CellIndex n = 0; n < mesh.Count(); ++n)
+  {
+    // k_s = S A^m = U f / (K e)
+    const double wanted = 1e-3 * factors.Uplift[n] / (2e-4 * factors.Erodibility[n]);
+    EXPECT_NEAR(mesh.IsRim(n) ? 1.0 : slopes[n] * std::pow(drainage.Area[n], 0.4) / wanted, 1.0, 1e-4);
+  }
+}
+
+TEST(UpliftSteering, LeavesTheSteepnessThatIsGiven)
+{
+  // hardness that would give back half of what two rocks ask for, and what has nothing to do with them
+  std::vector<double> logSteepness;
+  std::vector<double> hardness;
+  std::vector<double> other;
+  for (int n = 0; n < 300; ++n)
+  {
+    logSteepness.push_back(n < 100 ? -1.2 : 0.3);
+    other.push_back(n % 2 == 0 ? 0.5 : -0.5);
+    hardness.push_back(std::exp(-0.5 * logSteepness.back() + other.back()));
+  }
+  KeepSteepness(logSteepness, hardness);
+  const double mean = (100.0 * 1.2 - 200.0 * 0.3) / 300.0;
+  for (int n = 0; n < 300; ++n)
+  {
+    EXPECT_NEAR(std::log(hardness[n]), other[n] + 0.5 * mean, 1e-12);
+  }
+  const std::vector<double> before = hardness;
+  KeepSteepness(std::vector<double>(300, 0.7), hardness);
+  EXPECT_EQ(hardness, before);
 }
 
 TEST(UpliftSteering, GoesTowardsTheRockAndTheErrorWithinTheRange)
