@@ -133,7 +133,8 @@ def all_entries():
         for hint in one.iterfind("Hints/ReaderFactory"):
             found.append((one.get("class"), entry_of(one, "Open", hint.get("file_description"))))
         for hint in one.iterfind("Hints/WriterFactory"):
-            core = proxies[one.find("SubProxy/Proxy").get("proxyname")]
+            inner = one.find("SubProxy/Proxy")
+            core = one if inner is None else proxies[inner.get("proxyname")]
             found.append((core.get("class"), entry_of(one, "Save", hint.get("file_description"))))
     return found
 
@@ -350,6 +351,11 @@ ROWS = [
         inputs=lambda h: [h.wind()],
         variants=[{"SetHeight": (3.0,)}, {"SetSeparation": (0.0, 2.0)}, {"SetNumberOfBands": (6,)}],
         mistakes=[Mistake("WindStatistics", lambda pv: dict(Input=pv.image()), "Velocity")]),
+    Row("vtkWindFieldReader", "Wind and sway",
+        small={"SetFileName": (str(HERE / "Fuzz" / "wind.bts"),)}),
+    Row("vtkWindFieldWriter", "Wind and sway",
+        fed_by=[WIND],
+        small={"SetFileName": ("wind.bts",)}),
     Row("vtkImageSectionFilter", "Wind and sway",
         fed_by=[WIND],
         inputs=lambda h: [h.wind()],

@@ -214,6 +214,16 @@ def print_raster():
             print_outputs(make("vtkElevationReader", SetFileName=(name,)), f"vtkElevationReader {compression}")
 
 
+def print_wind():
+    """Hashes of a wind that the writer writes, and of what the reader reads of it."""
+    with tempfile.TemporaryDirectory() as folder:
+        name = os.path.join(folder, "wind.bts")
+        make("vtkWindFieldWriter", (wind(),), SetFileName=(name,)).Write()
+        with open(name, "rb") as file:
+            print("vtkWindFieldWriter", hashlib.sha256(file.read()).hexdigest()[:16])
+        print_outputs(make("vtkWindFieldReader", SetFileName=(name,)), "vtkWindFieldReader")
+
+
 def print_table():
     """Hashes of a table that the reader reads."""
     for reader in ("vtkTextTableReader", "vtkWaveSpectrumReader"):
@@ -233,6 +243,7 @@ def main(wanted):
     if not wanted:
         print_volume()
         print_scene()
+        print_wind()
         print_raster()
         print_table()
 
