@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InflowFile.h"
 
+#include "Data/FileBytes.h"
 #include "Numerics/InvalidInput.h"
+#include "Wind/BladedPlanes.h"
 #include "Wind/TurbSimPlanes.h"
 
 #include <algorithm>
@@ -17,6 +19,7 @@ namespace littoral
 namespace
 {
 
+constexpr double BytesPerByte = 8.0; // of lines and words in memory over those of a text
 constexpr double BytesOfSlab = 32.0 * 1024.0 * 1024.0;
 
 std::ifstream Opened(const std::string& path)
@@ -67,25 +70,26 @@ void WritePlanes(
   const InflowPlanes& planes, const std::vector<std::unique_ptr<ReplacedFile>>& files, const InflowSource& source)
 {
   const InflowGrid& grid = planes.GetGrid();
+  const auto count = static_cast<std::size_t>(planes.NumberOfFiles()); // the first ones
   const std::size_t values = 3 * grid.PointsOfPlane();
   std::vector<float> velocities(values * TimesAtOnce(grid));
-  std::vector<std::string> bytes(files.size(), std::string(planes.BytesOfPlane(), '\0'));
+  std::vector<std::string> bytes(count, std::string(planes.BytesOfPlane(), '\0'));
   const std::vector<char*> pointers = BytesOfFiles<char>(bytes);
   const bool isBackwards = planes.TimeAt(0) != 0;
-  for (const auto& file : files)
+  for (std::size_t f = 0; f < count; ++f)
   {
-    file->Stream() << planes.Header();
+    files[f]->Stream() << planes.Header();
   }
-  const bool isWhole = ForSlabs(grid, isBackwards, [&](int first, int count) {
-    if (!source(first, count, velocities.data()))
+  const bool isWhole = ForSlabs(grid, isBackwards, [&](int first, int times) {
+    if (!source(first, times, velocities.data()))
     {
       return false;
     }
-    for (int n = 0; n < count; ++n)
+    for (int n = 0; n < times; ++n)
     {
-      const std::size_t plane = isBackwards ? count - 1 - n : n;
+      const std::size_t plane = isBackwards ? times - 1 - n : n;
       planes.Encode(velocities.data() + values * plane, pointers.data());
-      for (std::size_t f = 0; f < files.size(); ++f)
+      for (std::size_t f = 0; f < count; ++f)
       {
         files[f]->Stream().write(bytes[f].data(), static_cast<std::streamsize>(bytes[f].size()));
       }
@@ -120,11 +124,53 @@ std::string Replace(const std::vector<std::unique_ptr<ReplacedFile>>& files)
 
 }
 
-InflowFile::InflowFile(const std::string& path)
+InflowFile::InflowFile(const std::string& path, HawcOrder order)
+{
+  Require(path.empty() ? "FileName is empty" : "");
+  switch (FormatOf(path))
+  {
+    case InflowFormat::TurbSim:
+      this->OpenTurbSim(path);
+      break;
+    case InflowFormat::Hawc:
+      this->OpenHawc(path, order);
+      break;
+    case InflowFormat::Bladed:
+      this->OpenBladed(path);
+      break;
+  }
+}
+
+void InflowFile::OpenTurbSim(const std::string& path)
 {
   this->Files.push_back(Opened(path));
   const double size = SizeOf(this->Files[0]);
   this->Planes = std::make_unique<TurbSimPlanes>(HeadOf(this->Files[0], TurbSimPlanes::BytesToRead), size);
+}
+
+void InflowFile::OpenHawc(const std::string& path, HawcOrder order)
+{
+  const HawcText text = ReadHawcText(BytesOfFile(path, BytesPerByte, "A text of this size"));
+  this->Planes = std::make_unique<HawcPlanes>(text.Grid, text.SaysOrder ? text.Order : order);
+  for (const std::string& name : text.Names)
+  {
+    const std::string file = (std::filesystem::path(path).parent_path() / name).string();
+    InContext("its file " + name + ": ", [&] {
+      this->Files.push_back(Opened(file));
+      Require(WhyOtherSize(*this->Planes, SizeOf(this->Files.back())));
+    });
+  }
+}
+
+void InflowFile::OpenBladed(const std::string& path)
+{
+  this->Files.push_back(Opened(path));
+  const std::string beside = std::filesystem::path(path).replace_extension(".sum").string();
+  const std::string text =
+    InContext("its .sum: ", [&] { return BytesOfFile(beside, BytesPerByte, "A text of this size"); });
+  const double size = SizeOf(this->Files[0]);
+  this->Planes =
+    std::make_unique<BladedPlanes>(HeadOf(this->Files[0], BladedPlanes::BytesToRead), size, ReadBladedSummary(text));
 }
 
 void InflowFile::Read(int first, int count, float* velocities)
@@ -176,9 +222,59 @@ bool ForSlabs(const InflowGrid& grid, bool isBackwards, const std::function<bool
   return isGood;
 }
 
-FileOutcome WriteInflow(const InflowPlanes& planes, const std::vector<std::string>& paths, const InflowSource& source)
+InflowFormat FormatOf(const std::string& path)
+{
+  const std::string extension = std::filesystem::path(path).extension().string();
+  Require(extension == ".bts" || extension == ".hawc" || extension == ".wnd"
+      ? ""
+      : "its format is unknown; give a name that ends in .bts, .hawc or .wnd");
+  return extension == ".bts" ? InflowFormat::TurbSim : extension == ".hawc" ? InflowFormat::Hawc : InflowFormat::Bladed;
+}
+
+InflowTarget TargetOf(const std::string& path, const InflowGrid& grid, const InflowRange& range, HawcOrder order)
+{
+  const std::filesystem::path file(path);
+  InflowTarget target;
+  switch (FormatOf(path))
+  {
+    case InflowFormat::TurbSim:
+      target.Planes = std::make_unique<TurbSimPlanes>(grid, range);
+      target.Paths = { path };
+      break;
+    case InflowFormat::Hawc:
+    {
+      target.Planes = std::make_unique<HawcPlanes>(grid, order);
+      HawcText text{ grid, {}, order, true };
+      for (int component = 0; component < 3; ++component)
+      {
+        text.Names[component] = file.stem().string() + "_" + "uvw"[component] + ".bin";
+        target.Paths.push_back((file.parent_path() / text.Names[component]).string());
+      }
+      target.TextPath = path;
+      target.Text = WriteHawcText(text);
+      break;
+    }
+    case InflowFormat::Bladed:
+    {
+      auto planes = std::make_unique<BladedPlanes>(grid, range);
+      target.Paths = { path };
+      target.TextPath = std::filesystem::path(path).replace_extension(".sum").string();
+      target.Text = planes->Summary();
+      target.Planes = std::move(planes);
+      break;
+    }
+  }
+  return target;
+}
+
+FileOutcome WriteInflow(const InflowTarget& target, const InflowSource& source)
 {
   std::vector<std::unique_ptr<ReplacedFile>> files;
+  std::vector<std::string> paths = target.Paths;
+  if (!target.TextPath.empty())
+  {
+    paths.push_back(target.TextPath);
+  }
   for (const std::string& path : paths)
   {
     files.push_back(std::make_unique<ReplacedFile>(path));
@@ -189,7 +285,11 @@ FileOutcome WriteInflow(const InflowPlanes& planes, const std::vector<std::strin
   }
   try
   {
-    WritePlanes(planes, files, source);
+    WritePlanes(*target.Planes, files, source);
+    if (!target.TextPath.empty())
+    {
+      files.back()->Stream() << target.Text;
+    }
     const std::string reason = Replace(files);
     return { reason.empty(), reason };
   }

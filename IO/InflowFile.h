@@ -4,6 +4,7 @@
 #define LittoralInflowFile_h
 
 #include "ReplacedFile.h"
+#include "Wind/HawcPlanes.h"
 #include "Wind/InflowPlanes.h"
 
 #include <fstream>
@@ -19,8 +20,9 @@ namespace littoral
 class InflowFile
 {
 public:
-  /// Opens the file of a path, of any of the formats. Throws InvalidInput.
-  explicit InflowFile(const std::string& path);
+  /// Opens the file of a path, of any of the formats, known by the extension. The order of planes is for files of HAWC2
+  /// of which the text does not tell it. Throws InvalidInput.
+  InflowFile(const std::string& path, HawcOrder order);
 
   const InflowGrid& GetGrid() const { return this->Planes->GetGrid(); }
 
@@ -28,6 +30,10 @@ public:
   void Read(int first, int count, float* velocities);
 
 private:
+  void OpenTurbSim(const std::string& path);
+  void OpenHawc(const std::string& path, HawcOrder order);
+  void OpenBladed(const std::string& path);
+
   std::unique_ptr<InflowPlanes> Planes;
   std::vector<std::ifstream> Files;
 };
@@ -45,8 +51,31 @@ int TimesAtOnce(const InflowGrid& grid);
 /// False as soon as it returns false.
 bool ForSlabs(const InflowGrid& grid, bool isBackwards, const std::function<bool(int first, int count)>& use);
 
+/// Planes and the files that they go to.
+struct InflowTarget
+{
+  std::unique_ptr<InflowPlanes> Planes;
+  std::vector<std::string> Paths; ///< as many as the planes have files
+  std::string TextPath;           ///< of a text beside them; empty if there is none
+  std::string Text;
+};
+
+/// Formats of files, by their extensions.
+enum class InflowFormat
+{
+  TurbSim,
+  Hawc,
+  Bladed
+};
+
+/// The format of a path. Throws InvalidInput if the extension is none of .bts, .hawc and .wnd.
+InflowFormat FormatOf(const std::string& path);
+
+/// The files of a path for a wind. Throws InvalidInput if the format cannot hold it.
+InflowTarget TargetOf(const std::string& path, const InflowGrid& grid, const InflowRange& range, HawcOrder order);
+
 /// Writes planes from a source to their files, slab by slab, and replaces the files when all are whole.
-FileOutcome WriteInflow(const InflowPlanes& planes, const std::vector<std::string>& paths, const InflowSource& source);
+FileOutcome WriteInflow(const InflowTarget& target, const InflowSource& source);
 
 }
 

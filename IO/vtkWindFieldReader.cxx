@@ -125,6 +125,15 @@ vtkWindFieldReader::~vtkWindFieldReader()
 }
 
 //----------------------------------------------------------------------------
+littoral::InflowFile vtkWindFieldReader::Open() const
+{
+  littoral::ParameterCheck check;
+  check.Choice("PlaneOrder", this->PlaneOrder, LatestFirst + 1);
+  littoral::Require(check.Reason());
+  return { this->FileName ? this->FileName : "", static_cast<littoral::HawcOrder>(this->PlaneOrder) };
+}
+
+//----------------------------------------------------------------------------
 littoral::InflowPlacing vtkWindFieldReader::Placing() const
 {
   littoral::ParameterCheck check;
@@ -167,7 +176,7 @@ void vtkWindFieldReader::Announce(littoral::InflowFile& file, vtkInformationVect
 int vtkWindFieldReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   OfFile(this->FileName, [&] {
-    littoral::InflowFile file(this->FileName ? this->FileName : "");
+    littoral::InflowFile file = this->Open();
     this->Announce(file, outputVector);
   });
   return 1;
@@ -242,7 +251,7 @@ int vtkWindFieldReader::RequestData(vtkInformation*, vtkInformationVector**, vtk
   }
   this->SetProgressText("Reading wind");
   OfFile(this->FileName, [&] {
-    littoral::InflowFile file(this->FileName ? this->FileName : "");
+    littoral::InflowFile file = this->Open();
     bool proceeds = true;
     for (int port = 0; port < 2 && proceeds; ++port)
     {
@@ -269,4 +278,5 @@ void vtkWindFieldReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "Center: " << this->Center[0] << " " << this->Center[1] << "\n";
   os << indent << "WindDirection: " << this->WindDirection << "\n";
+  os << indent << "PlaneOrder: " << this->PlaneOrder << "\n";
 }

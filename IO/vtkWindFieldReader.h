@@ -4,7 +4,13 @@
  * @class   vtkWindFieldReader
  * @brief   read a turbulent wind from a file of a wind turbine code
  *
- * Reads TurbSim's full-field files (`.bts`).
+ * Formats, by the extension of FileName:
+ *
+ * - `.bts`: TurbSim's full-field files.
+ * - `.hawc`: HAWC2's binaries of three components, by the text with a block `mann` that names them, as
+ * vtkWindFieldWriter writes it. Of others' texts the order of planes is not told: see PlaneOrder. Their wind is taken
+ * as periodic.
+ * - `.wnd`: full-field files in Bladed's form with the `.sum` beside them, as TurbSim writes them.
  *
  * Output 0: vtkImageData with the float point array `Velocity` [m/s] in world axes, as of vtkWindFieldSource: x along
  * the wind, y across to the left, z up. The planes of the file lie along x, spacing mean wind speed x time step, and
@@ -44,6 +50,12 @@ public:
   /// Lets no exception leave a request, as for want of memory: it becomes an error.
   int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
+  enum PlaneOrderType
+  {
+    EarliestFirst = 0,
+    LatestFirst = 1,
+  };
+
   ///@{
   /**
    * Name of the file; default null, which is an error.
@@ -69,6 +81,17 @@ public:
   vtkGetMacro(WindDirection, double);
   ///@}
 
+  ///@{
+  /**
+   * The plane that lies first in files of HAWC2 whose `.hawc` does not tell it, a PlaneOrderType; default
+   * EarliestFirst, as OpenFAST reads them.
+   */
+  vtkSetMacro(PlaneOrder, int);
+  vtkGetMacro(PlaneOrder, int);
+  void SetPlaneOrderToEarliestFirst() { this->SetPlaneOrder(EarliestFirst); }
+  void SetPlaneOrderToLatestFirst() { this->SetPlaneOrder(LatestFirst); }
+  ///@}
+
 protected:
   vtkWindFieldReader();
   ~vtkWindFieldReader() override;
@@ -80,6 +103,7 @@ private:
   vtkWindFieldReader(const vtkWindFieldReader&) = delete;
   void operator=(const vtkWindFieldReader&) = delete;
 
+  littoral::InflowFile Open() const;
   littoral::InflowPlacing Placing() const;
   void Announce(littoral::InflowFile& file, vtkInformationVector* outputs) const;
   /// False when the user asked to stop.
@@ -88,6 +112,7 @@ private:
   char* FileName = nullptr;
   double Center[2] = { 0.0, 0.0 };
   double WindDirection = 0.0;
+  int PlaneOrder = EarliestFirst;
 };
 
 #endif

@@ -7,7 +7,6 @@
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
-#include "Wind/TurbSimPlanes.h"
 
 #include "vtkCommand.h"
 #include "vtkErrorCode.h"
@@ -17,8 +16,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <array>
-#include <filesystem>
-#include <memory>
 #include <new>
 #include <vector>
 
@@ -161,10 +158,10 @@ void vtkWindFieldWriter::WritePlanes(const int whole[6], const PartOfInput& part
 {
   const std::string path = this->FileName ? this->FileName : "";
   littoral::Require(path.empty() ? "FileName is empty" : "");
-  littoral::Require(
-    std::filesystem::path(path).extension() == ".bts" ? "" : "its format is unknown; give a name that ends in .bts");
+  littoral::FormatOf(path);
   littoral::ParameterCheck check;
   check.NotNegative("HubHeight", this->HubHeight, "m");
+  check.Choice("PlaneOrder", this->PlaneOrder, LatestFirst + 1);
   littoral::Require(check.Reason());
 
   this->SetProgressText("Writing wind");
@@ -198,7 +195,8 @@ void vtkWindFieldWriter::WritePlanes(const int whole[6], const PartOfInput& part
     throw littoral::Aborted();
   }
   velocities = {};
-  const littoral::FileOutcome outcome = littoral::WriteInflow(littoral::TurbSimPlanes(grid, range), { path }, planes);
+  const littoral::FileOutcome outcome = littoral::WriteInflow(
+    littoral::TargetOf(path, grid, range, static_cast<littoral::HawcOrder>(this->PlaneOrder)), planes);
   this->IsWritten = outcome.Written;
   if (!outcome.Written)
   {
@@ -215,4 +213,5 @@ void vtkWindFieldWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "HubHeight: " << this->HubHeight << "\n";
   os << indent << "TowerLayers: " << this->TowerLayers << "\n";
+  os << indent << "PlaneOrder: " << this->PlaneOrder << "\n";
 }

@@ -13,6 +13,11 @@
  *   `ConvectionSpeed`, by which codes place the planes along the wind. It is marked as periodic if the field data
  * `Period` is the duration of the image.
  *
+ * - `.hawc`: HAWC2's binaries `NAME_u.bin`, `NAME_v.bin` and `NAME_w.bin`, float32, and NAME.hawc with what HAWC2's
+ * input file needs to read them. Along the wind they hold the velocity less `ConvectionSpeed`. No tower.
+ * - `.wnd`: a full-field file in Bladed's form and NAME.sum with its scales. Integers of 16 bits, 1000 of them the
+ * deviation of the component over all points. An even number of times, no tower, no value beyond 32 deviations.
+ *
  * Write() asks its input for parts along x, two times over: for the ranges, then to write. Its memory is that of a
  * part, about 32 MiB, whatever the duration. The file is written under another name in the same folder and renamed when
  * it is complete. On failure, an existing file of this name is unchanged, one error names file and reason, and Write()
@@ -38,9 +43,15 @@ public:
   vtkTypeMacro(vtkWindFieldWriter, vtkWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  enum PlaneOrderType
+  {
+    EarliestFirst = 0,
+    LatestFirst = 1,
+  };
+
   ///@{
   /**
-   * Name of the output file, ending in `.bts`; default null, which is an error.
+   * Name of the output file, ending in `.bts`, `.hawc` or `.wnd`; default null, which is an error.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
@@ -62,6 +73,18 @@ public:
    */
   vtkSetMacro(TowerLayers, int);
   vtkGetMacro(TowerLayers, int);
+  ///@}
+
+  ///@{
+  /**
+   * The plane that lies first in the binaries of HAWC2, a PlaneOrderType; default EarliestFirst, as OpenFAST reads
+   * them. LatestFirst: as programs read them that take the first plane as the one farthest upwind. The `.hawc` tells
+   * it.
+   */
+  vtkSetMacro(PlaneOrder, int);
+  vtkGetMacro(PlaneOrder, int);
+  void SetPlaneOrderToEarliestFirst() { this->SetPlaneOrder(EarliestFirst); }
+  void SetPlaneOrderToLatestFirst() { this->SetPlaneOrder(LatestFirst); }
   ///@}
 
   /**
@@ -95,6 +118,7 @@ private:
   char* FileName = nullptr;
   double HubHeight = 0.0;
   int TowerLayers = 0;
+  int PlaneOrder = EarliestFirst;
   bool IsWritten = false;
 };
 

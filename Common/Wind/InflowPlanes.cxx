@@ -31,17 +31,35 @@ std::string WhyInvalid(const InflowGrid& grid)
 
 void InflowRange::Add(const float* velocities, std::size_t points)
 {
+  if (this->Points == 0 && points > 0)
+  {
+    std::copy_n(velocities, 3, this->First.begin());
+    this->Low = this->First;
+    this->High = this->First;
+  }
+  this->Points += points;
   for (std::size_t n = 0; n < 3 * points; ++n)
   {
     const float value = velocities[n];
+    const double part = static_cast<double>(value) - this->First[n % 3];
     if (!std::isfinite(value))
     {
       Refuse("a velocity is ", value, " m/s; all must be finite");
     }
-    this->Low[n % 3] = this->IsEmpty ? value : std::min(this->Low[n % 3], value);
-    this->High[n % 3] = this->IsEmpty ? value : std::max(this->High[n % 3], value);
-    this->IsEmpty = this->IsEmpty && n < 2;
+    this->Low[n % 3] = std::min(this->Low[n % 3], value);
+    this->High[n % 3] = std::max(this->High[n % 3], value);
+    this->Sum[n % 3] += part;
+    this->Square[n % 3] += part * part;
   }
+}
+
+double InflowRange::DeviationFrom(double number, int component) const
+{
+  // mean of (v - c)² = mean of d² + 2 (v1 - c) mean of d + (v1 - c)², d = v - v1
+  const double shift = this->First[component] - number;
+  const double count = std::max<double>(1.0, static_cast<double>(this->Points));
+  return std::sqrt(
+    std::max(0.0, this->Square[component] / count + 2.0 * shift * this->Sum[component] / count + shift * shift));
 }
 
 std::string WhyOtherSize(const InflowPlanes& planes, double size)

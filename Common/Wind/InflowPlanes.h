@@ -32,7 +32,7 @@ struct InflowGrid
 /// Why a grid that was read, or is to be written, is none, in words for a user; empty when it is one.
 std::string WhyInvalid(const InflowGrid& grid);
 
-/// Smallest and largest number of each component (along, across, up).
+/// Smallest and largest number and sums of each component (along, across, up).
 struct InflowRange
 {
   std::array<float, 3> Low{ 0.0f, 0.0f, 0.0f };
@@ -41,8 +41,14 @@ struct InflowRange
   /// Takes in velocities, three numbers each. Throws InvalidInput if one is not finite.
   void Add(const float* velocities, std::size_t points);
 
+  /// Root of the mean square of a component less a number.
+  double DeviationFrom(double number, int component) const;
+
 private:
-  bool IsEmpty = true;
+  std::size_t Points = 0;
+  std::array<double, 3> Sum{ 0.0, 0.0, 0.0 }; ///< less the first point, as the next
+  std::array<double, 3> Square{ 0.0, 0.0, 0.0 };
+  std::array<float, 3> First{ 0.0f, 0.0f, 0.0f };
 };
 
 /// Planes of a wind as bytes of a file, or of several that hold a part of each plane.

@@ -4,6 +4,7 @@
 
 #include "Numerics/InvalidInput.h"
 #include "Numerics/LittleEndian.h"
+#include "Numerics/ParameterCheck.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,8 +57,7 @@ Quantiser Quantiser::Of(double low, double high)
   {
     return { 1.0f, -static_cast<float>(low) }; // exactly
   }
-  // Wide enough that a float tells the offset to a quarter of a step.
-  const double range = std::max({ high - low, std::max(std::abs(low), std::abs(high)) / 64.0, 1e-30 });
+  const double range = std::max(high - low, MinimumMagnitude); // so that the slope is finite
   Quantiser quantiser;
   quantiser.Slope = static_cast<float>(65534.0 / range * (1.0 - 1e-7));
   // the middle of the range lies at the middle of the integers, -1/2

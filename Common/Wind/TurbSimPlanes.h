@@ -19,7 +19,7 @@ struct Quantiser
   float Offset = 0.0f;
 
   /// Quantiser of a range: no value in it differs from its stored one by more than (high - low) / 65535, nor more than
-  /// 1.9e-7 of the largest magnitude.
+  /// 1.3e-7 of the largest magnitude.
   static Quantiser Of(double low, double high);
 
   std::int16_t Stored(float value) const;

@@ -217,11 +217,13 @@ def print_raster():
 def print_wind():
     """Hashes of a wind that the writer writes, and of what the reader reads of it."""
     with tempfile.TemporaryDirectory() as folder:
-        name = os.path.join(folder, "wind.bts")
-        make("vtkWindFieldWriter", (wind(),), SetFileName=(name,)).Write()
-        with open(name, "rb") as file:
-            print("vtkWindFieldWriter", hashlib.sha256(file.read()).hexdigest()[:16])
-        print_outputs(make("vtkWindFieldReader", SetFileName=(name,)), "vtkWindFieldReader")
+        for extension in ("bts", "hawc", "wnd"):
+            name = os.path.join(folder, "wind." + extension)
+            make("vtkWindFieldWriter", (wind(),), SetFileName=(name,)).Write()
+            print_outputs(make("vtkWindFieldReader", SetFileName=(name,)), f"vtkWindFieldReader {extension}")
+        for name in sorted(os.listdir(folder)):
+            with open(os.path.join(folder, name), "rb") as file:
+                print("vtkWindFieldWriter", name, hashlib.sha256(file.read()).hexdigest()[:16])
 
 
 def print_table():

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Winds in files of wind turbine codes, made and read here by struct and numpy: layout, byte order, places, bad files."""
+"""Winds in files of turbine codes, made and read here by struct and numpy: layout, byte order, places, bad files."""
 import os
 import struct
 import sys
@@ -31,8 +31,8 @@ def bts(values, tower=None, ident=8, spacing=(25.0, 25.0, 0.05), speed=8.0, hub=
     offset = (-32768.0 - slope * low).astype("f4")
     stored = np.clip(np.rint(everything * slope + offset), -32768, 32767).astype(order + "i2")
     scales = np.stack([slope, offset], axis=1).ravel()
-    head = struct.pack(HEADER.replace("<", order), ident, up, across, tower.shape[1], times, *spacing, speed, hub, bottom,
-                       *scales, len(text))
+    head = struct.pack(HEADER.replace("<", order), ident, up, across, tower.shape[1], times, *spacing, speed, hub,
+                       bottom, *scales, len(text))
     return head + text + stored.tobytes()
 
 
@@ -47,6 +47,41 @@ def read_bts(path):
     slope, offset = np.array(head[11:17:2]), np.array(head[12:17:2])
     values = (stored - offset) / slope
     return head, values[:, : up * across].reshape(times, up, across, 3), values[:, up * across:], data
+
+
+def read_hawc(path, speed):
+    """Values by time, height, across and component, and the lines of the text without comments."""
+    with open(path, encoding="ascii") as file:
+        text = file.read()
+    lines = [line.split(";")[0].split() for line in text.splitlines()]
+    words = {line[0]: line[1:] for line in lines if line}
+    shape = [int(words["box_dim_" + letter][0]) for letter in "uvw"]
+    parts = []
+    for letter in "uvw":
+        with open(os.path.join(os.path.dirname(path), words["filename_" + letter][0]), "rb") as file:
+            data = file.read()
+        assert len(data) == 4 * np.prod(shape)
+        box = np.frombuffer(data, "<f4").reshape(shape)  # plane, across from the left, height
+        parts.append(box.transpose(0, 2, 1)[:, :, ::-1])
+    values = np.stack(parts, axis=-1) + (speed, 0.0, 0.0)
+    return (values if "first_plane earliest" in text else values[::-1]), words
+
+
+BLADED = "<2hi6f3fi4f10i"
+
+
+def read_wnd(path):
+    """Header and values by time, height, across and component, by the scales of the summary."""
+    with open(path, "rb") as file:
+        data = file.read()
+    with open(path[:-3] + "sum", encoding="ascii") as file:
+        summary = file.read()
+    head = struct.unpack_from(BLADED, data)
+    times, up, across = 2 * head[12], head[19], head[20]
+    stored = np.frombuffer(data, "<i2", offset=104).reshape(times, up, across, 3)[:, :, ::-1]  # clockwise
+    speed = float(summary.split("UBAR =")[1].split()[0])
+    scale = np.array([float(summary.split(f"TI({letter}) =")[1].split()[0]) for letter in "uvw"]) * speed * 1e-5
+    return head, stored * scale + (speed, 0.0, 0.0), scale, summary
 
 
 def random_wind(times, across, up):
@@ -84,7 +119,8 @@ class SlowSource(VTKPythonAlgorithmBase):
         output.SetExtent(extent)
         output.SetSpacing(0.8, 25.0, 10.0)
         output.SetOrigin(0.0, 0.0, 20.0)
-        (i, l), (j, m), (k, n) = ((extent[2 * a] - self.first[a], extent[2 * a + 1] + 1 - self.first[a]) for a in range(3))
+        (i, l), (j, m), (k, n) = ((extent[2 * axis] - first, extent[2 * axis + 1] + 1 - first)
+                                  for axis, first in enumerate(self.first))
         part = self.values[::-1][i:l, k:n, j:m].transpose(1, 2, 0, 3).reshape(-1, 3)  # what is upwind comes later
         if self.turned:
             output.SetDirectionMatrix(0, -1, 0, 1, 0, 0, 0, 0, 1)
@@ -182,7 +218,7 @@ class WindFiles(unittest.TestCase):
         np.testing.assert_array_equal(numbers(reader.GetOutput()), whole[1:2, 2:4, 1:5])
 
     def test_written_file(self):
-        """Header, order of planes and points, errors within range/65535, periodicity and tower, in parts of the input."""
+        """Header, order of planes and points, errors within range/65535, periodicity and tower, from parts."""
         values = random_wind(300, 51, 61)
         for turned in (False, True):
             source = SlowSource(values, turned)
@@ -233,6 +269,94 @@ class WindFiles(unittest.TestCase):
         self.assertEqual(list(np.argmax(peaks, axis=0)), [16, 12, 8])
         self.assertEqual(list(np.argmax(grid[:, :, 0, 0], axis=0)), [16, 12, 8])
 
+    def test_hawc_leads_in_both_orders(self):
+        """A sheared field whose upper point leads: in the binaries and after reading, in both orders."""
+        times = np.arange(64)
+        values = random_wind(64, 4, 3)
+        values[:, :, 1, 0] = 10.0 + np.sin(2.0 * np.pi * (times[:, None] + 4 * np.arange(3)) / 64.0)
+        source = SlowSource(values)
+        for order in (0, 1):
+            writer = littoral.vtkWindFieldWriter()
+            writer.SetInputConnection(source.GetOutputPort())
+            writer.SetFileName(self.path("box.hawc"))
+            writer.SetPlaneOrder(order)
+            self.assertEqual(writer.Write(), 1)
+            box, words = read_hawc(writer.GetFileName(), 8.0)
+            np.testing.assert_allclose(box, values, atol=1e-6)
+            self.assertEqual(words["wsp"] + words["box_dim_v"] + words["dont_scale"], ["8", "4", "25", "1"])
+            self.assertAlmostEqual(float(words["center_pos0"][2]), -40.0, 9)
+            self.assertEqual(words["shear_format"], ["1", "8"])
+            with open(self.path("box_u.bin"), "rb") as file:
+                first = np.frombuffer(file.read(12), "<f4")  # heights at the left of the first plane
+            np.testing.assert_allclose(first + 8.0, values[0 if order == 0 else -1, :, 3, 0], atol=1e-6)
+            reader = self.reader("box.hawc", PlaneOrder=1 - order)  # the text tells
+            peaks = []
+            for step in times:
+                reader.UpdateTimeStep(step * 0.1)
+                plane = numbers(reader.GetOutput())[:, :, -1]
+                np.testing.assert_allclose(plane, values[step], atol=1e-6)
+                peaks.append(plane[:, 1, 0])
+            self.assertEqual(list(np.argmax(peaks, axis=0)), [16, 12, 8])
+            image = reader.GetOutput()
+            self.assertAlmostEqual(field(image, "Period"), 6.4, 9)
+            self.assertAlmostEqual(image.GetOrigin()[2], 30.0, 9)
+        with open(self.path("box.hawc"), encoding="ascii") as file:
+            text = "".join(line for line in file if not line.startswith("; littoral first"))
+        others = self.reader("others.hawc", text.encode(), PlaneOrder=1)
+        others.Update()
+        np.testing.assert_allclose(numbers(others.GetOutput())[:, :, -1], values[0], atol=1e-6)
+        os.truncate(self.path("box_v.bin"), 100)
+        self.refused(self.reader("box.hawc"), "its file box_v.bin: it is cut off")
+        os.remove(self.path("box_w.bin"))
+        os.remove(self.path("box_v.bin"))
+        self.refused(self.reader("box.hawc"), "its file box_v.bin: N")
+        for words, bad in (("no line wsp", text.replace("wsp 8", "")),
+                           ("line wsp has 2", text.replace("wsp 8", "wsp 8 9")),
+                           ("'x' for a number", text.replace("wsp 8", "wsp x")),
+                           ("for a number of points", text.replace("box_dim_u 64", "box_dim_u 6.5")),
+                           ("neither", text + "; littoral first_plane middle\n")):
+            self.refused(self.reader("bad.hawc", bad.encode()), words)
+
+    def test_bladed(self):
+        """Header and integers of .wnd, scales of .sum, both read again; contradictions are refused."""
+        values = random_wind(40, 4, 3)
+        source = SlowSource(values)
+        writer = littoral.vtkWindFieldWriter()
+        writer.SetInputConnection(source.GetOutputPort())
+        writer.SetFileName(self.path("wind.wnd"))
+        writer.SetHubHeight(45.0)
+        self.assertEqual(writer.Write(), 1)
+        head, found, scale, summary = read_wnd(writer.GetFileName())
+        self.assertEqual(head[:3] + head[12:13] + head[19:21], (-99, 4, 3, 20, 3, 4))
+        np.testing.assert_allclose(head[5], 40.0)
+        np.testing.assert_allclose(head[9:12] + head[13:14], (10.0, 25.0, 0.8, 8.0), rtol=1e-6)
+        deviation = np.sqrt(((values.astype(float) - (8.0, 0.0, 0.0)) ** 2).mean(axis=(0, 1, 2)))
+        np.testing.assert_allclose(scale, deviation / 1000.0, rtol=1e-6)
+        self.assertTrue((abs(found - values) <= 0.51 * scale).all())
+        reader = self.reader("wind.wnd")
+        for step in (0, 1, 39):
+            reader.UpdateTimeStep(step * 0.1)
+            plane = numbers(reader.GetOutput())[:, :, -1]
+            self.assertTrue((abs(plane - values[step]) <= 0.52 * scale).all())
+        image = reader.GetOutput()
+        np.testing.assert_allclose((image.GetOrigin()[2], field(image, "HubHeight"), field(image, "Period")),
+                                   (30.0, 45.0, 4.0), rtol=1e-6)
+        for words, bad in (("contradicts it: the speed", summary.replace("UBAR = 8", "UBAR = 9")),
+                           ("contradicts it: an intensity", summary.replace("TI(v) = ", "TI(v) = 1")),
+                           ("contradicts it: the height", summary.replace("HEIGHT OFFSET = 5", "HEIGHT OFFSET = 3")),
+                           ("no line CLOCKWISE", ""), ("T or F", summary.replace("T   CLOCK", "9   CLOCK")),
+                           ("no number for UBAR", summary.replace("UBAR = 8", "UBAR = x"))):
+            self.path("wind.sum", bad.encode())
+            self.refused(self.reader("wind.wnd"), words)
+        self.path("wind.sum", summary.replace("T   CLOCK", "F   CLOCK").encode())
+        other = self.reader("wind.wnd")
+        other.Update()
+        self.assertTrue((abs(numbers(other.GetOutput())[:, ::-1, -1] - values[0]) <= 0.52 * scale).all())
+        os.truncate(self.path("wind.wnd"), 1000)
+        self.refused(self.reader("wind.wnd"), "cut off")
+        os.remove(self.path("wind.sum"))
+        self.refused(self.reader("wind.wnd"), "its .sum: N")
+
     def test_bad_files(self):
         """One message each."""
         good = bts(random_wind(5, 2, 2))
@@ -256,13 +380,21 @@ class WindFiles(unittest.TestCase):
     def test_bad_winds(self):
         """One message each, and the file that was there is as it was."""
         values = random_wind(6, 2, 2)
+        gust = np.zeros((600, 2, 2, 3), "f4")
+        gust[300, 0, 0, 1] = 5.0
         broken = values.copy()
         broken[3, 1, 1, 2] = np.nan
         for words, wind, settings in (("must be finite", broken, {}), ("odd number", values, {"TowerLayers": 1}),
                                       ("TowerLayers", values[:, :, :1], {"TowerLayers": 2}),
-                                      ("HubHeight", values, {"HubHeight": 200.0}), ("HubHeight", values, {"HubHeight": -1.0}),
+                                      ("HubHeight", values, {"HubHeight": 200.0}),
+                                      ("HubHeight", values, {"HubHeight": -1.0}),
                                       ("no duration", values[:1], {}),
-                                      ("ends in .bts", values, {"FileName": self.path("wind.dat")})):
+                                      ("ends in .bts", values, {"FileName": self.path("wind.dat")}),
+                                      ("points of a tower", random_wind(6, 3, 2),
+                                       {"TowerLayers": 1, "FileName": self.path("wind.hawc")}),
+                                      ("even number", values[:5], {"FileName": self.path("wind.wnd")}),
+                                      ("beyond its integers", gust, {"FileName": self.path("wind.wnd")}),
+                                      ("PlaneOrder", values, {"PlaneOrder": 2})):
             with self.subTest(words):
                 source = SlowSource(wind)
                 writer = littoral.vtkWindFieldWriter()

@@ -42,7 +42,7 @@ TEST(Quantiser, ErrorsAreWithinAStepOfAnyRange)
       const double error = std::abs(static_cast<double>(quantiser.Value(quantiser.Stored(value))) - value);
       const double step = (high - low) / 65535.0;
       // to the nearest of integers, and what a float tells of the number
-      EXPECT_LE(error, 0.501 * step + 1.9e-7 * std::abs(value)) << low << " " << high << " " << value;
+      EXPECT_LE(error, 0.501 * step + 1.3e-7 * std::abs(value)) << low << " " << high << " " << value;
     }
   }
 }
