@@ -93,6 +93,7 @@ vtkWindFieldSource::vtkWindFieldSource()
   , Phases(Uniform)
   , NormalizeVariance(false)
   , Seed(1)
+  , ShearStress(false)
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -119,7 +120,8 @@ vtkWindFieldSource::Recipe vtkWindFieldSource::MakeRecipe() const
   grid.LateralSpacing = this->LateralSpacing;
   grid.VerticalSpacing = this->VerticalSpacing;
   grid.BottomHeight = this->BottomHeight;
-  recipe.Synthesis = { static_cast<littoral::WindPhases>(this->Phases), this->NormalizeVariance, this->Seed };
+  recipe.Synthesis = { static_cast<littoral::WindPhases>(this->Phases), this->NormalizeVariance, this->Seed,
+    this->ShearStress };
   return recipe;
 }
 
@@ -313,4 +315,5 @@ void vtkWindFieldSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Phases: " << this->Phases << "\n";
   os << indent << "NormalizeVariance: " << (this->NormalizeVariance ? "on" : "off") << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "ShearStress: " << (this->ShearStress ? "on" : "off") << "\n";
 }

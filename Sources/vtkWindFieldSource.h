@@ -12,8 +12,8 @@
  * any time. An image at a step is a copy, one between steps takes two transforms per requested line. Linear
  * interpolation between points loses variance; see the user guide for how much.
  *
- * The velocity components are statistically independent: the mean of u'w' is 0 and not -u*^2, and the field is not free
- * of divergence.
+ * The velocity components are statistically independent unless ShearStress is on: the mean of u'w' is 0 and not -u*^2.
+ * The field is not free of divergence.
  *
  * Field data: `CoherenceError` (maximum difference of the root coherence from the model), `FrictionVelocity` [m/s],
  * `ConvectionSpeed` [m/s], `Period` [s]; and of the model `ReferenceSpeed` [m/s], `ReferenceHeight` [m],
@@ -239,6 +239,17 @@ public:
 
   ///@{
   /**
+   * Shear stress: the components along and up have Kaimal's co-spectrum, -14 n / (1 + 9.6 n)^2.4 of u*^2 at n = f z /
+   * U, whose mean of u'w' is about -u*^2; default off, for which it is 0. The spectra and the coherence stay the same.
+   * Where the spectra cannot hold it, as those of IecKaimal high above the ground, the stress is what they hold.
+   */
+  vtkSetMacro(ShearStress, bool);
+  vtkGetMacro(ShearStress, bool);
+  vtkBooleanMacro(ShearStress, bool);
+  ///@}
+
+  ///@{
+  /**
    * Seed of the random numbers, any integer; default 1. The same seed gives the same wind.
    */
   vtkSetMacro(Seed, int);
@@ -271,6 +282,7 @@ protected:
   int Phases;
   bool NormalizeVariance;
   int Seed;
+  bool ShearStress;
 
 private:
   vtkWindFieldSource(const vtkWindFieldSource&) = delete;

@@ -176,6 +176,14 @@ double SpectralDensity(const WindModel& model, int component, double frequency, 
   return TraitsOf(model.Spectrum).Density(model, component, frequency, height);
 }
 
+double ShearDensity(const WindModel& model, double frequency, double height)
+{
+  const double friction = FrictionVelocity(model);
+  const double time = height / MeanSpeed(model, height);
+  // Kaimal et al. (1972): C_uw = -u_*^2 14 (z/U) / (1 + 9.6 n)^2.4
+  return -14.0 * friction * friction * time / std::pow(1.0 + 9.6 * frequency * time, 2.4);
+}
+
 double Variance(const WindModel& model, int component)
 {
   return TraitsOf(model.Spectrum).Variance(model, component);

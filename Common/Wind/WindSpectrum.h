@@ -101,6 +101,12 @@ double ConvectionSpeed(const WindModel& model);
 /// One-sided power spectral density of a component [m2/s2/Hz] at a frequency [Hz] and a height [m] (eq. 9).
 double SpectralDensity(const WindModel& model, int component, double frequency, double height);
 
+/**
+ * One-sided co-spectrum of the components along and up [m2/s2/Hz], Kaimal et al. (1972): f C_uw / u_*^2 = -14 n / (1
+ * + 9.6 n)^2.4, n = f z / U(z). Its integral over all frequencies is -1.0417 u_*^2.
+ */
+double ShearDensity(const WindModel& model, double frequency, double height);
+
 /// Variance of a component [m2/s2]: the integral of its spectral density over all frequencies.
 double Variance(const WindModel& model, int component);
 
