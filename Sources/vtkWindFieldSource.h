@@ -61,6 +61,29 @@ public:
     Iec = 1,
   };
 
+  enum IecClassType
+  {
+    NoClass = 0,
+    APlus = 1,
+    A = 2,
+    B = 3,
+    C = 4,
+  };
+
+  enum IecTurbulenceType
+  {
+    NormalTurbulence = 0,
+    ExtremeTurbulence = 1,
+  };
+
+  enum IecEventType
+  {
+    NoEvent = 0,
+    OperatingGust = 1,
+    DirectionChange = 2,
+    CoherentGust = 3,
+  };
+
   enum PhasesType
   {
     Uniform = 0,
@@ -217,6 +240,73 @@ public:
 
   ///@{
   /**
+   * Class of turbulence of IEC 61400-1, an IecClassType; default NoClass. Of A+, A, B and C the reference intensity is
+   * 0.18, 0.16, 0.14 and 0.12, and TurbulenceIntensity follows from it, from IecTurbulence and ReferenceSpeed, the
+   * speed at the hub. With NormalizeVariance each layer has that deviation. Used only if Spectrum is IecKaimal, and for
+   * IecEvent.
+   */
+  vtkSetMacro(IecClass, int);
+  vtkGetMacro(IecClass, int);
+  void SetIecClassToNoClass() { this->SetIecClass(NoClass); }
+  void SetIecClassToAPlus() { this->SetIecClass(APlus); }
+  void SetIecClassToA() { this->SetIecClass(A); }
+  void SetIecClassToB() { this->SetIecClass(B); }
+  void SetIecClassToC() { this->SetIecClass(C); }
+  ///@}
+
+  ///@{
+  /**
+   * Model of turbulence of IEC 61400-1, edition 3, an IecTurbulenceType; default NormalTurbulence (NTM), I_ref (0.75 V
+   * + 5.6). ExtremeTurbulence (ETM): 2 I_ref (0.072 (V_ave/2 + 3) (V/2 - 4) + 10). Used only with an IecClass.
+   */
+  vtkSetMacro(IecTurbulence, int);
+  vtkGetMacro(IecTurbulence, int);
+  void SetIecTurbulenceToNormalTurbulence() { this->SetIecTurbulence(NormalTurbulence); }
+  void SetIecTurbulenceToExtremeTurbulence() { this->SetIecTurbulence(ExtremeTurbulence); }
+  ///@}
+
+  ///@{
+  /**
+   * Transient of IEC 61400-1, edition 3, an IecEventType; default NoEvent. The wind is then its logarithmic profile
+   * without turbulence, plus: OperatingGust (EOG, 10.5 s), DirectionChange (EDC, 6 s), CoherentGust (ECD, 15 m/s and a
+   * change of direction in 10 s). Directions change to the left and stay until the period ends. Needs an IecClass.
+   */
+  vtkSetMacro(IecEvent, int);
+  vtkGetMacro(IecEvent, int);
+  void SetIecEventToNoEvent() { this->SetIecEvent(NoEvent); }
+  void SetIecEventToOperatingGust() { this->SetIecEvent(OperatingGust); }
+  void SetIecEventToDirectionChange() { this->SetIecEvent(DirectionChange); }
+  void SetIecEventToCoherentGust() { this->SetIecEvent(CoherentGust); }
+  ///@}
+
+  ///@{
+  /**
+   * Time at which IecEvent begins at the downwind end of the box [s], a finite number; default 5. In files of
+   * vtkWindFieldWriter it is the time of the plane.
+   */
+  vtkSetMacro(EventStart, double);
+  vtkGetMacro(EventStart, double);
+  ///@}
+
+  ///@{
+  /**
+   * Annual mean wind speed at the hub [m/s], positive; default 10, that of the class I. Used for ExtremeTurbulence and
+   * OperatingGust.
+   */
+  vtkSetMacro(AnnualMeanSpeed, double);
+  vtkGetMacro(AnnualMeanSpeed, double);
+  ///@}
+
+  ///@{
+  /**
+   * Diameter of the rotor [m], positive; default 126. Used for OperatingGust and DirectionChange.
+   */
+  vtkSetMacro(RotorDiameter, double);
+  vtkGetMacro(RotorDiameter, double);
+  ///@}
+
+  ///@{
+  /**
    * Random part of the Fourier coefficients, a PhasesType; default Uniform. Uniform: random phases alone, so that each
    * realization has the energy of the spectrum. GaussianAmplitudes: random amplitudes too, a Gaussian process.
    */
@@ -283,6 +373,12 @@ protected:
   bool NormalizeVariance;
   int Seed;
   bool ShearStress;
+  int IecClass;
+  int IecTurbulence;
+  int IecEvent;
+  double EventStart;
+  double AnnualMeanSpeed;
+  double RotorDiameter;
 
 private:
   vtkWindFieldSource(const vtkWindFieldSource&) = delete;
