@@ -102,6 +102,7 @@ vtkWindFieldSource::vtkWindFieldSource()
   , EventStart(5.0)
   , AnnualMeanSpeed(10.0)
   , RotorDiameter(126.0)
+  , ShearExponent(0.0)
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -119,6 +120,7 @@ vtkWindFieldSource::Recipe vtkWindFieldSource::MakeRecipe() const
   model.RoughnessLength = this->RoughnessLength;
   model.Spectrum = static_cast<littoral::WindSpectrumModel>(this->Spectrum);
   model.TurbulenceIntensity = this->TurbulenceIntensity;
+  model.ShearExponent = this->ShearExponent;
   model.Coherence = static_cast<littoral::WindCoherenceModel>(this->Coherence);
   model.Decay = { { { this->LongitudinalDecay[0], this->LongitudinalDecay[1] },
     { this->LateralDecay[0], this->LateralDecay[1] }, { this->VerticalDecay[0], this->VerticalDecay[1] } } };
@@ -348,4 +350,5 @@ void vtkWindFieldSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EventStart: " << this->EventStart << "\n";
   os << indent << "AnnualMeanSpeed: " << this->AnnualMeanSpeed << "\n";
   os << indent << "RotorDiameter: " << this->RotorDiameter << "\n";
+  os << indent << "ShearExponent: " << this->ShearExponent << "\n";
 }

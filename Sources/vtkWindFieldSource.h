@@ -18,7 +18,7 @@
  * Field data: `CoherenceError` (maximum difference of the root coherence from the model), `FrictionVelocity` [m/s],
  * `ConvectionSpeed` [m/s], `Period` [s]; and of the model `ReferenceSpeed` [m/s], `ReferenceHeight` [m],
  * `RoughnessLength` [m], `Spectrum`, `TurbulenceIntensity`, `Coherence`, `LongitudinalDecay`, `LateralDecay` and
- * `VerticalDecay`, as the properties.
+ * `VerticalDecay`, as the properties, and of a power law `ShearExponent`.
  *
  * The field is computed once and kept, so that another time is a copy. Any extent can be requested; each rank computes
  * the whole field for it. A parameter out of range or a field larger than the memory is reported as one error.
@@ -167,6 +167,15 @@ public:
 
   ///@{
   /**
+   * Exponent of a power law of the mean wind, ReferenceSpeed (z / ReferenceHeight)^ShearExponent, from 0 to 1; default
+   * 0, the logarithmic law. IEC 61400-1 has 0.2 on land, 0.14 at sea.
+   */
+  vtkSetMacro(ShearExponent, double);
+  vtkGetMacro(ShearExponent, double);
+  ///@}
+
+  ///@{
+  /**
    * Direction towards which the wind blows, counterclockwise from x [degrees]; default 0. With another direction the
    * image has a direction matrix.
    */
@@ -267,7 +276,7 @@ public:
 
   ///@{
   /**
-   * Transient of IEC 61400-1, edition 3, an IecEventType; default NoEvent. The wind is then its logarithmic profile
+   * Transient of IEC 61400-1, edition 3, an IecEventType; default NoEvent. The wind is then its mean profile
    * without turbulence, plus: OperatingGust (EOG, 10.5 s), DirectionChange (EDC, 6 s), CoherentGust (ECD, 15 m/s and a
    * change of direction in 10 s). Directions change to the left and stay until the period ends. Needs an IecClass.
    */
@@ -379,6 +388,7 @@ protected:
   double EventStart;
   double AnnualMeanSpeed;
   double RotorDiameter;
+  double ShearExponent;
 
 private:
   vtkWindFieldSource(const vtkWindFieldSource&) = delete;

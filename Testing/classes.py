@@ -346,6 +346,7 @@ ROWS = [
         variants=[{"SetDimensions": (32, 4, 4), "SetSpectrum": (1,)}, {"SetDimensions": (32, 4, 4), "SetSeed": (2,)},
                   {"SetDimensions": (32, 4, 4), "SetCoherence": (1,), "SetNormalizeVariance": (True,)},
                   {"SetDimensions": (32, 4, 4), "SetShearStress": (True,)},
+                  {"SetDimensions": (32, 4, 4), "SetShearExponent": (0.2,)},
                   {"SetDimensions": (32, 4, 4), "SetSpectrum": (1,), "SetIecClass": (2,), "SetIecTurbulence": (1,)},
                   {"SetDimensions": (32, 4, 4), "SetIecClass": (1,), "SetIecEvent": (3,), "SetEventStart": (1.0,)}],
         mistakes=[Mistake("WindField", lambda pv: dict(ReferenceSpeed=-1.0), "ReferenceSpeed")]),

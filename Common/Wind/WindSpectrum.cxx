@@ -137,6 +137,7 @@ std::string WhyInvalid(const WindModel& model)
     "finite and above the RoughnessLength of " + TextOf(model.RoughnessLength) + " m");
   check.Within("RoughnessLength", model.RoughnessLength, ValueInterval::Between(0.0, CoherenceHeight), "m");
   check.Finite("TurbulenceIntensity", model.TurbulenceIntensity); // also where it does not count: it is written
+  check.Range("ShearExponent", model.ShearExponent, 0.0, 1.0);
   check.Choice("Spectrum", static_cast<int>(model.Spectrum), NumberOfWindSpectra);
   check.Choice("Coherence", static_cast<int>(model.Coherence), NumberOfWindCoherences);
   if (!check.IsGood())
@@ -162,6 +163,11 @@ double FrictionVelocity(const WindModel& model)
 
 double MeanSpeed(const WindModel& model, double height)
 {
+  if (model.ShearExponent > 0.0)
+  {
+    // IEC 61400-1: U(z) = U_r (z/z_r)^alpha
+    return model.ReferenceSpeed * std::pow(height / model.ReferenceHeight, model.ShearExponent);
+  }
   // eq. 10: U(z) = u_*/k ln(z/z_0)
   return FrictionVelocity(model) / VonKarman * std::log(height / model.RoughnessLength);
 }

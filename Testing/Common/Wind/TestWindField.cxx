@@ -246,6 +246,31 @@ TEST(WindField, MeanIsTheLogarithmicLaw)
   EXPECT_LT(worst, 1e-6);
 }
 
+TEST(WindField, MeanIsThePowerLaw)
+{
+  WindModel model;
+  model.ReferenceSpeed = 12.0;
+  model.ReferenceHeight = 90.0;
+  model.ShearExponent = 0.2;
+  EXPECT_EQ(WhyInvalid(model), "");
+  EXPECT_DOUBLE_EQ(MeanSpeed(model, 90.0), 12.0);
+  EXPECT_NEAR(MeanSpeed(model, 180.0) / 12.0, 1.148698, 1e-6); // 2^0.2
+  WindGrid grid = GridOf(16, 2, 3, 30.0);
+  grid.BottomHeight = 60.0;
+  const std::vector<float> field = Wind(grid, {}, model);
+  for (int layer = 0; layer < 3; ++layer)
+  {
+    double mean = 0.0;
+    for (int n = 0; n < 32; ++n)
+    {
+      mean += field[3 * (32 * layer + n)] / 32.0;
+    }
+    EXPECT_NEAR(mean, 12.0 * std::pow(grid.Height(layer) / 90.0, 0.2), 1e-5);
+  }
+  model.ShearExponent = 1.5;
+  EXPECT_NE(WhyInvalid(model).find("ShearExponent"), std::string::npos);
+}
+
 TEST(WindField, CoherenceOfSixRuns)
 {
   const WindGrid grid = GridOf(12000, 32, 32);
