@@ -8,6 +8,7 @@
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Wind/CarriedWind.h"
+#include "Wind/IecWind.h"
 #include "Wind/WindField.h"
 
 #include "vtkDoubleArray.h"
@@ -61,6 +62,7 @@ public:
   littoral::WindModel Model;
   littoral::WindGrid Grid;
   littoral::WindSynthesis Synthesis;
+  littoral::IecSite Site;
 };
 
 /// The field at time 0 in the axes of the wind.
@@ -93,6 +95,14 @@ vtkWindFieldSource::vtkWindFieldSource()
   , Phases(Uniform)
   , NormalizeVariance(false)
   , Seed(1)
+  , ShearStress(false)
+  , IecClass(NoClass)
+  , IecTurbulence(NormalTurbulence)
+  , IecEvent(NoEvent)
+  , EventStart(5.0)
+  , AnnualMeanSpeed(10.0)
+  , RotorDiameter(126.0)
+  , ShearExponent(0.0)
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -110,6 +120,7 @@ vtkWindFieldSource::Recipe vtkWindFieldSource::MakeRecipe() const
   model.RoughnessLength = this->RoughnessLength;
   model.Spectrum = static_cast<littoral::WindSpectrumModel>(this->Spectrum);
   model.TurbulenceIntensity = this->TurbulenceIntensity;
+  model.ShearExponent = this->ShearExponent;
   model.Coherence = static_cast<littoral::WindCoherenceModel>(this->Coherence);
   model.Decay = { { { this->LongitudinalDecay[0], this->LongitudinalDecay[1] },
     { this->LateralDecay[0], this->LateralDecay[1] }, { this->VerticalDecay[0], this->VerticalDecay[1] } } };
@@ -119,7 +130,15 @@ vtkWindFieldSource::Recipe vtkWindFieldSource::MakeRecipe() const
   grid.LateralSpacing = this->LateralSpacing;
   grid.VerticalSpacing = this->VerticalSpacing;
   grid.BottomHeight = this->BottomHeight;
-  recipe.Synthesis = { static_cast<littoral::WindPhases>(this->Phases), this->NormalizeVariance, this->Seed };
+  recipe.Synthesis = { static_cast<littoral::WindPhases>(this->Phases), this->NormalizeVariance, this->Seed,
+    this->ShearStress };
+  recipe.Site = { static_cast<littoral::IecClass>(this->IecClass), this->AnnualMeanSpeed, this->RotorDiameter,
+    this->ReferenceSpeed, this->ReferenceHeight };
+  if (this->IecClass > NoClass && this->IecClass < littoral::NumberOfIecClasses)
+  {
+    const auto turbulence = static_cast<littoral::IecTurbulence>(this->IecTurbulence);
+    model.TurbulenceIntensity = littoral::DeviationOf(recipe.Site, turbulence) / this->ReferenceSpeed;
+  }
   return recipe;
 }
 
@@ -131,6 +150,9 @@ int vtkWindFieldSource::RequestInformation(vtkInformation*, vtkInformationVector
   littoral::ParameterCheck check;
   check.Require(littoral::WhyInvalid(recipe.Model, grid));
   check.Choice("Phases", this->Phases, 2);
+  check.Choice("IecTurbulence", this->IecTurbulence, 2);
+  check.Require(littoral::WhyInvalid(recipe.Site, static_cast<littoral::IecEvent>(this->IecEvent)));
+  check.Finite("EventStart", this->EventStart, "s");
   check.Finite("WindDirection", this->WindDirection, "degrees");
   check.Finite("Center[0]", this->Center[0], "m");
   check.Finite("Center[1]", this->Center[1], "m");
@@ -177,8 +199,16 @@ bool vtkWindFieldSource::Freeze(const Recipe& recipe)
   auto frozen = std::make_unique<vtkInternals>();
   this->Internals.reset();
   this->SetProgressText("Making wind");
-  littoral::WindField field(recipe.Model, recipe.Grid, recipe.Synthesis);
   frozen->Velocities.resize(recipe.Grid.NumberOfLines() * recipe.Grid.Count[0] * littoral::WindComponents);
+  if (this->IecEvent != NoEvent)
+  {
+    littoral::MakeEventWind(recipe.Model, recipe.Grid, recipe.Site, static_cast<littoral::IecEvent>(this->IecEvent),
+      this->EventStart, frozen->Velocities.data(), littoral::AbortableFor(this));
+    frozen->Made.Modified();
+    this->Internals = std::move(frozen);
+    return true;
+  }
+  littoral::WindField field(recipe.Model, recipe.Grid, recipe.Synthesis);
   for (int component = 0; component < littoral::WindComponents; ++component)
   {
     const double first = 0.9 * component / littoral::WindComponents;
@@ -313,4 +343,12 @@ void vtkWindFieldSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Phases: " << this->Phases << "\n";
   os << indent << "NormalizeVariance: " << (this->NormalizeVariance ? "on" : "off") << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "ShearStress: " << (this->ShearStress ? "on" : "off") << "\n";
+  os << indent << "IecClass: " << this->IecClass << "\n";
+  os << indent << "IecTurbulence: " << this->IecTurbulence << "\n";
+  os << indent << "IecEvent: " << this->IecEvent << "\n";
+  os << indent << "EventStart: " << this->EventStart << "\n";
+  os << indent << "AnnualMeanSpeed: " << this->AnnualMeanSpeed << "\n";
+  os << indent << "RotorDiameter: " << this->RotorDiameter << "\n";
+  os << indent << "ShearExponent: " << this->ShearExponent << "\n";
 }

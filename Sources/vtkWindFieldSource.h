@@ -12,13 +12,13 @@
  * any time. An image at a step is a copy, one between steps takes two transforms per requested line. Linear
  * interpolation between points loses variance; see the user guide for how much.
  *
- * The velocity components are statistically independent: the mean of u'w' is 0 and not -u*^2, and the field is not free
- * of divergence.
+ * The velocity components are statistically independent unless ShearStress is on: the mean of u'w' is 0 and not -u*^2.
+ * The field is not free of divergence.
  *
  * Field data: `CoherenceError` (maximum difference of the root coherence from the model), `FrictionVelocity` [m/s],
  * `ConvectionSpeed` [m/s], `Period` [s]; and of the model `ReferenceSpeed` [m/s], `ReferenceHeight` [m],
  * `RoughnessLength` [m], `Spectrum`, `TurbulenceIntensity`, `Coherence`, `LongitudinalDecay`, `LateralDecay` and
- * `VerticalDecay`, as the properties.
+ * `VerticalDecay`, as the properties, and of a power law `ShearExponent`.
  *
  * The field is computed once and kept, so that another time is a copy. Any extent can be requested; each rank computes
  * the whole field for it. A parameter out of range or a field larger than the memory is reported as one error.
@@ -59,6 +59,29 @@ public:
   {
     Exponential = 0,
     Iec = 1,
+  };
+
+  enum IecClassType
+  {
+    NoClass = 0,
+    APlus = 1,
+    A = 2,
+    B = 3,
+    C = 4,
+  };
+
+  enum IecTurbulenceType
+  {
+    NormalTurbulence = 0,
+    ExtremeTurbulence = 1,
+  };
+
+  enum IecEventType
+  {
+    NoEvent = 0,
+    OperatingGust = 1,
+    DirectionChange = 2,
+    CoherentGust = 3,
   };
 
   enum PhasesType
@@ -144,6 +167,15 @@ public:
 
   ///@{
   /**
+   * Exponent of a power law of the mean wind, ReferenceSpeed (z / ReferenceHeight)^ShearExponent, from 0 to 1; default
+   * 0, the logarithmic law. IEC 61400-1 has 0.2 on land, 0.14 at sea.
+   */
+  vtkSetMacro(ShearExponent, double);
+  vtkGetMacro(ShearExponent, double);
+  ///@}
+
+  ///@{
+  /**
    * Direction towards which the wind blows, counterclockwise from x [degrees]; default 0. With another direction the
    * image has a direction matrix.
    */
@@ -217,6 +249,73 @@ public:
 
   ///@{
   /**
+   * Class of turbulence of IEC 61400-1, an IecClassType; default NoClass. Of A+, A, B and C the reference intensity is
+   * 0.18, 0.16, 0.14 and 0.12, and TurbulenceIntensity follows from it, from IecTurbulence and ReferenceSpeed, the
+   * speed at the hub. With NormalizeVariance each layer has that deviation. Used only if Spectrum is IecKaimal, and for
+   * IecEvent.
+   */
+  vtkSetMacro(IecClass, int);
+  vtkGetMacro(IecClass, int);
+  void SetIecClassToNoClass() { this->SetIecClass(NoClass); }
+  void SetIecClassToAPlus() { this->SetIecClass(APlus); }
+  void SetIecClassToA() { this->SetIecClass(A); }
+  void SetIecClassToB() { this->SetIecClass(B); }
+  void SetIecClassToC() { this->SetIecClass(C); }
+  ///@}
+
+  ///@{
+  /**
+   * Model of turbulence of IEC 61400-1, edition 3, an IecTurbulenceType; default NormalTurbulence (NTM), I_ref (0.75 V
+   * + 5.6). ExtremeTurbulence (ETM): 2 I_ref (0.072 (V_ave/2 + 3) (V/2 - 4) + 10). Used only with an IecClass.
+   */
+  vtkSetMacro(IecTurbulence, int);
+  vtkGetMacro(IecTurbulence, int);
+  void SetIecTurbulenceToNormalTurbulence() { this->SetIecTurbulence(NormalTurbulence); }
+  void SetIecTurbulenceToExtremeTurbulence() { this->SetIecTurbulence(ExtremeTurbulence); }
+  ///@}
+
+  ///@{
+  /**
+   * Transient of IEC 61400-1, edition 3, an IecEventType; default NoEvent. The wind is then its mean profile
+   * without turbulence, plus: OperatingGust (EOG, 10.5 s), DirectionChange (EDC, 6 s), CoherentGust (ECD, 15 m/s and a
+   * change of direction in 10 s). Directions change to the left and stay until the period ends. Needs an IecClass.
+   */
+  vtkSetMacro(IecEvent, int);
+  vtkGetMacro(IecEvent, int);
+  void SetIecEventToNoEvent() { this->SetIecEvent(NoEvent); }
+  void SetIecEventToOperatingGust() { this->SetIecEvent(OperatingGust); }
+  void SetIecEventToDirectionChange() { this->SetIecEvent(DirectionChange); }
+  void SetIecEventToCoherentGust() { this->SetIecEvent(CoherentGust); }
+  ///@}
+
+  ///@{
+  /**
+   * Time at which IecEvent begins at the downwind end of the box [s], a finite number; default 5. In files of
+   * vtkWindFieldWriter it is the time of the plane.
+   */
+  vtkSetMacro(EventStart, double);
+  vtkGetMacro(EventStart, double);
+  ///@}
+
+  ///@{
+  /**
+   * Annual mean wind speed at the hub [m/s], positive; default 10, that of the class I. Used for ExtremeTurbulence and
+   * OperatingGust.
+   */
+  vtkSetMacro(AnnualMeanSpeed, double);
+  vtkGetMacro(AnnualMeanSpeed, double);
+  ///@}
+
+  ///@{
+  /**
+   * Diameter of the rotor [m], positive; default 126. Used for OperatingGust and DirectionChange.
+   */
+  vtkSetMacro(RotorDiameter, double);
+  vtkGetMacro(RotorDiameter, double);
+  ///@}
+
+  ///@{
+  /**
    * Random part of the Fourier coefficients, a PhasesType; default Uniform. Uniform: random phases alone, so that each
    * realization has the energy of the spectrum. GaussianAmplitudes: random amplitudes too, a Gaussian process.
    */
@@ -235,6 +334,17 @@ public:
   vtkSetMacro(NormalizeVariance, bool);
   vtkGetMacro(NormalizeVariance, bool);
   vtkBooleanMacro(NormalizeVariance, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Shear stress: the components along and up have Kaimal's co-spectrum, -14 n / (1 + 9.6 n)^2.4 of u*^2 at n = f z /
+   * U, whose mean of u'w' is about -u*^2; default off, for which it is 0. The spectra and the coherence stay the same.
+   * Where the spectra cannot hold it, as those of IecKaimal high above the ground, the stress is what they hold.
+   */
+  vtkSetMacro(ShearStress, bool);
+  vtkGetMacro(ShearStress, bool);
+  vtkBooleanMacro(ShearStress, bool);
   ///@}
 
   ///@{
@@ -271,6 +381,14 @@ protected:
   int Phases;
   bool NormalizeVariance;
   int Seed;
+  bool ShearStress;
+  int IecClass;
+  int IecTurbulence;
+  int IecEvent;
+  double EventStart;
+  double AnnualMeanSpeed;
+  double RotorDiameter;
+  double ShearExponent;
 
 private:
   vtkWindFieldSource(const vtkWindFieldSource&) = delete;

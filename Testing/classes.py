@@ -133,7 +133,8 @@ def all_entries():
         for hint in one.iterfind("Hints/ReaderFactory"):
             found.append((one.get("class"), entry_of(one, "Open", hint.get("file_description"))))
         for hint in one.iterfind("Hints/WriterFactory"):
-            core = proxies[one.find("SubProxy/Proxy").get("proxyname")]
+            inner = one.find("SubProxy/Proxy")
+            core = one if inner is None else proxies[inner.get("proxyname")]
             found.append((core.get("class"), entry_of(one, "Save", hint.get("file_description"))))
     return found
 
@@ -347,13 +348,22 @@ ROWS = [
     Row("vtkWindFieldSource", "Wind and sway",
         small={"SetDimensions": (16, 4, 4)},
         variants=[{"SetDimensions": (32, 4, 4), "SetSpectrum": (1,)}, {"SetDimensions": (32, 4, 4), "SetSeed": (2,)},
-                  {"SetDimensions": (32, 4, 4), "SetCoherence": (1,), "SetNormalizeVariance": (True,)}],
+                  {"SetDimensions": (32, 4, 4), "SetCoherence": (1,), "SetNormalizeVariance": (True,)},
+                  {"SetDimensions": (32, 4, 4), "SetShearStress": (True,)},
+                  {"SetDimensions": (32, 4, 4), "SetShearExponent": (0.2,)},
+                  {"SetDimensions": (32, 4, 4), "SetSpectrum": (1,), "SetIecClass": (2,), "SetIecTurbulence": (1,)},
+                  {"SetDimensions": (32, 4, 4), "SetIecClass": (1,), "SetIecEvent": (3,), "SetEventStart": (1.0,)}],
         mistakes=[Mistake("WindField", lambda pv: dict(ReferenceSpeed=-1.0), "ReferenceSpeed")]),
     Row("vtkWindStatisticsFilter", "Wind and sway",
         fed_by=[WIND],
         inputs=lambda h: [h.wind()],
         variants=[{"SetHeight": (3.0,)}, {"SetSeparation": (0.0, 2.0)}, {"SetNumberOfBands": (6,)}],
         mistakes=[Mistake("WindStatistics", lambda pv: dict(Input=pv.image()), "Velocity")]),
+    Row("vtkWindFieldReader", "Wind and sway",
+        small={"SetFileName": (str(HERE / "Fuzz" / "wind.bts"),)}),
+    Row("vtkWindFieldWriter", "Wind and sway",
+        fed_by=[WIND],
+        small={"SetFileName": ("wind.bts",)}),
     Row("vtkImageSectionFilter", "Wind and sway",
         fed_by=[WIND],
         inputs=lambda h: [h.wind()],

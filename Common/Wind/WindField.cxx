@@ -346,18 +346,74 @@ double WindField::CoherenceErrorOf(int component, int frequency, Scratch& scratc
   return worst;
 }
 
+bool WindField::HasStress() const
+{
+  return this->Synthesis.ShearStress && this->Component == WindComponents - 1;
+}
+
+double WindField::PowersOfBoth(int frequency, Scratch& scratch) const
+{
+  const std::vector<float> up = scratch.Power;
+  this->WavePower(0, frequency, scratch);
+  std::vector<float>& both = scratch.Power;
+  for (std::size_t n = 0; n < up.size(); ++n)
+  {
+    both[n] = std::sqrt(both[n] * up[n]);
+  }
+  // With the same xi: E A_u A_w* = sum over k of (W_u W_w)^(1/2) / N
+  const double likeness =
+    WholeSum(both, this->Quarter, this->Padded) / (static_cast<double>(this->Padded[0]) * this->Padded[1]);
+  scratch.Power = up;
+  return likeness;
+}
+
+std::vector<float> WindField::SharedPart(int frequency, double likeness) const
+{
+  const double hertz = frequency / this->Grid.Period();
+  std::vector<float> parts(this->Grid.Count[2]);
+  for (int layer = 0; layer < this->Grid.Count[2]; ++layer)
+  {
+    const double height = this->Grid.Height(layer);
+    const double both = std::sqrt(
+      SpectralDensity(this->Model, 0, hertz, height) * SpectralDensity(this->Model, this->Component, hertz, height));
+    // g = C_uw / (S_u S_w)^(1/2), over the likeness of the planes
+    const double part = ShearDensity(this->Model, hertz, height) / (both * likeness);
+    parts[layer] = static_cast<float>(std::clamp(part, -1.0, 1.0));
+  }
+  return parts;
+}
+
 void WindField::SumWaves(int frequency, Scratch& scratch)
 {
+  const double likeness = this->HasStress() ? this->PowersOfBoth(frequency, scratch) : 0.0;
   const std::size_t cells = static_cast<std::size_t>(this->Padded[0]) * this->Padded[1];
-  WindFactors(this->Synthesis, this->Component, frequency, 0, cells, scratch.Re.data(), scratch.Im.data());
   // Algorithm 3, step 3: A(y, z) = sum over k of (W / N)^(1/2) xi(k) exp(i k . r), with E |xi|^2 = 1 and N cells, so
   // that E A A'* = gamma
   for (float& power : scratch.Power)
   {
     power = std::sqrt(power / static_cast<float>(cells));
   }
+  std::vector<float> parts;
+  if (this->HasStress())
+  {
+    parts = this->SharedPart(frequency, likeness);
+    this->AddWaves(0, frequency, true, parts, scratch);
+    for (float& part : parts)
+    {
+      // (1 - g^2)^(1/2): the power stays as it is
+      part = std::sqrt(std::max(0.0f, 1.0f - part * part));
+    }
+  }
+  this->AddWaves(this->Component, frequency, parts.empty(), parts, scratch);
+}
+
+/// Adds waves with the random factors of a component, as large in each layer as its share; no shares stand for ones.
+void WindField::AddWaves(int component, int frequency, bool isFirst, const std::vector<float>& shares, Scratch& scratch)
+{
+  const std::size_t cells = static_cast<std::size_t>(this->Padded[0]) * this->Padded[1];
+  WindFactors(this->Synthesis, component, frequency, 0, cells, scratch.Re.data(), scratch.Im.data());
   this->SumUp(scratch);
-  this->SumAcross(frequency, scratch);
+  this->SumAcross(frequency, isFirst, shares, scratch);
 }
 
 /// The sum over wave numbers up: columns side by side; only the layers of the grid are kept.
@@ -393,7 +449,7 @@ void WindField::SumUp(Scratch& scratch) const
 
 /// The sum over wave numbers across: layers side by side, each scaled by its own spectrum; only the columns of the grid
 /// are kept.
-void WindField::SumAcross(int frequency, Scratch& scratch)
+void WindField::SumAcross(int frequency, bool isFirst, const std::vector<float>& shares, Scratch& scratch)
 {
   const int width = this->Padded[0];
   const int layers = this->Grid.Count[2];
@@ -410,6 +466,7 @@ void WindField::SumAcross(int frequency, Scratch& scratch)
       const double density =
         SpectralDensity(this->Model, this->Component, frequency * step, this->Grid.Height(first + lane));
       scale[lane] = static_cast<float>(std::sqrt(0.5 * density * step));
+      scale[lane] *= shares.empty() ? 1.0f : shares[first + lane];
     }
     for (int lane = 0; lane < lanes; ++lane)
     {
@@ -427,8 +484,10 @@ void WindField::SumAcross(int frequency, Scratch& scratch)
       const std::size_t to = plane + static_cast<std::size_t>(j) * layers + first;
       for (int lane = 0; lane < lanes; ++lane)
       {
-        this->PlaneRe[to + lane] = scale[lane] * scratch.Across.Re[from + lane];
-        this->PlaneIm[to + lane] = scale[lane] * scratch.Across.Im[from + lane];
+        const float re = scale[lane] * scratch.Across.Re[from + lane];
+        const float im = scale[lane] * scratch.Across.Im[from + lane];
+        this->PlaneRe[to + lane] = isFirst ? re : this->PlaneRe[to + lane] + re;
+        this->PlaneIm[to + lane] = isFirst ? im : this->PlaneIm[to + lane] + im;
       }
     }
   }

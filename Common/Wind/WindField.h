@@ -45,6 +45,7 @@ struct WindSynthesis
   WindPhases Phases = WindPhases::Uniform;
   bool NormalizeVariance = false; ///< scale each component and layer to Variance(), of all frequencies
   int Seed = 1;
+  bool ShearStress = false; ///< whether gusts along and up have the co-spectrum ShearDensity()
 };
 
 /// The smallest even product of 2, 3 and 5 that is not below the given size: lengths along the wind.
@@ -73,6 +74,10 @@ void WindFactors(const WindSynthesis& synthesis, int component, int frequency, s
  * the Fourier coefficients in time, from one wave a period to the last that has more than two samples: two samples
  * would not tell such a wave's size from its phase, and it would pulse between them. Power that comes out negative is
  * taken as none; how far that moves the coherence is known exactly.
+ *
+ * With ShearStress the waves up are those of their own with the part (1 - g^2)^(1/2) and, with the part g, such as have
+ * the random factors of those along the wind; g follows from the co-spectrum at each frequency and height, at most 1.
+ * Both have the coherence of the component, so that spectra stay as they are.
  *
  * Components are made one after the other: BeginComponent, then all blocks of frequencies, FinishPlanes, then all packs
  * of lines, where blocks and packs can go to any threads.
@@ -107,8 +112,13 @@ private:
   void TransformEven(std::vector<float>& quarter, Scratch& scratch) const;
   double CoherenceErrorOf(int component, int frequency, Scratch& scratch) const;
   void SumWaves(int frequency, Scratch& scratch);
+  void AddWaves(int component, int frequency, bool isFirst, const std::vector<float>& shares, Scratch& scratch);
   void SumUp(Scratch& scratch) const;
-  void SumAcross(int frequency, Scratch& scratch);
+  void SumAcross(int frequency, bool isFirst, const std::vector<float>& shares, Scratch& scratch);
+  bool HasStress() const;
+  /// Likeness of planes of waves along and up that have the same random factors; then the power is that of those up.
+  double PowersOfBoth(int frequency, Scratch& scratch) const;
+  std::vector<float> SharedPart(int frequency, double likeness) const;
 
   WindModel Model;
   WindGrid Grid;

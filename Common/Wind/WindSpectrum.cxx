@@ -137,6 +137,7 @@ std::string WhyInvalid(const WindModel& model)
     "finite and above the RoughnessLength of " + TextOf(model.RoughnessLength) + " m");
   check.Within("RoughnessLength", model.RoughnessLength, ValueInterval::Between(0.0, CoherenceHeight), "m");
   check.Finite("TurbulenceIntensity", model.TurbulenceIntensity); // also where it does not count: it is written
+  check.Range("ShearExponent", model.ShearExponent, 0.0, 1.0);
   check.Choice("Spectrum", static_cast<int>(model.Spectrum), NumberOfWindSpectra);
   check.Choice("Coherence", static_cast<int>(model.Coherence), NumberOfWindCoherences);
   if (!check.IsGood())
@@ -162,6 +163,11 @@ double FrictionVelocity(const WindModel& model)
 
 double MeanSpeed(const WindModel& model, double height)
 {
+  if (model.ShearExponent > 0.0)
+  {
+    // IEC 61400-1: U(z) = U_r (z/z_r)^alpha
+    return model.ReferenceSpeed * std::pow(height / model.ReferenceHeight, model.ShearExponent);
+  }
   // eq. 10: U(z) = u_*/k ln(z/z_0)
   return FrictionVelocity(model) / VonKarman * std::log(height / model.RoughnessLength);
 }
@@ -174,6 +180,14 @@ double ConvectionSpeed(const WindModel& model)
 double SpectralDensity(const WindModel& model, int component, double frequency, double height)
 {
   return TraitsOf(model.Spectrum).Density(model, component, frequency, height);
+}
+
+double ShearDensity(const WindModel& model, double frequency, double height)
+{
+  const double friction = FrictionVelocity(model);
+  const double time = height / MeanSpeed(model, height);
+  // Kaimal et al. (1972): C_uw = -u_*^2 14 (z/U) / (1 + 9.6 n)^2.4
+  return -14.0 * friction * friction * time / std::pow(1.0 + 9.6 * frequency * time, 2.4);
 }
 
 double Variance(const WindModel& model, int component)

@@ -52,6 +52,7 @@ struct WindModel
   double TurbulenceIntensity = 0.16; ///< IecKaimal: standard deviation along the wind over ReferenceSpeed, positive
   WindCoherenceModel Coherence = WindCoherenceModel::Exponential;
   std::array<WindDecay, WindComponents> Decay{ { { 10.0, 10.0 }, { 10.0, 10.0 }, { 8.0, 8.0 } } };
+  double ShearExponent = 0.0; ///< of a power law of the mean, from 0 to 1; 0: the logarithmic law
 };
 
 /// The row of a family of spectra: everything that sets it apart. A new family is an enumerator and a row.
@@ -92,7 +93,7 @@ std::string WhyInvalid(const WindModel& model);
 /// Friction velocity u_* [m/s]: von Karman's constant 0.4 times the slope of the mean over ln z.
 double FrictionVelocity(const WindModel& model);
 
-/// The mean at a height above RoughnessLength [m/s]: the logarithmic law (eq. 10).
+/// The mean at a height above RoughnessLength [m/s]: the logarithmic law (eq. 10), or a power law with ShearExponent.
 double MeanSpeed(const WindModel& model, double height);
 
 /// Speed at which the turbulence is carried past, the same for all heights [m/s].
@@ -100,6 +101,12 @@ double ConvectionSpeed(const WindModel& model);
 
 /// One-sided power spectral density of a component [m2/s2/Hz] at a frequency [Hz] and a height [m] (eq. 9).
 double SpectralDensity(const WindModel& model, int component, double frequency, double height);
+
+/**
+ * One-sided co-spectrum of the components along and up [m2/s2/Hz], Kaimal et al. (1972): f C_uw / u_*^2 = -14 n / (1
+ * + 9.6 n)^2.4, n = f z / U(z). Its integral over all frequencies is -1.0417 u_*^2.
+ */
+double ShearDensity(const WindModel& model, double frequency, double height);
 
 /// Variance of a component [m2/s2]: the integral of its spectral density over all frequencies.
 double Variance(const WindModel& model, int component);

@@ -83,6 +83,8 @@ WindModel ReadModel(vtkImageData* image)
   WindModel model;
   const ParameterReader reader{ ArrayReader::OfFields(image, "The wind", 1) };
   ForEachParameter(model, reader);
+  vtkDataArray* exponent = reader.Fields.Find("ShearExponent", 1);
+  model.ShearExponent = exponent ? exponent->GetComponent(0, 0) : 0.0;
   double families[2] = { 0.0, 0.0 };
   reader("Spectrum", families[0]);
   reader("Coherence", families[1]);
@@ -157,6 +159,10 @@ std::shared_ptr<const FrozenWind> ReadWind(vtkImageData* image)
 void WriteWindModel(const WindModel& model, vtkDataObject* data)
 {
   ForEachParameter(model, ParameterWriter{ data });
+  if (model.ShearExponent > 0.0)
+  {
+    AddField(data, "ShearExponent", { model.ShearExponent });
+  }
   AddField(data, "Spectrum", { static_cast<double>(model.Spectrum) });
   AddField(data, "Coherence", { static_cast<double>(model.Coherence) });
 }

@@ -71,6 +71,7 @@ set(all_TestTurningBands */DoubleExponential */Telis */Bessel2)
 set(standard_TestVariogramFit VariogramFit.GrownFieldsGiveBackModelAndParameters)
 set(standard_TestWaterWalls WaterWalls.GatherNoTracers)
 set(standard_TestWaveTrains Spectrum.EnergiesAreThoseOfAnotherQuadrature WaveDirections.HaveTheMomentsOfTheirDistribution)
-set(standard_TestWindField WindField.DoesNotPulseBetweenItsTimes WindField.SpectraOfOneRun WindField.AgreesWithCholesky)
+set(standard_TestWindField WindField.DoesNotPulseBetweenItsTimes WindField.SpectraOfOneRun WindField.AgreesWithCholesky
+  WindField.ShearStressIsThatOfTheCospectrumAndSpectraStay WindField.ShearStressOfComponentsThatAreNotCoherentAlike)
 # Coherence is that of the model in ImpliedCoherenceIsTheModelWithinTheReportedError and AgreesWithCholesky too.
 set(all_TestWindField WindField.CoherenceOfSixRuns)

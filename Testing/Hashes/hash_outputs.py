@@ -214,6 +214,18 @@ def print_raster():
             print_outputs(make("vtkElevationReader", SetFileName=(name,)), f"vtkElevationReader {compression}")
 
 
+def print_wind():
+    """Hashes of a wind that the writer writes, and of what the reader reads of it."""
+    with tempfile.TemporaryDirectory() as folder:
+        for extension in ("bts", "hawc", "wnd"):
+            name = os.path.join(folder, "wind." + extension)
+            make("vtkWindFieldWriter", (wind(),), SetFileName=(name,)).Write()
+            print_outputs(make("vtkWindFieldReader", SetFileName=(name,)), f"vtkWindFieldReader {extension}")
+        for name in sorted(os.listdir(folder)):
+            with open(os.path.join(folder, name), "rb") as file:
+                print("vtkWindFieldWriter", name, hashlib.sha256(file.read()).hexdigest()[:16])
+
+
 def print_table():
     """Hashes of a table that the reader reads."""
     for reader in ("vtkTextTableReader", "vtkWaveSpectrumReader"):
@@ -233,6 +245,7 @@ def main(wanted):
     if not wanted:
         print_volume()
         print_scene()
+        print_wind()
         print_raster()
         print_table()
 

@@ -16,11 +16,11 @@ COMMON = Path(os.environ["LITTORAL_SOURCE_DIR"]) / "Common"
 #: Headers with names of the standard library, each of which is enough.
 STANDARD = {
     "algorithm": "clamp max min upper_bound", "array": "array", "cmath": "abs cos floor fmax fmin fmod hypot isfinite isnan pow "
-    "sin sqrt", "complex": "complex", "cstddef": "ptrdiff_t size_t", "cstring": "memcpy", "cstdint": "int16_t int32_t int64_t uint8_t uint32_t uint64_t",
+    "sin sqrt", "complex": "complex", "cstddef": "ptrdiff_t size_t", "cstring": "memcpy", "cstdint": "int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t",
     "functional": "function greater", "initializer_list": "initializer_list", "iterator": "next prev",
     "limits": "numeric_limits", "map": "map", "memory": "shared_ptr unique_ptr", "numeric": "partial_sum",
     "optional": "optional", "set": "set", "sstream": "ostringstream", "stdexcept": "runtime_error",
-    "string": "string to_string", "string_view": "string_view", "type_traits": "remove_reference_t", "utility": "move", "vector": "vector"}
+    "string": "string to_string", "string_view": "string_view", "type_traits": "conditional_t remove_reference_t", "utility": "move", "vector": "vector"}
 HEADER_OF = {name: header for header, names in STANDARD.items() for name in names.split()}
 TYPE = re.compile(r"^(?:struct|class|enum class|using) (?:alignas\(\d+\) )?(\w+)(?! *;)", re.M)
 OWN = re.compile(r"\b(?:struct|class|enum class|typename) (\w+)\b")  # declared in the header itself

@@ -246,6 +246,31 @@ TEST(WindField, MeanIsTheLogarithmicLaw)
   EXPECT_LT(worst, 1e-6);
 }
 
+TEST(WindField, MeanIsThePowerLaw)
+{
+  WindModel model;
+  model.ReferenceSpeed = 12.0;
+  model.ReferenceHeight = 90.0;
+  model.ShearExponent = 0.2;
+  EXPECT_EQ(WhyInvalid(model), "");
+  EXPECT_DOUBLE_EQ(MeanSpeed(model, 90.0), 12.0);
+  EXPECT_NEAR(MeanSpeed(model, 180.0) / 12.0, 1.148698, 1e-6); // 2^0.2
+  WindGrid grid = GridOf(16, 2, 3, 30.0);
+  grid.BottomHeight = 60.0;
+  const std::vector<float> field = Wind(grid, {}, model);
+  for (int layer = 0; layer < 3; ++layer)
+  {
+    double mean = 0.0;
+    for (int n = 0; n < 32; ++n)
+    {
+      mean += field[3 * (32 * layer + n)] / 32.0;
+    }
+    EXPECT_NEAR(mean, 12.0 * std::pow(grid.Height(layer) / 90.0, 0.2), 1e-5);
+  }
+  model.ShearExponent = 1.5;
+  EXPECT_NE(WhyInvalid(model).find("ShearExponent"), std::string::npos);
+}
+
 TEST(WindField, CoherenceOfSixRuns)
 {
   const WindGrid grid = GridOf(12000, 32, 32);
@@ -597,6 +622,113 @@ TEST(WindField, GaussianAmplitudesHaveUnitPower)
   }
   EXPECT_NEAR(power, 1.0, 0.02);
   EXPECT_NEAR(fourth, 2.0, 0.1);
+}
+
+namespace
+{
+
+/// Power and co-spectrum of the components along and up over a band of frequencies [Hz], the mean over lines.
+struct BandStress
+{
+  double Along = 0.0;
+  double Up = 0.0;
+  double Both = 0.0;
+};
+
+BandStress StressIn(const std::vector<float>& field, const WindGrid& grid, double low, double high)
+{
+  const auto along = Spectra(field, grid, 0);
+  const auto up = Spectra(field, grid, 2);
+  const double factor = 2.0 / std::pow(grid.Count[0], 2.0) / static_cast<double>(grid.NumberOfLines());
+  BandStress sum;
+  for (std::size_t line = 0; line < along.size(); ++line)
+  {
+    for (std::size_t k = 1; k < along[line].size(); ++k)
+    {
+      const double hertz = static_cast<double>(k) / grid.Period();
+      const double part = hertz >= low && hertz < high ? factor : 0.0;
+      sum.Along += part * std::norm(along[line][k]);
+      sum.Up += part * std::norm(up[line][k]);
+      sum.Both += part * (along[line][k] * std::conj(up[line][k])).real();
+    }
+  }
+  return sum;
+}
+
+/// Integral of Kaimal's co-spectrum over u_*^2 from 0 to a frequency: -14/(9.6 x 1.4) (1 - (1 + 9.6 n)^-1.4).
+double KaimalStress(double hertz, double height)
+{
+  const double n = hertz * height / MeanSpeed({}, height);
+  return -14.0 / (9.6 * 1.4) * (1.0 - std::pow(1.0 + 9.6 * n, -1.4));
+}
+
+}
+
+TEST(WindField, ShearStressIsThatOfTheCospectrumAndSpectraStay)
+{
+  WindGrid grid;
+  grid.Count = { 24000, 32, 1 }; // lines so far apart that each is a run of its own
+  grid.TimeStep = 0.25;
+  grid.LateralSpacing = 1000.0;
+  grid.BottomHeight = 10.0;
+  WindSynthesis synthesis;
+  const std::vector<float> without = Wind(grid, synthesis);
+  synthesis.ShearStress = true;
+  const std::vector<float> with = Wind(grid, synthesis);
+  const double unit = std::pow(FrictionVelocity({}), 2.0);
+  EXPECT_NEAR(StressIn(with, grid, 0.0, 9.0).Both / unit, -1.0, 0.05);
+  EXPECT_NEAR(StressIn(without, grid, 0.0, 9.0).Both / unit, 0.0, 0.02);
+  for (const auto& [low, high] : { std::pair(1e-9, 0.06), std::pair(0.06, 0.3), std::pair(0.3, 1.99) })
+  {
+    const BandStress before = StressIn(without, grid, low, high);
+    const BandStress after = StressIn(with, grid, low, high);
+    EXPECT_EQ(after.Along, before.Along);
+    EXPECT_LT(std::abs(10.0 * std::log10(after.Up / before.Up)), 0.1) << low;
+    EXPECT_NEAR(after.Both / unit, KaimalStress(high, 10.0) - KaimalStress(low, 10.0), 0.02) << low;
+  }
+}
+
+TEST(WindField, ShearStressOfComponentsThatAreNotCoherentAlike)
+{
+  WindGrid grid;
+  grid.Count = { 24000, 16, 1 };
+  grid.TimeStep = 0.25;
+  grid.BottomHeight = 10.0;
+  WindModel model;
+  model.Decay = { { { 2.0, 2.0 }, { 10.0, 10.0 }, { 30.0, 30.0 } } };
+  WindSynthesis synthesis;
+  synthesis.ShearStress = true;
+  const BandStress stress = StressIn(Wind(grid, synthesis, model), grid, 0.1, 1.0);
+  const double unit = std::pow(FrictionVelocity(model), 2.0);
+  EXPECT_NEAR(stress.Both / unit, KaimalStress(1.0, 10.0) - KaimalStress(0.1, 10.0), 0.02);
+}
+
+TEST(WindField, ShearStressHardlyMovesCoherence)
+{
+  // Of two heights the coherence is multiplied by g g' + ((1 - g^2) (1 - g'^2))^(1/2); g by another formula.
+  const auto part = [](double f, double z) {
+    const double n = f * z / MeanSpeed({}, z);
+    return 14.0 * std::pow(1.0 + 9.6 * n, -2.4) /
+      std::sqrt(200.0 * std::pow(1.0 + 50.0 * n, -5.0 / 3.0) * 3.36 / (1.0 + 10.0 * std::pow(n, 5.0 / 3.0)));
+  };
+  double worst = 0.0;
+  for (double f = 1e-3; f < 10.0; f *= 1.1)
+  {
+    for (double z = 1.0; z <= 60.0; z += 1.0)
+    {
+      EXPECT_NEAR(part(f, z),
+        -ShearDensity({}, f, z) / std::sqrt(SpectralDensity({}, 0, f, z) * SpectralDensity({}, 2, f, z)), 1e-9);
+      EXPECT_LT(part(f, z), 0.7);
+      for (double other = z; other <= 60.0; other += 1.0)
+      {
+        const double g = part(f, z);
+        const double h = part(f, other);
+        const double factor = g * h + std::sqrt((1.0 - g * g) * (1.0 - h * h));
+        worst = std::max(worst, (1.0 - factor) * RootCoherence({}, 2, f, 0.0, other - z));
+      }
+    }
+  }
+  EXPECT_LT(worst, 0.011);
 }
 
 TEST(WindField, SameBytesForAnyThreads)

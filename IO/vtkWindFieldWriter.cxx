@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWindFieldWriter.h"
+
+#include "InflowFile.h"
+#include "InflowImage.h"
+#include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
+#include "Pipeline/Pipeline.h"
+
+#include "vtkCommand.h"
+#include "vtkErrorCode.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <array>
+#include <new>
+#include <vector>
+
+vtkStandardNewMacro(vtkWindFieldWriter);
+
+namespace
+{
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+/// The image of an output, or null.
+vtkImageData* ImageOf(vtkAlgorithm* producer, int port)
+{
+  return vtkImageData::SafeDownCast(producer->GetOutputDataObject(port));
+}
+
+/// Updates a part of an image. Throws Aborted where that fails: the producer has told why.
+vtkImageData* UpdatedPart(vtkAlgorithm* producer, int port, const std::array<int, 6>& extent)
+{
+  vtkInformation* info = producer->GetOutputInformation(port);
+  info->Set(Pipeline::UPDATE_EXTENT_INITIALIZED(), 1);
+  info->Set(Pipeline::UPDATE_EXTENT(), extent.data(), 6);
+  const bool isUpdated = producer->GetExecutive()->Update(port) != 0;
+  vtkImageData* image = ImageOf(producer, port);
+  if (!isUpdated || !image || image->GetNumberOfPoints() == 0)
+  {
+    throw littoral::Aborted();
+  }
+  return image;
+}
+
+}
+
+//----------------------------------------------------------------------------
+vtkWindFieldWriter::vtkWindFieldWriter() = default;
+
+//----------------------------------------------------------------------------
+vtkWindFieldWriter::~vtkWindFieldWriter()
+{
+  this->SetFileName(nullptr);
+}
+
+//----------------------------------------------------------------------------
+int vtkWindFieldWriter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+vtkTypeBool vtkWindFieldWriter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return littoral::WithoutExceptions(
+    this, request, outputVector, [&] { return this->Superclass::ProcessRequest(request, inputVector, outputVector); });
+}
+
+//----------------------------------------------------------------------------
+int vtkWindFieldWriter::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  this->InvokeEvent(vtkCommand::StartEvent);
+  this->WriteData();
+  this->InvokeEvent(vtkCommand::EndEvent);
+  this->WriteTime.Modified();
+  // An abort is no failure.
+  return this->IsWritten || this->GetErrorCode() == vtkErrorCode::UserError ? 1 : littoral::FailedRequest(this);
+}
+
+//----------------------------------------------------------------------------
+void vtkWindFieldWriter::WriteData()
+{
+  this->WriteOrRefuse([&] {
+    auto* image = vtkImageData::SafeDownCast(this->GetInput());
+    littoral::Require(image ? "" : "there is no input");
+    int whole[6];
+    image->GetExtent(whole);
+    this->WritePlanes(whole, [image](int, int) { return image; });
+  });
+}
+
+//----------------------------------------------------------------------------
+int vtkWindFieldWriter::Write()
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  this->InvokeEvent(vtkCommand::StartEvent);
+  this->WriteOrRefuse([&] {
+    int port = 0;
+    vtkAlgorithm* producer = this->GetNumberOfInputConnections(0) > 0 ? this->GetInputAlgorithm(0, 0, port) : nullptr;
+    littoral::Require(producer ? "" : "there is no input");
+    producer->UpdateInformation();
+    vtkInformation* info = producer->GetOutputInformation(port);
+    const bool isImage = ImageOf(producer, port) && info->Has(Pipeline::WHOLE_EXTENT());
+    littoral::Require(isImage ? "" : "the input is no image");
+    std::array<int, 6> whole{};
+    info->Get(Pipeline::WHOLE_EXTENT(), whole.data());
+    littoral::Require(whole[1] >= whole[0] ? "" : "the input is empty");
+    this->WritePlanes(whole.data(), [&](int first, int last) {
+      return UpdatedPart(producer, port, { first, last, whole[2], whole[3], whole[4], whole[5] });
+    });
+  });
+  this->InvokeEvent(vtkCommand::EndEvent);
+  this->WriteTime.Modified();
+  return this->IsWritten ? 1 : 0;
+}
+
+//----------------------------------------------------------------------------
+void vtkWindFieldWriter::WriteOrRefuse(const std::function<void()>& write)
+{
+  this->IsWritten = false;
+  std::string reason;
+  try
+  {
+    write();
+  }
+  catch (const littoral::Aborted&)
+  {
+    this->SetErrorCode(littoral::IsAborted(this) ? vtkErrorCode::UserError : vtkErrorCode::UnknownError);
+  }
+  catch (const littoral::InvalidInput& refusal)
+  {
+    reason = refusal.what();
+  }
+  catch (const std::bad_alloc&)
+  {
+    reason = "there is not enough memory";
+  }
+  if (!reason.empty())
+  {
+    vtkErrorMacro(<< littoral::FileMessage("write", this->FileName ? this->FileName : "", "a wind", reason));
+    if (this->GetErrorCode() == vtkErrorCode::NoError)
+    {
+      this->SetErrorCode(vtkErrorCode::UnknownError);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkWindFieldWriter::WritePlanes(const int whole[6], const PartOfInput& part)
+{
+  const std::string path = this->FileName ? this->FileName : "";
+  littoral::Require(path.empty() ? "FileName is empty" : "");
+  littoral::FormatOf(path);
+  littoral::ParameterCheck check;
+  check.NotNegative("HubHeight", this->HubHeight, "m");
+  check.Choice("PlaneOrder", this->PlaneOrder, LatestFirst + 1);
+  littoral::Require(check.Reason());
+
+  this->SetProgressText("Writing wind");
+  vtkImageData* first = part(whole[1], whole[1]);
+  const littoral::InflowGrid grid = littoral::ReadInflowGrid(first, whole, { this->HubHeight, this->TowerLayers });
+  littoral::RequireMemory(6.0 * sizeof(float) * static_cast<double>(grid.PointsOfPlane()) * littoral::TimesAtOnce(grid),
+    "a part of the wind", "take fewer points across and up");
+  double done = 0.0;
+  const littoral::InflowSource planes = [&](int begin, int count, float* velocities) {
+    this->UpdateProgress(done / (2.0 * grid.Count[0]));
+    done += count;
+    if (littoral::IsAborted(this))
+    {
+      return false;
+    }
+    littoral::CopyPlanes(part(whole[1] - begin - count + 1, whole[1] - begin), whole, grid, begin, count, velocities);
+    return true;
+  };
+  littoral::InflowRange range;
+  std::vector<float> velocities(3 * grid.PointsOfPlane() * littoral::TimesAtOnce(grid));
+  const bool isRead = littoral::ForSlabs(grid, false, [&](int begin, int count) {
+    const bool proceeds = planes(begin, count, velocities.data());
+    if (proceeds)
+    {
+      range.Add(velocities.data(), grid.PointsOfPlane() * count);
+    }
+    return proceeds;
+  });
+  if (!isRead)
+  {
+    throw littoral::Aborted();
+  }
+  velocities = {};
+  const littoral::FileOutcome outcome = littoral::WriteInflow(
+    littoral::TargetOf(path, grid, range, static_cast<littoral::HawcOrder>(this->PlaneOrder)), planes);
+  this->IsWritten = outcome.Written;
+  if (!outcome.Written)
+  {
+    this->SetErrorCode(outcome.Reason.empty() ? vtkErrorCode::UserError : vtkErrorCode::CannotOpenFileError);
+  }
+  littoral::Require(outcome.Reason);
+  this->UpdateProgress(1.0);
+}
+
+//----------------------------------------------------------------------------
+void vtkWindFieldWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "HubHeight: " << this->HubHeight << "\n";
+  os << indent << "TowerLayers: " << this->TowerLayers << "\n";
+  os << indent << "PlaneOrder: " << this->PlaneOrder << "\n";
+}
