@@ -227,7 +227,7 @@ InflowFormat FormatOf(const std::string& path)
   const std::string extension = std::filesystem::path(path).extension().string();
   Require(extension == ".bts" || extension == ".hawc" || extension == ".wnd"
       ? ""
-      : "its format is unknown; give a name that ends in .bts, .hawc or .wnd");
+      : "its format is unknown; give a FileName that ends in .bts, .hawc or .wnd");
   return extension == ".bts" ? InflowFormat::TurbSim : extension == ".hawc" ? InflowFormat::Hawc : InflowFormat::Bladed;
 }
 

@@ -62,7 +62,7 @@ public:
   littoral::WindModel Model;
   littoral::WindGrid Grid;
   littoral::WindSynthesis Synthesis;
-  littoral::IecSite Site;
+  littoral::IECSite Site;
 };
 
 /// The field at time 0 in the axes of the wind.
@@ -96,9 +96,9 @@ vtkWindFieldSource::vtkWindFieldSource()
   , NormalizeVariance(false)
   , Seed(1)
   , ShearStress(false)
-  , IecClass(NoClass)
-  , IecTurbulence(NormalTurbulence)
-  , IecEvent(NoEvent)
+  , IECClass(NoClass)
+  , IECTurbulence(NormalTurbulence)
+  , IECEvent(NoEvent)
   , EventStart(5.0)
   , AnnualMeanSpeed(10.0)
   , RotorDiameter(126.0)
@@ -132,11 +132,11 @@ vtkWindFieldSource::Recipe vtkWindFieldSource::MakeRecipe() const
   grid.BottomHeight = this->BottomHeight;
   recipe.Synthesis = { static_cast<littoral::WindPhases>(this->Phases), this->NormalizeVariance, this->Seed,
     this->ShearStress };
-  recipe.Site = { static_cast<littoral::IecClass>(this->IecClass), this->AnnualMeanSpeed, this->RotorDiameter,
+  recipe.Site = { static_cast<littoral::IECClass>(this->IECClass), this->AnnualMeanSpeed, this->RotorDiameter,
     this->ReferenceSpeed, this->ReferenceHeight };
-  if (this->IecClass > NoClass && this->IecClass < littoral::NumberOfIecClasses)
+  if (this->IECClass > NoClass && this->IECClass < littoral::NumberOfIECClasses)
   {
-    const auto turbulence = static_cast<littoral::IecTurbulence>(this->IecTurbulence);
+    const auto turbulence = static_cast<littoral::IECTurbulence>(this->IECTurbulence);
     model.TurbulenceIntensity = littoral::DeviationOf(recipe.Site, turbulence) / this->ReferenceSpeed;
   }
   return recipe;
@@ -150,8 +150,8 @@ int vtkWindFieldSource::RequestInformation(vtkInformation*, vtkInformationVector
   littoral::ParameterCheck check;
   check.Require(littoral::WhyInvalid(recipe.Model, grid));
   check.Choice("Phases", this->Phases, 2);
-  check.Choice("IecTurbulence", this->IecTurbulence, 2);
-  check.Require(littoral::WhyInvalid(recipe.Site, static_cast<littoral::IecEvent>(this->IecEvent)));
+  check.Choice("IECTurbulence", this->IECTurbulence, 2);
+  check.Require(littoral::WhyInvalid(recipe.Site, static_cast<littoral::IECEvent>(this->IECEvent)));
   check.Finite("EventStart", this->EventStart, "s");
   check.Finite("WindDirection", this->WindDirection, "degrees");
   check.Finite("Center[0]", this->Center[0], "m");
@@ -200,9 +200,9 @@ bool vtkWindFieldSource::Freeze(const Recipe& recipe)
   this->Internals.reset();
   this->SetProgressText("Making wind");
   frozen->Velocities.resize(recipe.Grid.NumberOfLines() * recipe.Grid.Count[0] * littoral::WindComponents);
-  if (this->IecEvent != NoEvent)
+  if (this->IECEvent != NoEvent)
   {
-    littoral::MakeEventWind(recipe.Model, recipe.Grid, recipe.Site, static_cast<littoral::IecEvent>(this->IecEvent),
+    littoral::MakeEventWind(recipe.Model, recipe.Grid, recipe.Site, static_cast<littoral::IECEvent>(this->IECEvent),
       this->EventStart, frozen->Velocities.data(), littoral::AbortableFor(this));
     frozen->Made.Modified();
     this->Internals = std::move(frozen);
@@ -344,9 +344,9 @@ void vtkWindFieldSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NormalizeVariance: " << (this->NormalizeVariance ? "on" : "off") << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "ShearStress: " << (this->ShearStress ? "on" : "off") << "\n";
-  os << indent << "IecClass: " << this->IecClass << "\n";
-  os << indent << "IecTurbulence: " << this->IecTurbulence << "\n";
-  os << indent << "IecEvent: " << this->IecEvent << "\n";
+  os << indent << "IECClass: " << this->IECClass << "\n";
+  os << indent << "IECTurbulence: " << this->IECTurbulence << "\n";
+  os << indent << "IECEvent: " << this->IECEvent << "\n";
   os << indent << "EventStart: " << this->EventStart << "\n";
   os << indent << "AnnualMeanSpeed: " << this->AnnualMeanSpeed << "\n";
   os << indent << "RotorDiameter: " << this->RotorDiameter << "\n";

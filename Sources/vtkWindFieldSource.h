@@ -52,16 +52,16 @@ public:
   enum SpectrumType
   {
     SimiuScanlan = 0,
-    IecKaimal = 1,
+    IECKaimal = 1,
   };
 
   enum CoherenceType
   {
     Exponential = 0,
-    Iec = 1,
+    IEC = 1,
   };
 
-  enum IecClassType
+  enum IECClassType
   {
     NoClass = 0,
     APlus = 1,
@@ -70,13 +70,13 @@ public:
     C = 4,
   };
 
-  enum IecTurbulenceType
+  enum IECTurbulenceType
   {
     NormalTurbulence = 0,
     ExtremeTurbulence = 1,
   };
 
-  enum IecEventType
+  enum IECEventType
   {
     NoEvent = 0,
     OperatingGust = 1,
@@ -186,7 +186,7 @@ public:
   ///@{
   /**
    * Model of the root coherence between two points, a CoherenceType; default Exponential. Exponential: decreasing with
-   * frequency times distance, with the three decay coefficients below (eqs. 11, 12). Iec: the model of IEC 61400-1
+   * frequency times distance, with the three decay coefficients below (eqs. 11, 12). IEC: the model of IEC 61400-1
    * (edition 3, annex B) for the longitudinal component, exp(-12 sqrt((f r / U)^2 + (0.12 r / L_c)^2)) with the
    * distance r, U = ReferenceSpeed, L_c = 8.1 Lambda_1 and Lambda_1 = 0.7 ReferenceHeight, at most 42 m, in which low
    * frequencies too are not fully coherent. The standard does not define the other two components, which keep their
@@ -195,14 +195,14 @@ public:
   vtkSetMacro(Coherence, int);
   vtkGetMacro(Coherence, int);
   void SetCoherenceToExponential() { this->SetCoherence(Exponential); }
-  void SetCoherenceToIec() { this->SetCoherence(Iec); }
+  void SetCoherenceToIEC() { this->SetCoherence(IEC); }
   const char* GetCoherenceAsString() const;
   ///@}
 
   ///@{
   /**
    * Decay coefficients of the root coherence of the longitudinal velocity for lateral and vertical distances, positive;
-   * default 10 10. Not used if Coherence is Iec.
+   * default 10 10. Not used if Coherence is IEC.
    */
   vtkSetVector2Macro(LongitudinalDecay, double);
   vtkGetVector2Macro(LongitudinalDecay, double);
@@ -229,19 +229,19 @@ public:
   ///@{
   /**
    * Model of the velocity spectra, a SpectrumType; default SimiuScanlan. SimiuScanlan: the neutral surface layer, whose
-   * turbulence follows from the mean wind. IecKaimal: the Kaimal spectra of IEC 61400-1, with TurbulenceIntensity.
+   * turbulence follows from the mean wind. IECKaimal: the Kaimal spectra of IEC 61400-1, with TurbulenceIntensity.
    */
   vtkSetMacro(Spectrum, int);
   vtkGetMacro(Spectrum, int);
   void SetSpectrumToSimiuScanlan() { this->SetSpectrum(SimiuScanlan); }
-  void SetSpectrumToIecKaimal() { this->SetSpectrum(IecKaimal); }
+  void SetSpectrumToIECKaimal() { this->SetSpectrum(IECKaimal); }
   const char* GetSpectrumAsString() const;
   ///@}
 
   ///@{
   /**
    * Turbulence intensity, the longitudinal standard deviation relative to ReferenceSpeed, positive; default 0.16. Used
-   * only if Spectrum is IecKaimal.
+   * only if Spectrum is IECKaimal.
    */
   vtkSetMacro(TurbulenceIntensity, double);
   vtkGetMacro(TurbulenceIntensity, double);
@@ -249,48 +249,48 @@ public:
 
   ///@{
   /**
-   * Class of turbulence of IEC 61400-1, an IecClassType; default NoClass. Of A+, A, B and C the reference intensity is
-   * 0.18, 0.16, 0.14 and 0.12, and TurbulenceIntensity follows from it, from IecTurbulence and ReferenceSpeed, the
-   * speed at the hub. With NormalizeVariance each layer has that deviation. Used only if Spectrum is IecKaimal, and for
-   * IecEvent.
+   * Class of turbulence of IEC 61400-1, an IECClassType; default NoClass. Of A+, A, B and C the reference intensity is
+   * 0.18, 0.16, 0.14 and 0.12, and TurbulenceIntensity follows from it, from IECTurbulence and ReferenceSpeed, the
+   * speed at the hub. With NormalizeVariance each layer has that deviation. Used only if Spectrum is IECKaimal, and for
+   * IECEvent.
    */
-  vtkSetMacro(IecClass, int);
-  vtkGetMacro(IecClass, int);
-  void SetIecClassToNoClass() { this->SetIecClass(NoClass); }
-  void SetIecClassToAPlus() { this->SetIecClass(APlus); }
-  void SetIecClassToA() { this->SetIecClass(A); }
-  void SetIecClassToB() { this->SetIecClass(B); }
-  void SetIecClassToC() { this->SetIecClass(C); }
+  vtkSetMacro(IECClass, int);
+  vtkGetMacro(IECClass, int);
+  void SetIECClassToNoClass() { this->SetIECClass(NoClass); }
+  void SetIECClassToAPlus() { this->SetIECClass(APlus); }
+  void SetIECClassToA() { this->SetIECClass(A); }
+  void SetIECClassToB() { this->SetIECClass(B); }
+  void SetIECClassToC() { this->SetIECClass(C); }
   ///@}
 
   ///@{
   /**
-   * Model of turbulence of IEC 61400-1, edition 3, an IecTurbulenceType; default NormalTurbulence (NTM), I_ref (0.75 V
-   * + 5.6). ExtremeTurbulence (ETM): 2 I_ref (0.072 (V_ave/2 + 3) (V/2 - 4) + 10). Used only with an IecClass.
+   * Model of turbulence of IEC 61400-1, edition 3, an IECTurbulenceType; default NormalTurbulence (NTM), I_ref (0.75 V
+   * + 5.6). ExtremeTurbulence (ETM): 2 I_ref (0.072 (V_ave/2 + 3) (V/2 - 4) + 10). Used only with an IECClass.
    */
-  vtkSetMacro(IecTurbulence, int);
-  vtkGetMacro(IecTurbulence, int);
-  void SetIecTurbulenceToNormalTurbulence() { this->SetIecTurbulence(NormalTurbulence); }
-  void SetIecTurbulenceToExtremeTurbulence() { this->SetIecTurbulence(ExtremeTurbulence); }
+  vtkSetMacro(IECTurbulence, int);
+  vtkGetMacro(IECTurbulence, int);
+  void SetIECTurbulenceToNormalTurbulence() { this->SetIECTurbulence(NormalTurbulence); }
+  void SetIECTurbulenceToExtremeTurbulence() { this->SetIECTurbulence(ExtremeTurbulence); }
   ///@}
 
   ///@{
   /**
-   * Transient of IEC 61400-1, edition 3, an IecEventType; default NoEvent. The wind is then its mean profile
+   * Transient of IEC 61400-1, edition 3, an IECEventType; default NoEvent. The wind is then its mean profile
    * without turbulence, plus: OperatingGust (EOG, 10.5 s), DirectionChange (EDC, 6 s), CoherentGust (ECD, 15 m/s and a
-   * change of direction in 10 s). Directions change to the left and stay until the period ends. Needs an IecClass.
+   * change of direction in 10 s). Directions change to the left and stay until the period ends. Needs an IECClass.
    */
-  vtkSetMacro(IecEvent, int);
-  vtkGetMacro(IecEvent, int);
-  void SetIecEventToNoEvent() { this->SetIecEvent(NoEvent); }
-  void SetIecEventToOperatingGust() { this->SetIecEvent(OperatingGust); }
-  void SetIecEventToDirectionChange() { this->SetIecEvent(DirectionChange); }
-  void SetIecEventToCoherentGust() { this->SetIecEvent(CoherentGust); }
+  vtkSetMacro(IECEvent, int);
+  vtkGetMacro(IECEvent, int);
+  void SetIECEventToNoEvent() { this->SetIECEvent(NoEvent); }
+  void SetIECEventToOperatingGust() { this->SetIECEvent(OperatingGust); }
+  void SetIECEventToDirectionChange() { this->SetIECEvent(DirectionChange); }
+  void SetIECEventToCoherentGust() { this->SetIECEvent(CoherentGust); }
   ///@}
 
   ///@{
   /**
-   * Time at which IecEvent begins at the downwind end of the box [s], a finite number; default 5. In files of
+   * Time at which IECEvent begins at the downwind end of the box [s], a finite number; default 5. In files of
    * vtkWindFieldWriter it is the time of the plane.
    */
   vtkSetMacro(EventStart, double);
@@ -340,7 +340,7 @@ public:
   /**
    * Shear stress: the components along and up have Kaimal's co-spectrum, -14 n / (1 + 9.6 n)^2.4 of u*^2 at n = f z /
    * U, whose mean of u'w' is about -u*^2; default off, for which it is 0. The spectra and the coherence stay the same.
-   * Where the spectra cannot hold it, as those of IecKaimal high above the ground, the stress is what they hold.
+   * Where the spectra cannot hold it, as those of IECKaimal high above the ground, the stress is what they hold.
    */
   vtkSetMacro(ShearStress, bool);
   vtkGetMacro(ShearStress, bool);
@@ -382,9 +382,9 @@ protected:
   bool NormalizeVariance;
   int Seed;
   bool ShearStress;
-  int IecClass;
-  int IecTurbulence;
-  int IecEvent;
+  int IECClass;
+  int IECTurbulence;
+  int IECEvent;
   double EventStart;
   double AnnualMeanSpeed;
   double RotorDiameter;

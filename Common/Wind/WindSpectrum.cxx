@@ -51,30 +51,30 @@ double SimiuScanlanVariance(const WindModel& model, int component)
 }
 
 /// Lambda_1 of IEC 61400-1, the scale of turbulence along the wind at the reference height [m].
-double IecScale(const WindModel& model)
+double IECScale(const WindModel& model)
 {
   return 0.7 * std::min(60.0, model.ReferenceHeight);
 }
 
 /// Standard deviation of a component.
-double IecDeviation(const WindModel& model, int component)
+double IECDeviation(const WindModel& model, int component)
 {
   constexpr double shares[] = { 1.0, 0.8, 0.5 };
   return shares[component] * model.TurbulenceIntensity * model.ReferenceSpeed;
 }
 
-double IecKaimalDensity(const WindModel& model, int component, double frequency, double)
+double IECKaimalDensity(const WindModel& model, int component, double frequency, double)
 {
   constexpr double lengths[] = { 8.1, 2.7, 0.66 };
-  const double time = lengths[component] * IecScale(model) / model.ReferenceSpeed;
-  const double deviation = IecDeviation(model, component);
+  const double time = lengths[component] * IECScale(model) / model.ReferenceSpeed;
+  const double deviation = IECDeviation(model, component);
   // IEC 61400-1, annex B: S = 4 sigma^2 (L/U) / (1 + 6 f L/U)^(5/3)
   return 4.0 * deviation * deviation * time / std::pow(1.0 + 6.0 * frequency * time, 5.0 / 3.0);
 }
 
-double IecKaimalVariance(const WindModel& model, int component)
+double IECKaimalVariance(const WindModel& model, int component)
 {
-  const double deviation = IecDeviation(model, component);
+  const double deviation = IECDeviation(model, component);
   return deviation * deviation;
 }
 
@@ -85,7 +85,7 @@ WindSeparation ExponentialSeparation(const WindModel& model, int component, doub
   return { std::hypot(decay.Lateral * lateral, decay.Vertical * vertical) / MeanSpeed(model, CoherenceHeight), 0.0 };
 }
 
-WindSeparation IecSeparation(const WindModel& model, int component, double lateral, double vertical)
+WindSeparation IECSeparation(const WindModel& model, int component, double lateral, double vertical)
 {
   if (component != 0)
   {
@@ -95,7 +95,7 @@ WindSeparation IecSeparation(const WindModel& model, int component, double later
   constexpr double lengths = 8.1; // Lambda_1 in the scale of coherence, L_c
   const double distance = std::hypot(lateral, vertical);
   // IEC 61400-1, annex B: 12 ((f r/U)^2 + (0.12 r/L_c)^2)^(1/2)
-  return { decay * distance / model.ReferenceSpeed, decay * 0.12 * distance / (lengths * IecScale(model)) };
+  return { decay * distance / model.ReferenceSpeed, decay * 0.12 * distance / (lengths * IECScale(model)) };
 }
 
 constexpr auto Intensity =
@@ -105,13 +105,13 @@ constexpr auto Intensity =
 constexpr WindSpectrumTraits Spectra[] = {
   // name, parameters besides the mean wind, density, variance
   { "SimiuScanlan", {}, SimiuScanlanDensity, SimiuScanlanVariance },
-  { "IecKaimal", { { &Intensity } }, IecKaimalDensity, IecKaimalVariance },
+  { "IECKaimal", { { &Intensity } }, IECKaimalDensity, IECKaimalVariance },
 };
 static_assert(std::size(Spectra) == NumberOfWindSpectra, "a row a spectrum");
 
 constexpr WindCoherenceTraits Coherences[] = {
   { "Exponential", ExponentialSeparation },
-  { "Iec", IecSeparation },
+  { "IEC", IECSeparation },
 };
 static_assert(std::size(Coherences) == NumberOfWindCoherences, "a row a coherence");
 

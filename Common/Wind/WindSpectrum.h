@@ -18,7 +18,7 @@ inline constexpr int WindComponents = 3;
 enum class WindSpectrumModel
 {
   SimiuScanlan = 0, ///< of the neutral surface layer, heights count (Setas et al., eq. 9, put right)
-  IecKaimal = 1,    ///< of IEC 61400-1: one intensity and one length for all heights
+  IECKaimal = 1,    ///< of IEC 61400-1: one intensity and one length for all heights
 };
 
 inline constexpr int NumberOfWindSpectra = 2;
@@ -27,7 +27,7 @@ inline constexpr int NumberOfWindSpectra = 2;
 enum class WindCoherenceModel
 {
   Exponential = 0, ///< of frequency times distance, with a decay for each component (Setas et al., eqs. 11, 12)
-  Iec = 1 ///< along the wind that of IEC 61400-1, ed. 3, which does not grow to 1 at low frequencies; else Exponential
+  IEC = 1 ///< along the wind that of IEC 61400-1, ed. 3, which does not grow to 1 at low frequencies; else Exponential
 };
 
 inline constexpr int NumberOfWindCoherences = 2;
@@ -49,7 +49,7 @@ struct WindModel
   double ReferenceHeight = 10.0; ///< above the ground [m], above RoughnessLength
   double RoughnessLength = 0.03; ///< of the ground [m], positive: 0.01 low grass ... 1 forest
   WindSpectrumModel Spectrum = WindSpectrumModel::SimiuScanlan;
-  double TurbulenceIntensity = 0.16; ///< IecKaimal: standard deviation along the wind over ReferenceSpeed, positive
+  double TurbulenceIntensity = 0.16; ///< IECKaimal: standard deviation along the wind over ReferenceSpeed, positive
   WindCoherenceModel Coherence = WindCoherenceModel::Exponential;
   std::array<WindDecay, WindComponents> Decay{ { { 10.0, 10.0 }, { 10.0, 10.0 }, { 8.0, 8.0 } } };
   double ShearExponent = 0.0; ///< of a power law of the mean, from 0 to 1; 0: the logarithmic law

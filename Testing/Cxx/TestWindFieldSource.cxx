@@ -71,7 +71,7 @@ bool CheckBadInput()
   good &= Fails("at least 4", [](Source* s) { s->SetDimensions(2, 8, 8); });
   good &= Fails("Phases", [](Source* s) { s->SetPhases(-1); });
   good &= Fails("TurbulenceIntensity", [](Source* s) {
-    s->SetSpectrum(Source::IecKaimal);
+    s->SetSpectrum(Source::IECKaimal);
     s->SetTurbulenceIntensity(0.0);
   });
   return good;
@@ -184,7 +184,7 @@ bool CheckCoherence()
   vtkNew<Source> source;
   Prepare(source);
   const std::vector<float> usual = Velocities(source, 0.0);
-  source->SetCoherence(Source::Iec);
+  source->SetCoherence(Source::IEC);
   const std::vector<float> other = Velocities(source, 0.0);
   double along = 0.0;
   double across = 0.0;

@@ -421,14 +421,14 @@ class WindFiles(unittest.TestCase):
         source.SetBottomHeight(88.0)
         source.SetReferenceHeight(90.0)
         source.SetReferenceSpeed(12.0)
-        source.SetSpectrumToIecKaimal()
-        source.SetIecClassToA()
+        source.SetSpectrumToIECKaimal()
+        source.SetIECClassToA()
         source.NormalizeVarianceOn()
         writer = littoral.vtkWindFieldWriter()
         writer.SetInputConnection(source.GetOutputPort())
         writer.SetFileName(self.path("iec.bts"))
         for model, deviation in ((0, 2.336), (1, 3.5686)):
-            source.SetIecTurbulence(model)
+            source.SetIECTurbulence(model)
             source.Update()
             layers = numbers(source.GetOutput())[..., 0]
             layers = layers - layers.mean(axis=(1, 2), keepdims=True)
@@ -438,15 +438,15 @@ class WindFiles(unittest.TestCase):
             head, grid, _, _ = read_bts(writer.GetFileName())
             np.testing.assert_allclose((grid[:, 1, :, 0] - 12.0).std(), deviation, rtol=1e-3)
             np.testing.assert_allclose(head[9], 90.0)
-        source.SetIecEventToOperatingGust()
+        source.SetIECEventToOperatingGust()
         source.SetEventStart(1.0)
         self.assertEqual(writer.Write(), 1)
         hub = read_bts(writer.GetFileName())[1][:, 1, 4]
         # 2.4 and 5.3 s after the beginning
         np.testing.assert_allclose(hub[[10, 34, 63], 0] - 12.0, (0.0, -1.585, 4.383), atol=2e-3)
         np.testing.assert_array_equal(abs(hub[:, 1:]) < 1e-6, True)
-        source.SetIecClassToNoClass()
-        self.refused(source, "IecEvent needs an IecClass")
+        source.SetIECClassToNoClass()
+        self.refused(source, "IECEvent needs an IECClass")
 
     def test_wind_of_the_source(self):
         """A Wind Field written and read is the same wind, and periodic; trees take it."""

@@ -15,9 +15,9 @@ namespace
 
 constexpr double Degree = 3.14159265358979323846 / 180.0;
 
-IecSite SiteOf(IecClass turbulence)
+IECSite SiteOf(IECClass turbulence)
 {
-  IecSite site;
+  IECSite site;
   site.Class = turbulence;
   site.HubSpeed = 12.0;
   site.HubHeight = 90.0;
@@ -31,25 +31,25 @@ TEST(IecWind, HasTheNumbersOfTheStandardAt12MetresPerSecond)
   // class, NTM, ETM of class I [m/s], EOG [m/s], EDC [degrees], computed elsewhere
   const struct
   {
-    IecClass Class;
+    IECClass Class;
     double Normal, Extreme, Gust, Turn;
-  } rows[] = { { IecClass::APlus, 2.628, 4.0147, 6.671, 38.25 }, { IecClass::A, 2.336, 3.5686, 5.930, 34.07 },
-    { IecClass::C, 1.752, 2.6765, 4.447, 25.63 } };
+  } rows[] = { { IECClass::APlus, 2.628, 4.0147, 6.671, 38.25 }, { IECClass::A, 2.336, 3.5686, 5.930, 34.07 },
+    { IECClass::C, 1.752, 2.6765, 4.447, 25.63 } };
   for (const auto& row : rows)
   {
-    const IecSite site = SiteOf(row.Class);
-    EXPECT_NEAR(DeviationOf(site, IecTurbulence::Normal) / row.Normal, 1.0, 1e-3);
-    EXPECT_NEAR(DeviationOf(site, IecTurbulence::Extreme) / row.Extreme, 1.0, 1e-3);
+    const IECSite site = SiteOf(row.Class);
+    EXPECT_NEAR(DeviationOf(site, IECTurbulence::Normal) / row.Normal, 1.0, 1e-3);
+    EXPECT_NEAR(DeviationOf(site, IECTurbulence::Extreme) / row.Extreme, 1.0, 1e-3);
     EXPECT_NEAR(OperatingGustOf(site) / row.Gust, 1.0, 1e-3);
     EXPECT_NEAR(DirectionChangeOf(site) / Degree / row.Turn, 1.0, 1e-3);
   }
-  EXPECT_NEAR(DeviationOf(SiteOf(IecClass::B), IecTurbulence::Normal), 0.14 * 14.6, 1e-9);
+  EXPECT_NEAR(DeviationOf(SiteOf(IECClass::B), IECTurbulence::Normal), 0.14 * 14.6, 1e-9);
 }
 
 TEST(IecWind, EventsTakeTheirCourse)
 {
-  const IecSite site = SiteOf(IecClass::A);
-  const auto gust = [&](double time) { return StateOf(site, IecEvent::OperatingGust, time).Speed; };
+  const IECSite site = SiteOf(IECClass::A);
+  const auto gust = [&](double time) { return StateOf(site, IECEvent::OperatingGust, time).Speed; };
   EXPECT_NEAR(gust(2.458), -1.590, 1.6e-3);
   EXPECT_NEAR(gust(5.25), 4.388, 4.4e-3);
   double lowest = 0.0;
@@ -62,24 +62,24 @@ TEST(IecWind, EventsTakeTheirCourse)
   }
   EXPECT_NEAR(lowest, gust(2.458), 1e-4);
   EXPECT_NEAR(highest, gust(5.25), 1e-6);
-  const auto turn = [&](double time) { return StateOf(site, IecEvent::DirectionChange, time).Turn / Degree; };
+  const auto turn = [&](double time) { return StateOf(site, IECEvent::DirectionChange, time).Turn / Degree; };
   EXPECT_EQ(turn(-1.0), 0.0);
   EXPECT_NEAR(turn(3.0), 0.5 * 34.07, 0.02);
   EXPECT_NEAR(turn(6.0), 34.07, 0.03);
   EXPECT_EQ(turn(60.0), turn(6.0));
-  const auto both = [&](double time) { return StateOf(site, IecEvent::CoherentGust, time); };
+  const auto both = [&](double time) { return StateOf(site, IECEvent::CoherentGust, time); };
   EXPECT_NEAR(both(10.0).Speed, 15.0, 1e-9);
   EXPECT_NEAR(both(99.0).Turn / Degree, 60.0, 1e-9);
   EXPECT_NEAR(both(2.5).Speed, 7.5 * (1.0 - std::sqrt(0.5)), 1e-9);
-  IecSite calm = site;
+  IECSite calm = site;
   calm.HubSpeed = 3.0;
-  EXPECT_NEAR(StateOf(calm, IecEvent::CoherentGust, 10.0).Turn / Degree, 180.0, 1e-9);
+  EXPECT_NEAR(StateOf(calm, IECEvent::CoherentGust, 10.0).Turn / Degree, 180.0, 1e-9);
 }
 
 TEST(IecWind, FastWindsHaveSmallerGusts)
 {
   // 56 m/s once a year in class I
-  IecSite site = SiteOf(IecClass::A);
+  IECSite site = SiteOf(IECClass::A);
   site.HubSpeed = 55.0;
   EXPECT_NEAR(OperatingGustOf(site), 1.35, 1e-9);
   site.HubSpeed = 60.0;
@@ -95,7 +95,7 @@ TEST(IecWind, EventPassesThroughTheField)
   grid.Count = { 240, 3, 2 };
   grid.BottomHeight = 90.0;
   std::vector<float> field(240 * 3 * 2 * 3);
-  MakeEventWind(model, grid, SiteOf(IecClass::A), IecEvent::CoherentGust, 5.0, field.data());
+  MakeEventWind(model, grid, SiteOf(IECClass::A), IECEvent::CoherentGust, 5.0, field.data());
   const auto at = [&](int line, int step, int component) {
     return field[(static_cast<std::size_t>(line) * 240 + 239 - step) * 3 + component];
   };
@@ -108,9 +108,9 @@ TEST(IecWind, EventPassesThroughTheField)
 
 TEST(IecWind, SaysWhatIsWrong)
 {
-  EXPECT_EQ(WhyInvalid(IecSite(), IecEvent::None), "");
-  EXPECT_NE(WhyInvalid(IecSite(), IecEvent::OperatingGust).find("needs an IecClass"), std::string::npos);
-  IecSite site = SiteOf(IecClass::A);
+  EXPECT_EQ(WhyInvalid(IECSite(), IECEvent::None), "");
+  EXPECT_NE(WhyInvalid(IECSite(), IECEvent::OperatingGust).find("needs an IECClass"), std::string::npos);
+  IECSite site = SiteOf(IECClass::A);
   site.RotorDiameter = -1.0;
-  EXPECT_NE(WhyInvalid(site, IecEvent::None).find("RotorDiameter"), std::string::npos);
+  EXPECT_NE(WhyInvalid(site, IECEvent::None).find("RotorDiameter"), std::string::npos);
 }

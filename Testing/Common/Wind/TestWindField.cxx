@@ -496,7 +496,7 @@ TEST(WindField, NumbersOfTheDefaultField)
 TEST(WindField, NormalizedVarianceIsThatOfAllFrequencies)
 {
   WindModel iec;
-  iec.Spectrum = WindSpectrumModel::IecKaimal;
+  iec.Spectrum = WindSpectrumModel::IECKaimal;
   iec.ReferenceSpeed = 23.0;
   iec.TurbulenceIntensity = 0.15;
   const double friction = 0.4 * 10.0 / std::log(10.0 / 0.03);
@@ -577,11 +577,11 @@ TEST(WindField, DoesNotPulseBetweenItsTimes)
   }
 }
 
-TEST(WindField, IecCoherenceOfTheField)
+TEST(WindField, IECCoherenceOfTheField)
 {
   WindModel model;
-  model.Spectrum = WindSpectrumModel::IecKaimal;
-  model.Coherence = WindCoherenceModel::Iec;
+  model.Spectrum = WindSpectrumModel::IECKaimal;
+  model.Coherence = WindCoherenceModel::IEC;
   const WindGrid grid = GridOf(1200, 16, 16);
   WindField field(model, grid, {});
   field.Make();

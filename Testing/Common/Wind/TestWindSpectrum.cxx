@@ -138,7 +138,7 @@ TEST(WindSpectrum, NothingBeyondTheRowsIsAFamily)
 TEST(WindSpectrum, KaimalHasTheVarianceAskedFor)
 {
   WindModel model;
-  model.Spectrum = WindSpectrumModel::IecKaimal;
+  model.Spectrum = WindSpectrumModel::IECKaimal;
   double sum = 0.0;
   for (double x = -40.0; x < 60.0; x += 0.01)
   {
@@ -147,11 +147,11 @@ TEST(WindSpectrum, KaimalHasTheVarianceAskedFor)
   EXPECT_NEAR(std::sqrt(sum), model.TurbulenceIntensity * model.ReferenceSpeed, 1e-4);
 }
 
-TEST(WindSpectrum, IecCoherenceByHand)
+TEST(WindSpectrum, IECCoherenceByHand)
 {
   WindModel model;
   model.ReferenceSpeed = 12.0;
-  model.Coherence = WindCoherenceModel::Iec;
+  model.Coherence = WindCoherenceModel::IEC;
   // IEC 61400-1 ed. 3, eq. B.16: hub at 90 m, Lambda_1 = 42 m and L_c = 340.2 m; at 40 m 28 m and 226.8 m.
   model.ReferenceHeight = 90.0;
   EXPECT_NEAR(RootCoherence(model, 0, 0.05, 12.0, 16.0), std::exp(-12.0 * std::hypot(1.0 / 12.0, 2.4 / 340.2)), 1e-12);
@@ -197,7 +197,7 @@ TEST(WindSpectrum, MeanRisesByTheFrictionVelocityOverVonKarmansConstant)
 TEST(WindSpectrum, KaimalHasTheDeviationsAndLengthsOfTheStandard)
 {
   WindModel model;
-  model.Spectrum = WindSpectrumModel::IecKaimal;
+  model.Spectrum = WindSpectrumModel::IECKaimal;
   model.ReferenceSpeed = 12.0;
   model.ReferenceHeight = 50.0; // Lambda_1 = 35 m
   model.TurbulenceIntensity = 0.1;
