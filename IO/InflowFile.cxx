@@ -25,7 +25,6 @@ constexpr double BytesOfSlab = 32.0 * 1024.0 * 1024.0;
 std::ifstream Opened(const std::string& path)
 {
   std::error_code none;
-  Require(path.empty() ? "FileName is empty" : "");
   Require(std::filesystem::is_directory(path, none) ? "it is a folder" : "");
   errno = 0;
   std::ifstream file(path, std::ios::binary);

@@ -71,6 +71,24 @@ double Reflected(int n, int count, const At& at)
   return n < 0 ? 2.0 * at(0) - at(-n) : (n > last ? 2.0 * at(last) - at(2 * last - n) : at(n));
 }
 
+/// A grid with margins, of which the value at column i and row j of the grid is at(i, j), also outside of it.
+template <typename At>
+GridSamples Widened(const GridSamples& grid, int before, int afterX, int afterY, const At& at)
+{
+  GridSamples wide = grid;
+  wide.Width = before + grid.Width + afterX;
+  wide.Height = before + grid.Height + afterY;
+  wide.Values.clear();
+  for (int j = 0; j < wide.Height; ++j)
+  {
+    for (int i = 0; i < wide.Width; ++i)
+    {
+      wide.Values.push_back(at(i - before, j - before));
+    }
+  }
+  return wide;
+}
+
 }
 
 LongWaves::LongWaves(
@@ -140,36 +158,16 @@ void LongWaves::Correct(const GridSamples& landscape, const GroundMeasures& targ
 
 GridSamples WithMargins(const GridSamples& grid, int before, int afterX, int afterY)
 {
-  GridSamples wide = grid;
-  wide.Width = before + grid.Width + afterX;
-  wide.Height = before + grid.Height + afterY;
-  wide.Values.clear();
-  for (int j = 0; j < wide.Height; ++j)
-  {
-    for (int i = 0; i < wide.Width; ++i)
-    {
-      wide.Values.push_back(Reflected(j - before, grid.Height,
-        [&](int y) { return Reflected(i - before, grid.Width, [&](int x) { return grid.At(x, y); }); }));
-    }
-  }
-  return wide;
+  return Widened(grid, before, afterX, afterY, [&](int i, int j) {
+    return Reflected(
+      j, grid.Height, [&](int y) { return Reflected(i, grid.Width, [&](int x) { return grid.At(x, y); }); });
+  });
 }
 
 GridSamples WithEdges(const GridSamples& grid, int before, int afterX, int afterY)
 {
-  GridSamples wide = grid;
-  wide.Width = before + grid.Width + afterX;
-  wide.Height = before + grid.Height + afterY;
-  wide.Values.clear();
-  for (int j = 0; j < wide.Height; ++j)
-  {
-    for (int i = 0; i < wide.Width; ++i)
-    {
-      wide.Values.push_back(
-        grid.At(std::clamp(i - before, 0, grid.Width - 1), std::clamp(j - before, 0, grid.Height - 1)));
-    }
-  }
-  return wide;
+  return Widened(grid, before, afterX, afterY,
+    [&](int i, int j) { return grid.At(std::clamp(i, 0, grid.Width - 1), std::clamp(j, 0, grid.Height - 1)); });
 }
 
 GridSamples PartOf(const GridSamples& grid, int x, int y, int width, int height)
