@@ -42,9 +42,15 @@ def ratios(numbers, others):
 
 
 def of_million(ran, table):
-    levels, without = (ran[f"Frame{name}/real_time", "vtkbench_particles"].time for name in ("WithLevels", "Without"))
-    return ["A million particles, levels and orbits of a new view at a new time, within 60 m of the eye [ms]:", "",
-            *table(("without", "with levels", "gain"), [(short(without), short(levels), *gains([without], [levels]))])]
+    def of(name):
+        return ran[f"{name}/real_time", "vtkbench_particles"].time
+
+    without = of("FrameWithout")
+    rows = [(str(distance), short(without), short(levels), *gains([without], [levels]))
+            for distance, levels in ((distance, of(f"FrameWithLevels/distance:{distance}")) for distance in (0, 12))]
+    return ["A million particles, levels and orbits of a new view at a new time, within 60 m of the eye, which is in the "
+            "water or some distance before it [ms]:", "",
+            *table(("distance [m]", "without", "with levels", "gain"), rows)]
 
 
 def gains(numbers, others):

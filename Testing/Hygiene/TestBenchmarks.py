@@ -152,7 +152,9 @@ class Benchmarks(unittest.TestCase):
 
         figure_9 = [trees(cells, levels, number) for cells in (0, 1) for levels in (0, 1) for number in (1000, 100000)
                     if levels or number == 1000]
-        million = [result("FrameWithout/real_time", 1.0), result("FrameWithLevels/real_time", 2.0)]
+        million = [result("FrameWithout/real_time", 1.0),
+                   *(result(f"FrameWithLevels/distance:{distance}/real_time", time)
+                     for distance, time in ((0, 2.0), (12, 0.5)))]
         text = self.report_all({"vtkbench_papers": [*table_1, *table_2, *figure_9], "vtkbench_particles": million})
         for row in ("| levels of detail, paper [1/s] | 20 | 23 | 29 | 45 | 97 |",
                     "| levels of detail, here, 4000 [1/s] | 125 | 125 | 125 | 125 | 125 |",
@@ -170,7 +172,8 @@ class Benchmarks(unittest.TestCase):
                     "| 1000 | cells | 5.2 | 5.78 | 5000 | 6 | 1.67 | 2 |",
                     "| 1000 | both | 12.2 | 13.6 | 100 | 300 | 100 | 120 |",
                     "| 100000 | neither | 0.9 | 1 | 3000000 | 1 |  |  |",
-                    "| 100000 | both | 12.2 | 13.6 | 100 | 30000 | 100 |  |", "| 2 | 4 | 0.5 (slower) |"):
+                    "| 100000 | both | 12.2 | 13.6 | 100 | 30000 | 100 |  |", "| 0 | 2 | 4 | 0.5 (slower) |",
+                    "| 12 | 2 | 1 | 2 |"):
             self.assertIn(row + "\n", text)
         text = self.report_all({"vtkbench_papers": [trees(0, 1, 1000), trees(1, 1, 1000)]})  # as with --quick
         self.assertIn("| 1000 | both | 12.2 | 13.6 | 100 | 300 | 100 |  |\n", text)
