@@ -134,18 +134,26 @@ case "${1:-}" in
       grep -qxF "version: $version" CITATION.cff || echo CITATION.cff
       grep -qE "^## ${version//./\\.}(,|$)" CHANGELOG.md || echo CHANGELOG.md
       grep -qxF "{% set version = \"$version\" %}" packaging/conda/meta.yaml || echo packaging/conda/meta.yaml
+      grep -qE "^littoral \(${version//./\\.}\)" debian/changelog || echo debian/changelog
       [ "$(./littoral --version)" = "Littoral $version" ] || echo "./littoral --version"
     } | fail_if_found "Not the version $version of CMakeLists.txt:"
     ;;
   recipes)
     # Options that the recipes set are Littoral's, and the names of Spack's variants are declared.
-    grep -noE 'LITTORAL_[A-Z_]+' packaging/conda/meta.yaml packaging/spack/package.py | while IFS=: read -r _ line option; do
+    grep -noE 'LITTORAL_[A-Z_]+' packaging/conda/meta.yaml packaging/spack/package.py debian/rules | while IFS=: read -r _ line option; do
       grep -qE "^(option| *set) ?\($option " CMakeLists.txt || echo "line $line: $option"
     done | fail_if_found "Options that CMakeLists.txt does not have:"
     sed -nE 's/.*define_from_variant\("[A-Z_]+", "([a-z]+)"\).*/\1/p; s/.*when="[+~]([a-z]+)( [+~]([a-z]+))?".*/\1\n\3/p' \
       packaging/spack/package.py | sort -u | while read -r variant; do
       [ -z "$variant" ] || grep -q "variant(\"$variant\"," packaging/spack/package.py || echo "$variant"
     done | fail_if_found "Variants that Spack's recipe does not declare:"
+    # What the lists of Debian 13 and later build with, but for the compiler, which every build of Debian has.
+    for release in 13 forky; do
+      awk '/^\[/ { wanted = /^\[(run|build|help)\]$/ } wanted && /^[a-z0-9]/' CMake/packages/debian-$release.txt |
+        grep -vxE 'g\+\+|libgl1-mesa-dri|python-matplotlib-data|qt6-svg-plugins|xauth|xvfb' | while read -r name; do
+        grep -qE "^ .*\b${name//+/\\+}( |,|\$)" debian/control || echo "debian-$release: $name"
+      done
+    done | fail_if_found "Packages that debian/control does not ask for:"
     if command -v python3 >/dev/null; then
       python3 -c 'import ast; ast.parse(open("packaging/spack/package.py").read())' || exit 1
     fi
