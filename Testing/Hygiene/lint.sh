@@ -7,6 +7,7 @@
 #   Testing/Hygiene/lint.sh cppcheck                     all code but the tests
 #   Testing/Hygiene/lint.sh clang-tidy BUILD             lines of the latest work, in the two sources that changed most
 #   Testing/Hygiene/lint.sh clang-tidy BUILD FILE...     whole files
+#   Testing/Hygiene/lint.sh clang++ BUILD                the numerics in plain C++17, as another compiler and library see it
 #
 # BUILD is a build tree. The latest work is what differs from where the branch left main; on main itself, from the commit
 # before the last; and what is not committed. clang-tidy takes some 10 s for a source, which is why it reads two. Ends
@@ -90,11 +91,21 @@ run_cppcheck() {
     -ICommon -ISupport -ISources -IFilters -IIO -Iparaview-plugin/ClientProxies -Iparaview-plugin/Representations
 }
 
-tool=${1:?cppcheck or clang-tidy}
+# Common without extensions of GCC, and with the standard library of LLVM, which macOS has.
+run_clang() { # BUILD
+  local build=${1:?a build tree}
+  [ -d "$build/Common/Tables" ] || skip "there is no $build/Common/Tables"
+  clang++ -stdlib=libc++ -fsyntax-only -x c++ - <<<'#include <vector>' 2>/dev/null || skip "libc++ is not installed"
+  git ls-files -- 'Common/*.cxx' | xargs -P "$(nproc)" -n 8 clang++ -std=c++17 -pedantic-errors -Wall -Wextra -Werror \
+    -stdlib=libc++ -fsyntax-only -DGLM_FORCE_INLINE -I"$build/Common/Tables" -ICommon -isystem /usr/include/eigen3
+}
+
+tool=${1:?cppcheck, clang-tidy or clang++}
 shift
 command -v "$tool" >/dev/null || skip "$tool is not installed"
 case "$tool" in
   cppcheck) run_cppcheck ;;
   clang-tidy) run_clang_tidy "$@" ;;
+  clang++) run_clang "$@" ;;
   *) skip "there is no tool '$tool' here" ;;
 esac
