@@ -11,6 +11,13 @@
 #include <set>
 #include <string_view>
 
+#ifndef __cpp_lib_to_chars
+#include <cctype>
+#include <cstdio>
+#include <locale>
+#include <sstream>
+#endif
+
 namespace littoral
 {
 
@@ -18,6 +25,19 @@ namespace
 {
 
 constexpr char Separators[] = { ',', ';', '\t' };
+
+/// Reads a number in full, whatever the locale; false where it is none.
+bool ReadPlain(const char* begin, const char* end, double& number)
+{
+#ifdef __cpp_lib_to_chars
+  const auto [stop, error] = std::from_chars(begin, end, number);
+  return error == std::errc() && stop == end;
+#else // libraries that have it for whole numbers alone
+  std::istringstream text(std::string(begin, end));
+  text.imbue(std::locale::classic());
+  return !std::isspace(static_cast<unsigned char>(*begin)) && text >> number && text.peek() == EOF;
+#endif
+}
 
 bool IsSpace(char letter)
 {
@@ -506,10 +526,7 @@ bool ReadNumber(const std::string& word, double& number)
   {
     return plain != "" || trimmed.size() <= 1;
   }
-  const char* end = trimmed.data() + trimmed.size();
-  const char* begin = trimmed.data() + (trimmed.front() == '+' ? 1 : 0);
-  const auto [stop, error] = std::from_chars(begin, end, number);
-  return error == std::errc() && stop == end;
+  return ReadPlain(trimmed.data() + (trimmed.front() == '+' ? 1 : 0), trimmed.data() + trimmed.size(), number);
 }
 
 }
