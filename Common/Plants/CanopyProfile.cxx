@@ -51,4 +51,27 @@ double CanopyProfile::ShareBelow(double height) const
   return (from + (place - step) * (this->Below[step + 1] - from)) / this->Integral();
 }
 
+double CanopyProfile::MeanHeight() const
+{
+  // integral of 1 - F over the height
+  double above = 0.0;
+  for (int n = 0; n < Steps; ++n)
+  {
+    above += (1.0 - 0.5 * (this->Below[n] + this->Below[n + 1]) / this->Integral()) / Steps;
+  }
+  return above;
+}
+
+double MaximumOfMean(double meanHeight)
+{
+  double low = 0.05;
+  double high = 0.95;
+  for (int n = 0; n < 30; ++n)
+  {
+    const double middle = 0.5 * (low + high);
+    (CanopyProfile(middle).MeanHeight() < meanHeight ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
 }

@@ -31,10 +31,16 @@ public:
   /// Share of the leaf area below z / h, from 0 to 1.
   double ShareBelow(double height) const;
 
+  /// Mean of z / h over the leaf area.
+  double MeanHeight() const;
+
 private:
   double Maximum;
   std::vector<double> Below; ///< integrals up to equally spaced heights
 };
+
+/// z_m / h of the profile whose leaves have a mean of z / h, from 0.05 to 0.95.
+double MaximumOfMean(double meanHeight);
 
 }
 

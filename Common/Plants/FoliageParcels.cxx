@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace littoral
 {
@@ -38,8 +39,9 @@ struct ParcelSums
     // a box of half side a has the variance a^2 / 3
     const Vector3 variance = glm::max(this->Second / this->Area - mean * mean, Vector3(0.0));
     const double most = 0.5 * side;
-    return { mean, std::min(most, std::sqrt(1.5 * (variance.x + variance.y))),
-      std::min(most, std::sqrt(3.0 * variance.z)), this->Area };
+    const double across = std::min(most, std::sqrt(1.5 * (variance.x + variance.y)));
+    const double up = std::min(most, std::sqrt(3.0 * variance.z));
+    return { mean, across, up, across > 0.0 ? 0.5 / across : 0.0, up > 0.0 ? 0.5 / up : 0.0, this->Area };
   }
 };
 
@@ -88,7 +90,11 @@ FoliageParcels::FoliageParcels(const std::vector<FoliageTriangle>& triangles, do
   {
     if (sum.Area > 0.0)
     {
-      this->List.push_back(sum.Parcel(side));
+      const FoliageParcel& parcel = this->List.emplace_back(sum.Parcel(side));
+      const Vector3 half(parcel.Across, parcel.Across, parcel.Up);
+      this->Lowest = glm::min(this->Lowest, parcel.Center - half);
+      this->Highest = glm::max(this->Highest, parcel.Center + half);
+      this->Sum += parcel.Area;
     }
   }
   for (int step = 0; step <= FactorSteps; ++step)
@@ -129,7 +135,7 @@ double FoliageParcels::AreaFactor(double stretch) const
     (t + 1.0) * t * (t - 2.0) / 2.0 * f[1] + (t + 1.0) * t * (t - 1.0) / 6.0 * f[2];
 }
 
-void PlantCells::Begin(const CanopyGrid& grid, const Vector3& low, const Vector3& high)
+Vector3 PlantCells::Begin(const CanopyGrid& grid, const Vector3& low, const Vector3& high)
 {
   this->Grid = &grid;
   this->Outside = 0.0;
@@ -141,61 +147,105 @@ void PlantCells::Begin(const CanopyGrid& grid, const Vector3& low, const Vector3
     this->First[axis] = static_cast<int>(std::clamp(indexOf(low[axis]), 0.0, last + 1.0));
     this->Count[axis] = static_cast<int>(std::clamp(indexOf(high[axis]), -1.0, last)) - this->First[axis] + 1;
     this->Count[axis] = std::max(0, this->Count[axis]);
-    cells *= static_cast<std::size_t>(this->Count[axis]);
+    // one more, for what reaches beyond the last one
+    cells *= this->Count[axis] > 0 ? static_cast<std::size_t>(this->Count[axis]) + 1 : 0;
   }
   this->Sums.assign(cells, 0.0);
+  return grid.Origin + grid.Spacing * Vector3(this->First[0], this->First[1], this->First[2]);
 }
 
-void PlantCells::Add(const Vector3& center, double across, double up, double area)
+namespace
 {
-  constexpr int Most = 64;
-  const double halves[3] = { across, across, up };
-  int first[3];
-  int count[3];
-  double shares[3][Most];
-  for (int axis = 0; axis < 3; ++axis)
+
+/// The whole number at or below a number of moderate size.
+int FloorOf(double number)
+{
+  const int whole = static_cast<int>(number);
+  return whole - (number < whole ? 1 : 0);
+}
+
+/// The part of a box in each cell along an axis.
+struct AxisShares
+{
+  static constexpr int Most = 64;
+  int First = 0;
+  int Count = 1;
+  double Shares[Most];
+
+  /// Shares of a box with a middle and half a side, in units of cells.
+  AxisShares(double middle, double half)
   {
-    const double side = this->Grid->Spacing[axis];
-    // ends of the box in cells of the box around the plant
-    const double origin = this->Grid->Origin[axis] + this->First[axis] * side;
-    const double low = (center[axis] - halves[axis] - origin) / side;
-    const double high = (center[axis] + halves[axis] - origin) / side;
-    const double begin = std::floor(low);
-    count[axis] = std::clamp(static_cast<int>(std::floor(high) - begin) + 1, 1, Most);
-    first[axis] = static_cast<int>(std::clamp(begin, -1e9, 1e9));
-    if (count[axis] == 1)
+    const double low = middle - half;
+    const double high = middle + half;
+    this->First = FloorOf(low);
+    this->Count = std::min(FloorOf(high) - this->First + 1, Most);
+    if (this->Count == 1)
     {
-      shares[axis][0] = 1.0;
-      continue;
+      this->Shares[0] = 1.0;
+      return;
     }
     const double perLength = 1.0 / (high - low);
-    double rest = 1.0;
-    for (int n = 0; n + 1 < count[axis]; ++n)
+    this->Shares[0] = (this->First + 1.0 - low) * perLength;
+    double rest = 1.0 - this->Shares[0];
+    for (int n = 1; n + 1 < this->Count; ++n)
     {
-      shares[axis][n] = (begin + n + 1.0 - std::max(low, begin + n)) * perLength;
-      rest -= shares[axis][n];
+      this->Shares[n] = perLength;
+      rest -= perLength;
     }
-    shares[axis][count[axis] - 1] = rest;
+    this->Shares[this->Count - 1] = rest;
   }
-  for (int k = 0; k < count[2]; ++k)
+};
+
+}
+
+void PlantCells::Add(const Vector3& center, const Vector3& half, const Vector3& perSide, double area)
+{
+  int cell[3];
+  double far[3]; // part of the box in the next cell along each axis
+  bool isSmall = true;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    for (int j = 0; j < count[1]; ++j)
+    cell[axis] = FloorOf(center[axis] - half[axis]);
+    const double beyond = center[axis] + half[axis] - (cell[axis] + 1.0);
+    far[axis] = std::max(0.0, beyond) * perSide[axis];
+    isSmall &= beyond < 1.0 && cell[axis] >= 0 && cell[axis] < this->Count[axis];
+  }
+  if (!isSmall)
+  {
+    this->AddLarge(center, half, area);
+    return;
+  }
+  const std::size_t row = static_cast<std::size_t>(this->Count[0]) + 1;
+  const std::size_t layer = row * (static_cast<std::size_t>(this->Count[1]) + 1);
+  double* sum = &this->Sums[cell[2] * layer + cell[1] * row + cell[0]];
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const double share = area * (corner & 1 ? far[1] : 1.0 - far[1]) * (corner & 2 ? far[2] : 1.0 - far[2]);
+    double* to = sum + (corner & 1 ? row : 0) + (corner & 2 ? layer : 0);
+    to[0] += share * (1.0 - far[0]);
+    to[1] += share * far[0];
+  }
+}
+
+void PlantCells::AddLarge(const Vector3& center, const Vector3& half, double area)
+{
+  const AxisShares x(center.x, half.x);
+  const AxisShares y(center.y, half.y);
+  const AxisShares z(center.z, half.z);
+  for (int k = 0; k < z.Count; ++k)
+  {
+    for (int j = 0; j < y.Count; ++j)
     {
-      const double share = area * shares[2][k] * shares[1][j];
-      const int z = first[2] + k;
-      const int y = first[1] + j;
-      const bool isWithin = z >= 0 && z < this->Count[2] && y >= 0 && y < this->Count[1];
-      for (int i = 0; i < count[0]; ++i)
+      const double share = area * z.Shares[k] * y.Shares[j];
+      const int row = y.First + j;
+      const int layer = z.First + k;
+      const bool isWithin = layer >= 0 && layer < this->Count[2] && row >= 0 && row < this->Count[1];
+      const std::size_t first = (static_cast<std::size_t>(layer) * (this->Count[1] + 1) + row) * (this->Count[0] + 1);
+      for (int i = 0; i < x.Count; ++i)
       {
-        const int x = first[0] + i;
-        if (isWithin && x >= 0 && x < this->Count[0])
-        {
-          this->Sums[(static_cast<std::size_t>(z) * this->Count[1] + y) * this->Count[0] + x] += share * shares[0][i];
-        }
-        else
-        {
-          this->Outside += share * shares[0][i];
-        }
+        const int column = x.First + i;
+        double& sum = isWithin && column >= 0 && column < this->Count[0] ? this->Sums[first + column] : this->Outside;
+        sum += share * x.Shares[i];
       }
     }
   }
@@ -217,25 +267,63 @@ void AddParcels(
   const double width = std::sqrt(scale.x * scale.y);
   const double factor = width * width * parcels.AreaFactor(scale.z / width);
   const glm::dmat3 turn = glm::mat3_cast(place.Rotation);
-  // the box of all parcels once they are turned
+  // a box around all parcels, by the corners of theirs
   Vector3 low(std::numeric_limits<double>::max());
   Vector3 high(-std::numeric_limits<double>::max());
-  for (const FoliageParcel& parcel : parcels.Parcels())
+  for (int corner = 0; corner < 8; ++corner)
   {
-    const Vector3 center = turn * (scale * parcel.Center);
-    const Vector3 half(width * parcel.Across, width * parcel.Across, scale.z * parcel.Up);
-    low = glm::min(low, center - half);
-    high = glm::max(high, center + half);
+    const Vector3 own((corner & 1 ? parcels.High() : parcels.Low()).x, (corner & 2 ? parcels.High() : parcels.Low()).y,
+      (corner & 4 ? parcels.High() : parcels.Low()).z);
+    const Vector3 turned = place.Foot + turn * (scale * own);
+    low = glm::min(low, turned);
+    high = glm::max(high, turned);
   }
-  cells.Begin(grid, place.Foot + low, place.Foot + high);
+  const Vector3 begin = cells.Begin(grid, low, high);
+  if (!cells.HasCells())
+  {
+    take(OutsideCells, factor * parcels.Area());
+    return;
+  }
+  // all in units of cells
+  const Vector3 foot = (place.Foot - begin) / grid.Spacing;
+  glm::dmat3 toCells;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    toCells[axis] = turn[axis] * scale[axis] / grid.Spacing;
+  }
+  const Vector3 halves = Vector3(width, width, scale.z) / grid.Spacing;
+  const Vector3 perHalf = 1.0 / halves;
   for (const FoliageParcel& parcel : parcels.Parcels())
   {
-    const Vector3 center = place.Foot + turn * (scale * parcel.Center);
-    cells.Add(center, width * parcel.Across, scale.z * parcel.Up, factor * parcel.Area);
+    cells.Add(foot + toCells * parcel.Center, halves * Vector3(parcel.Across, parcel.Across, parcel.Up),
+      perHalf * Vector3(parcel.PerAcross, parcel.PerAcross, parcel.PerUp), factor * parcel.Area);
   }
   cells.End(take);
 }
 
+}
+
+std::vector<std::size_t> OrderOfNeighbors(const CanopyGrid& grid, const std::vector<FoliagePlace>& places)
+{
+  constexpr double tile = 32.0; // cells
+  std::vector<std::pair<long long, std::size_t>> keys;
+  keys.reserve(places.size());
+  for (std::size_t plant = 0; plant < places.size(); ++plant)
+  {
+    const auto tileOf = [&](int axis) {
+      const double cells = (places[plant].Foot[axis] - grid.Origin[axis]) / grid.Spacing[axis];
+      return static_cast<long long>(std::clamp(std::floor(cells / tile), -1e6, 1e6));
+    };
+    keys.emplace_back(tileOf(1) * 10000000 + tileOf(0), plant);
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::size_t> order;
+  order.reserve(places.size());
+  for (const auto& key : keys)
+  {
+    order.push_back(key.second);
+  }
+  return order;
 }
 
 void AddPlant(const ParcelledPlant& plant, const FoliagePlace& place, PlantCells& cells, CanopyDensity& density)

@@ -5,7 +5,9 @@
 
 #include "Plants/PlantFoliage.h"
 
+#include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace littoral
@@ -14,10 +16,12 @@ namespace littoral
 /// All of a plant's leaves, or of its bark, that lie in a small box.
 struct FoliageParcel
 {
-  Vector3 Center; ///< mean place of the area [m]
-  double Across;  ///< half side along x and y [m]: the box has the deviations of the area
-  double Up;      ///< half side along z [m]
-  double Area;    ///< [m2]
+  Vector3 Center;   ///< mean place of the area [m]
+  double Across;    ///< half side along x and y [m]: the box has the deviations of the area
+  double Up;        ///< half side along z [m]
+  double PerAcross; ///< 1 over the whole side [1/m]; 0 of none
+  double PerUp;
+  double Area; ///< [m2]
 };
 
 /// Triangles in parcels, for many plants of a kind in cells that are coarser than leaves.
@@ -30,6 +34,13 @@ public:
   FoliageParcels(const std::vector<FoliageTriangle>& triangles, double side);
 
   const std::vector<FoliageParcel>& Parcels() const { return this->List; }
+
+  /// Area of all parcels [m2].
+  double Area() const { return this->Sum; }
+
+  /// Corners of a box around them [m].
+  const Vector3& Low() const { return this->Lowest; }
+  const Vector3& High() const { return this->Highest; }
 
   /// Area of all triangles scaled by (1, 1, stretch), over their own: the sum over triangles of
   /// A sqrt(stretch^2 (1 - n_z^2) + n_z^2) over that of A.
@@ -46,6 +57,9 @@ private:
   double FactorOf(double stretch) const;
 
   std::vector<FoliageParcel> List;
+  double Sum = 0.0;
+  Vector3 Lowest{ std::numeric_limits<double>::max() };
+  Vector3 Highest{ -std::numeric_limits<double>::max() };
   std::vector<Facet> Facets;
   std::vector<double> Factors; ///< at equal steps of the logarithm of the stretch
 };
@@ -61,23 +75,31 @@ struct ParcelledPlant
 class PlantCells
 {
 public:
-  void Begin(const CanopyGrid& grid, const Vector3& low, const Vector3& high);
-  void Add(const Vector3& center, double across, double up, double area);
+  /// Starts with the cells between two places [m]; returns the lowest corner of the first of them.
+  Vector3 Begin(const CanopyGrid& grid, const Vector3& low, const Vector3& high);
+  bool HasCells() const { return !this->Sums.empty(); }
+
+  /// Adds a box by its middle, half sides and 1 over its sides (0 of none), in units of cells from the first one.
+  void Add(const Vector3& center, const Vector3& half, const Vector3& perSide, double area);
+
   /// Hands over all sums that are not 0, and the rest that is beyond the grid.
   template <typename Take>
   void End(const Take& take)
   {
-    const std::size_t rows = static_cast<std::size_t>(this->Count[1]) * this->Count[2];
-    for (std::size_t row = 0, n = 0; row < rows; ++row)
+    std::size_t n = 0;
+    for (int k = 0; k <= this->Count[2]; ++k)
     {
-      const auto j = static_cast<int>(row % this->Count[1]);
-      const auto k = static_cast<int>(row / this->Count[1]);
-      const std::size_t first = this->Grid->IndexOf(this->First[0], this->First[1] + j, this->First[2] + k);
-      for (int i = 0; i < this->Count[0]; ++i, ++n)
+      for (int j = 0; j <= this->Count[1]; ++j)
       {
-        if (this->Sums[n] > 0.0)
+        const std::size_t first = this->Grid->IndexOf(this->First[0], this->First[1] + j, this->First[2] + k);
+        for (int i = 0; i <= this->Count[0]; ++i, ++n)
         {
-          take(first + i, this->Sums[n]);
+          const bool isWithin = i < this->Count[0] && j < this->Count[1] && k < this->Count[2];
+          if (isWithin && this->Sums[n] > 0.0)
+          {
+            take(first + static_cast<std::size_t>(i), this->Sums[n]);
+          }
+          this->Outside += isWithin ? 0.0 : this->Sums[n];
         }
       }
     }
@@ -88,12 +110,18 @@ public:
   }
 
 private:
+  /// Adds a box that reaches beyond the next cell, or beyond the cells.
+  void AddLarge(const Vector3& center, const Vector3& half, double area);
+
   const CanopyGrid* Grid = nullptr;
   std::array<int, 3> First{ 0, 0, 0 };
   std::array<int, 3> Count{ 0, 0, 0 };
   std::vector<double> Sums;
   double Outside = 0.0;
 };
+
+/// Plants in an order in which neighbours come one after the other.
+std::vector<std::size_t> OrderOfNeighbors(const CanopyGrid& grid, const std::vector<FoliagePlace>& places);
 
 /// A plant by its parcels. Totals are exact, places within half a parcel.
 void AddPlant(const ParcelledPlant& plant, const FoliagePlace& place, PlantCells& cells, CanopyDensity& density);

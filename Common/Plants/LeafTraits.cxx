@@ -36,7 +36,7 @@ const LeafTraits* FindLeafTraits(const std::string& name)
 {
   std::string plain = name;
   std::transform(plain.begin(), plain.end(), plain.begin(), [](unsigned char letter) { return std::tolower(letter); });
-  for (const std::string& wanted : { plain, plain.substr(0, plain.find(' ')) })
+  for (const std::string& wanted : { plain, plain.substr(0, plain.find(' ')), plain.substr(plain.rfind(' ') + 1) })
   {
     for (const LeafTraits& row : Rows)
     {

@@ -27,7 +27,7 @@ struct LeafTraits
   double FoliageRatio[2]; ///< c0, c1
 };
 
-/// The row of a name, in any case: of the whole name, else of its first word; null if there is none.
+/// The row of a name, in any case: of the whole name, else of its first or last word; null if there is none.
 const LeafTraits* FindLeafTraits(const std::string& name);
 
 /// The row of trees that are not listed.

@@ -96,9 +96,23 @@ TEST(CanopyProfile, LalicAndMihailovic)
     EXPECT_EQ(profile.ShareBelow(0.0), 0.0);
     EXPECT_EQ(profile.ShareBelow(1.0), 1.0);
     EXPECT_EQ(profile.Density(-0.1) + profile.Density(1.0), 0.0);
+    EXPECT_NEAR(MaximumOfMean(profile.MeanHeight()), value[0], 1e-6);
     const double rise = profile.ShareBelow(0.301) - profile.ShareBelow(0.299);
     EXPECT_NEAR(rise / 0.002, profile.Density(0.3) / profile.Integral(), 1e-4);
   }
+}
+
+TEST(CanopyProfile, MeanHeight)
+{
+  double mean = 0.0;
+  double sum = 0.0;
+  const CanopyProfile profile(0.6);
+  for (int n = 0; n < 2000; ++n)
+  {
+    sum += profile.Density((n + 0.5) / 2000.0);
+    mean += profile.Density((n + 0.5) / 2000.0) * (n + 0.5) / 2000.0;
+  }
+  EXPECT_NEAR(profile.MeanHeight(), mean / sum, 1e-5);
 }
 
 TEST(CanopyDensity, CellsShareLeavesExactly)
@@ -380,6 +394,7 @@ TEST(LeafTraits, FoliageOfTrees)
 {
   ASSERT_NE(FindLeafTraits("Quercus robur"), nullptr);
   EXPECT_EQ(FindLeafTraits("Quercus robur"), FindLeafTraits("oak"));
+  EXPECT_EQ(FindLeafTraits("Scots pine"), FindLeafTraits("Pinus sylvestris"));
   EXPECT_EQ(FindLeafTraits("cactus"), nullptr);
   EXPECT_EQ(FindLeafTraits(""), nullptr);
   // an oak of 30 cm: 526.7 kg above the ground, 2.054 % of it leaves
