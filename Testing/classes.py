@@ -326,6 +326,9 @@ ROWS = [
                           "outside of the image")],
         shown={"ForestDensity": lambda pv: dict(Stand=pv.PlantScatter(
             Sites=pv.QuadratPoints(Size=[100, 100]), Prototypes=pv.ReevesTree(), OutputForm="Instances", UseCulling=0))}),
+    Row("vtkForestDensityWriter", "Stands",
+        fed_by=["vtkForestDensityFilter"],
+        small={"SetFileName": ("forest.bdf",)}),
     # Plants ----------------------------------------------------------------------------------------------------------
     Row("vtkReevesTreeSource", "Plants",
         small={"SetPreset": (0,), "SetOrders": (2,), "SetMainBranches": (3,), "SetSideBranches": (2,),
