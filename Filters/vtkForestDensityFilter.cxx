@@ -408,9 +408,13 @@ int vtkForestDensityFilter::RequestData(
   }
   littoral::Require(totals.Leaf > 0.0 ? "" : "all of the stand is outside of the image; set Bounds.");
 
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    // without that of the stand, which has a value a plant
+    vtkDataObject::GetData(outputs->GetInformationObject(port))->GetFieldData()->Initialize();
+  }
   vtkImageData* output = vtkImageData::GetData(info);
   const std::array<int, 6> extent = littoral::RequestedExtent(info);
-  output->GetFieldData()->Initialize(); // without that of the stand, which has a value a plant
   output->SetExtent(extent[0], extent[1], extent[2], extent[3], extent[4], extent[5]);
   const littoral::Vector3 origin = frame.Origin();
   output->SetOrigin(&origin.x);
