@@ -106,19 +106,21 @@ class TestForestDensity(unittest.TestCase):
     def test_leaves_of_a_tree(self):
         """Densities times volumes are the leaves drawn, in cells of any size; plausible per area of crown."""
         # LAI of closed stands: oak 3 to 6, Scots pine 2 to 4, birch 2 to 5 (see the guide)
-        for preset, low, high in ((OAK, 2.0, 6.0), (PINE, 2.0, 4.5), (BIRCH, 2.0, 5.0)):
+        near = (-4.0, 4.0, -4.0, 4.0, -1.0, 15.0)
+        for preset, index, low, high in ((OAK, 2.7, 2.0, 6.0), (PINE, 3.4, 2.0, 4.5), (BIRCH, 4.1, 2.0, 5.0)):
             plant = tree(preset)
             plant.Update()
             data = plant.GetOutput()
             leaves, wood = area_of(data, "Leaves"), 0.5 * area_of(data, "Skin")
             for cell in (0.25, 4.0) if preset == BIRCH else (1.0,):
-                one = density(data, cell=cell)
+                one = density(data, cell=cell, bounds=near if preset == BIRCH else BOX)
                 self.assertAlmostEqual(cells(one).sum() * cell**3 / field(one, "LeafArea"), 1.0, delta=1e-6)
                 self.assertAlmostEqual(field(one, "LeafArea") / (leaves * opaque_part(data)), 1.0, delta=0.005)
                 plant_area = cells(one, "PlantAreaDensity").sum() * cell**3
                 self.assertAlmostEqual((plant_area - field(one, "LeafArea")) / wood, 1.0, delta=1e-5)
             crown = one.GetOutputDataObject(3).GetPointData()
-            self.assertTrue(low < crown.GetArray("LeafAreaIndex").GetValue(0) < high)
+            self.assertAlmostEqual(crown.GetArray("LeafAreaIndex").GetValue(0), index, delta=0.06)
+            self.assertTrue(low < index < high)
 
     def test_forms_of_a_stand(self):
         """Merged plants and instances have the same leaves; parcels the same totals; species add up."""
