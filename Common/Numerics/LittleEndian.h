@@ -12,15 +12,19 @@
 namespace littoral
 {
 
-/// Unsigned integer as wide as a number of 2 or 4 bytes.
+/// Unsigned integer as wide as a number of 2, 4 or 8 bytes.
 template <typename Number>
-using BitsOf = std::conditional_t<sizeof(Number) == 2, std::uint16_t, std::uint32_t>;
+using BitsOf = std::conditional_t<sizeof(Number) == 2, std::uint16_t,
+  std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint64_t>>;
 
-/// Puts a number of 2 or 4 bytes, its lowest byte first, on any machine.
+template <typename Number>
+inline constexpr bool HasBits = sizeof(BitsOf<Number>) == sizeof(Number);
+
+/// Puts a number of 2, 4 or 8 bytes, its lowest byte first, on any machine.
 template <typename Number>
 void PutLittleEndian(Number number, char* to)
 {
-  static_assert(sizeof(Number) == 2 || sizeof(Number) == 4, "a number of 2 or 4 bytes");
+  static_assert(HasBits<Number>, "a number of 2, 4 or 8 bytes");
   BitsOf<Number> bits;
   std::memcpy(&bits, &number, sizeof bits);
   for (std::size_t n = 0; n < sizeof bits; ++n)
@@ -29,11 +33,11 @@ void PutLittleEndian(Number number, char* to)
   }
 }
 
-/// Takes a number of 2 or 4 bytes, its lowest byte first.
+/// Takes a number of 2, 4 or 8 bytes, its lowest byte first.
 template <typename Number>
 Number TakeLittleEndian(const char* from)
 {
-  static_assert(sizeof(Number) == 2 || sizeof(Number) == 4, "a number of 2 or 4 bytes");
+  static_assert(HasBits<Number>, "a number of 2, 4 or 8 bytes");
   BitsOf<Number> bits = 0;
   for (std::size_t n = 0; n < sizeof bits; ++n)
   {
@@ -45,7 +49,7 @@ Number TakeLittleEndian(const char* from)
   return number;
 }
 
-/// Appends a number of 2 or 4 bytes, its lowest byte first.
+/// Appends a number of 2, 4 or 8 bytes, its lowest byte first.
 template <typename Number>
 void AppendLittleEndian(Number number, std::string& bytes)
 {

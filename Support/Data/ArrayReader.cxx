@@ -84,7 +84,8 @@ vtkDataArray* ArrayReader::Any(const char* name) const
 vtkStringArray* ArrayReader::FindTexts(const char* name) const
 {
   auto* texts = vtkStringArray::SafeDownCast(this->Named(name));
-  if (texts && (texts->GetNumberOfComponents() != 1 || texts->GetNumberOfTuples() != this->Tuples))
+  const bool isAny = this->Tuples < 0;
+  if (texts && (texts->GetNumberOfComponents() != 1 || (!isAny && texts->GetNumberOfTuples() != this->Tuples)))
   {
     Refuse(
       this->Owner, " has a ", this->Kind, " ", name, " that has not one text for each of its ", this->Elements, ".");

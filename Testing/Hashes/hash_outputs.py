@@ -226,6 +226,19 @@ def print_wind():
                 print("vtkWindFieldWriter", name, hashlib.sha256(file.read()).hexdigest()[:16])
 
 
+def print_forest():
+    """Hashes of a forest in files."""
+    density = make("vtkForestDensityFilter", (tree(),), SetBounds=(-8.0, 8.0, -8.0, 8.0, 0.0, 16.0))
+    with tempfile.TemporaryDirectory() as folder:
+        for extension, port in (("bdf", 0), ("dat", 0), ("amrwind", 3)):
+            name = os.path.join(folder, "forest." + extension)
+            writer = make("vtkForestDensityWriter", SetFileName=(name,))
+            writer.SetInputConnection(density.GetOutputPort(port))
+            writer.Write()
+            with open(name, "rb") as file:
+                print("vtkForestDensityWriter", extension, hashlib.sha256(file.read()).hexdigest()[:16])
+
+
 def print_table():
     """Hashes of a table that the reader reads."""
     for reader in ("vtkTextTableReader", "vtkWaveSpectrumReader"):
@@ -246,6 +259,7 @@ def main(wanted):
         print_volume()
         print_scene()
         print_wind()
+        print_forest()
         print_raster()
         print_table()
 

@@ -15,7 +15,7 @@ from pathlib import Path
 COMMON = Path(os.environ["LITTORAL_SOURCE_DIR"]) / "Common"
 #: Headers with names of the standard library, each of which is enough.
 STANDARD = {
-    "algorithm": "clamp max min upper_bound", "array": "array", "cmath": "abs cos floor fmax fmin fmod hypot isfinite isnan pow "
+    "algorithm": "clamp max min upper_bound", "array": "array", "atomic": "atomic memory_order_relaxed", "cmath": "abs cos floor fmax fmin fmod hypot isfinite isnan pow "
     "sin sqrt", "complex": "complex", "cstddef": "ptrdiff_t size_t", "cstring": "memcpy", "cstdint": "int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t",
     "functional": "function greater", "initializer_list": "initializer_list", "iterator": "next prev",
     "limits": "numeric_limits", "map": "map", "memory": "shared_ptr unique_ptr", "numeric": "partial_sum",

@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkForestDensityWriter.h"
+
+#include "Data/ArrayReader.h"
+#include "Data/Inputs.h"
+#include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
+#include "Pipeline/Pipeline.h"
+#include "Plants/CanopyDensity.h"
+#include "Plants/ForestFiles.h"
+#include "ReplacedFile.h"
+
+#include "vtkCommand.h"
+#include "vtkErrorCode.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointSet.h"
+#include "vtksys/SystemTools.hxx"
+
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkForestDensityWriter);
+
+namespace
+{
+
+constexpr double UsualMaximum = 0.7;
+constexpr double BytesOfRow = 400.0; ///< at most, while the text grows
+
+/// The cells of an image.
+littoral::CanopyGrid GridOf(vtkImageData* image)
+{
+  littoral::RequireUpright(image, "the image");
+  int extent[6];
+  image->GetExtent(extent);
+  littoral::CanopyGrid grid;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    grid.Spacing[axis] = image->GetSpacing()[axis];
+    grid.Count[axis] = extent[2 * axis + 1] - extent[2 * axis];
+    grid.Origin[axis] = image->GetOrigin()[axis] + extent[2 * axis] * grid.Spacing[axis];
+    littoral::Require(grid.Count[axis] > 0 ? "" : "the image has no cells; it needs two points along each axis");
+  }
+  littoral::Require(littoral::WhyInvalid(grid));
+  return grid;
+}
+
+/// A number of a tree that must be positive.
+double PositiveOf(vtkDataArray* array, vtkIdType tree)
+{
+  littoral::ParameterCheck check;
+  check.Positive(std::string(array->GetName()) + " of tree " + std::to_string(tree), array->GetComponent(tree, 0));
+  littoral::Require(check.Reason());
+  return array->GetComponent(tree, 0);
+}
+
+}
+
+//----------------------------------------------------------------------------
+vtkForestDensityWriter::vtkForestDensityWriter() = default;
+
+//----------------------------------------------------------------------------
+vtkForestDensityWriter::~vtkForestDensityWriter()
+{
+  this->SetFileName(nullptr);
+}
+
+//----------------------------------------------------------------------------
+int vtkForestDensityWriter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+vtkTypeBool vtkForestDensityWriter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return littoral::WithoutExceptions(
+    this, request, outputVector, [&] { return this->Superclass::ProcessRequest(request, inputVector, outputVector); });
+}
+
+//----------------------------------------------------------------------------
+int vtkForestDensityWriter::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  this->InvokeEvent(vtkCommand::StartEvent);
+  this->WriteData();
+  this->InvokeEvent(vtkCommand::EndEvent);
+  this->WriteTime.Modified();
+  // An abort is no failure.
+  return this->IsWritten || this->GetErrorCode() == vtkErrorCode::UserError ? 1 : littoral::FailedRequest(this);
+}
+
+//----------------------------------------------------------------------------
+int vtkForestDensityWriter::Write()
+{
+  this->IsWritten = false;
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    this->SetErrorCode(vtkErrorCode::NoError);
+    this->Superclass::Write();
+  }
+  else
+  {
+    this->Refuse("there is no input");
+  }
+  if (!this->IsWritten && this->GetErrorCode() == vtkErrorCode::NoError)
+  {
+    this->SetErrorCode(vtkErrorCode::UnknownError); // an input failed, and has told why
+  }
+  return this->IsWritten ? 1 : 0;
+}
+
+//----------------------------------------------------------------------------
+void vtkForestDensityWriter::Refuse(const std::string& reason)
+{
+  vtkErrorMacro(<< littoral::FileMessage("write", this->FileName ? this->FileName : "", "a forest", reason));
+}
+
+//----------------------------------------------------------------------------
+void vtkForestDensityWriter::WriteWhole(const FillFile& fill)
+{
+  this->SetProgressText("Writing forest");
+  bool isStopped = false;
+  const littoral::FileOutcome outcome = littoral::WriteFile(this->FileName, [&](littoral::ReplacedFile& file) {
+    file.OnWrite([&](std::size_t) {
+      if (littoral::IsAborted(this))
+      {
+        isStopped = true;
+        throw littoral::WriteStopped();
+      }
+    });
+    fill(file.Stream());
+    return file.Close() && file.Commit();
+  });
+  this->IsWritten = outcome.Written;
+  if (!outcome.Written)
+  {
+    this->SetErrorCode(isStopped ? vtkErrorCode::UserError : vtkErrorCode::CannotOpenFileError);
+  }
+  littoral::Require(outcome.Reason);
+  this->UpdateProgress(1.0);
+}
+
+//----------------------------------------------------------------------------
+void vtkForestDensityWriter::WriteImage(vtkImageData* image, const std::string& extension)
+{
+  littoral::RequireFit(image, "the image");
+  const littoral::CanopyGrid grid = GridOf(image);
+  vtkDataArray* array = littoral::ArrayReader::OfCells(image, "the image").Need("BulkDensity", 1);
+  std::size_t filled = 0;
+  const littoral::Poll poll = littoral::PollOf(this);
+  littoral::SteppedPoll steps(poll);
+  for (vtkIdType cell = 0; cell < array->GetNumberOfTuples(); ++cell)
+  {
+    steps.Step();
+    const double density = array->GetComponent(cell, 0);
+    if (!(density >= 0.0 && littoral::IsSensible(density)))
+    {
+      littoral::Refuse("BulkDensity of cell ", cell, " is ", density, " kg/m3; it must be finite and not negative");
+    }
+    filled += density > 0.0 ? 1 : 0;
+  }
+  const bool isFds = extension == ".bdf";
+  littoral::Require(isFds ? littoral::WhyNoFds(filled) : littoral::WhyNoQuicFire(grid));
+  const auto densityOf = [array](std::size_t cell) { return array->GetComponent(static_cast<vtkIdType>(cell), 0); };
+  this->WriteWhole([&](std::ostream& file) {
+    const littoral::TakeBytes take = [&](const std::string& bytes) {
+      file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    };
+    isFds ? littoral::WriteFdsDensity(grid, densityOf, take) : littoral::WriteQuicFireDensity(grid, densityOf, take);
+  });
+}
+
+//----------------------------------------------------------------------------
+void vtkForestDensityWriter::WriteTrees(vtkPointSet* trees)
+{
+  littoral::RequireFit(trees, "the trees");
+  const littoral::ArrayReader points = littoral::ArrayReader::OfPoints(trees, "the trees");
+  vtkDataArray* heights = points.Need("Height", 1);
+  vtkDataArray* diameters = points.Need("CrownDiameter", 1);
+  vtkDataArray* indices = points.Need("LeafAreaIndex", 1);
+  vtkDataArray* maxima = points.Find("MaximumHeight", 1);
+  points.NeedFinite(trees->GetPoints() ? trees->GetPoints()->GetData() : nullptr);
+  littoral::RequireMemory(
+    BytesOfRow * static_cast<double>(trees->GetNumberOfPoints()), "the text of the trees", "take fewer");
+  std::string text;
+  for (vtkIdType tree = 0; tree < trees->GetNumberOfPoints(); ++tree)
+  {
+    const double index = indices->GetComponent(tree, 0);
+    const std::string ofTree = " of tree " + std::to_string(tree);
+    littoral::ParameterCheck check;
+    check.NotNegative("LeafAreaIndex" + ofTree, index);
+    const double maximum = maxima ? maxima->GetComponent(tree, 0) : UsualMaximum;
+    check.Within("MaximumHeight" + ofTree, maximum, littoral::ValueInterval::Between(0.0, 1.0));
+    littoral::Require(check.Reason());
+    if (index > 0.0)
+    {
+      double place[3];
+      trees->GetPoint(tree, place);
+      text += littoral::TextOfRow(
+        { place[0], place[1], PositiveOf(heights, tree), PositiveOf(diameters, tree), index, maximum },
+        this->DragCoefficient);
+    }
+  }
+  littoral::Require(text.empty() ? "no tree has leaves" : "");
+  this->WriteWhole([&](std::ostream& file) { file << text; });
+}
+
+//----------------------------------------------------------------------------
+void vtkForestDensityWriter::WriteData()
+{
+  this->IsWritten = false;
+  try
+  {
+    const std::string path = this->FileName ? this->FileName : "";
+    littoral::Require(path.empty() ? "FileName is empty" : "");
+    const std::string extension = vtksys::SystemTools::GetFilenameLastExtension(path);
+    littoral::ParameterCheck check;
+    check.Range("DragCoefficient", this->DragCoefficient, 0.0, 10.0);
+    littoral::Require(check.Reason());
+    auto* image = vtkImageData::SafeDownCast(this->GetInput());
+    auto* trees = vtkPointSet::SafeDownCast(this->GetInput());
+    littoral::Require(image || trees ? "" : "there is no input");
+    const bool isOfCells = extension == ".bdf" || extension == ".dat";
+    littoral::Require(isOfCells || extension == ".amrwind" ? "" : "the name must end in .bdf, .dat or .amrwind");
+    littoral::Require(isOfCells && !image ? "a " + extension + " is written of the image of densities" : "");
+    littoral::Require(!isOfCells && !trees ? "a .amrwind is written of trees, the last output of Forest Density" : "");
+    isOfCells ? this->WriteImage(image, extension) : this->WriteTrees(trees);
+  }
+  catch (const littoral::InvalidInput& refusal)
+  {
+    this->Refuse(refusal.what());
+    if (this->GetErrorCode() == vtkErrorCode::NoError)
+    {
+      this->SetErrorCode(vtkErrorCode::UnknownError);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkForestDensityWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "DragCoefficient: " << this->DragCoefficient << "\n";
+}

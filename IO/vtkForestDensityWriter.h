@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkForestDensityWriter
+ * @brief   write a forest for fire and flow codes
+ *
+ * The input is an output of vtkForestDensityFilter, and the extension of FileName chooses the format:
+ *
+ * - `.bdf`, of a vtkImageData with the cell array `BulkDensity` [kg/m3]: the bulk density file of FDS, of the cells
+ * that have a density, in double precision.
+ * - `.dat`, of the same: QUIC-Fire's bulk density in single precision, all cells, x first, z last.
+ * - `.amrwind`, of a vtkPolyData with a point a tree and the point arrays `Height`, `CrownDiameter` [m] and
+ *   `LeafAreaIndex`, optionally `MaximumHeight` (else 0.7): forest rows of AMR-Wind, a row a tree: type 2 (the profile
+ * of Lalic and Mihailovic 2004), x, y, height, diameter, drag coefficient, leaf area index, z_m / h. Trees without
+ * leaves are left out. Rows tell no ground: trees stand on the ground of the code.
+ *
+ * Numbers are in little-endian order on any machine, in records of Fortran. The file is written under another name in
+ * the same folder and renamed when it is complete. On failure, an existing file of this name is unchanged, one error
+ * names file and reason, and Write() returns 0. The same input gives the same bytes. Densities that are negative or not
+ * finite, a turned image and one that the format cannot hold are errors.
+ *
+ * @sa vtkForestDensityFilter vtkVDBVolumeWriter
+ */
+#ifndef vtkForestDensityWriter_h
+#define vtkForestDensityWriter_h
+
+#include "LittoralIOModule.h" // for the export macro
+#include "vtkWriter.h"
+
+#include <functional>
+#include <ostream>
+#include <string>
+
+class vtkImageData;
+class vtkPointSet;
+
+class LITTORALIO_EXPORT vtkForestDensityWriter : public vtkWriter
+{
+public:
+  static vtkForestDensityWriter* New();
+  vtkTypeMacro(vtkForestDensityWriter, vtkWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Name of the output file, ending in `.bdf`, `.dat` or `.amrwind`; default null, which is an error.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /**
+   * Drag coefficient of the trees in forest rows, 0 to 10; default 0.2.
+   */
+  vtkSetMacro(DragCoefficient, double);
+  vtkGetMacro(DragCoefficient, double);
+  ///@}
+
+  /**
+   * Writes the file; 0 where that fails, after a message.
+   */
+  int Write() override;
+
+protected:
+  vtkForestDensityWriter();
+  ~vtkForestDensityWriter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  void WriteData() override;
+
+private:
+  vtkForestDensityWriter(const vtkForestDensityWriter&) = delete;
+  void operator=(const vtkForestDensityWriter&) = delete;
+
+  /// Fills a file.
+  using FillFile = std::function<void(std::ostream& file)>;
+
+  void Refuse(const std::string& reason);
+  void WriteImage(vtkImageData* image, const std::string& extension);
+  void WriteTrees(vtkPointSet* trees);
+  void WriteWhole(const FillFile& fill);
+
+  char* FileName = nullptr;
+  double DragCoefficient = 0.2;
+  bool IsWritten = false;
+};
+
+#endif
