@@ -125,7 +125,7 @@ double LowestBank(
     const CellIndex bank = mesh.Neighbour[link];
     lowest = courses.Link[bank] < 0 && link != courses.Link[point] ? std::min(lowest, heights[bank]) : lowest;
   }
-  return lowest;
+  return std::max(lowest, std::min(heights[point], heights[mesh.Neighbour[courses.Link[point]]]));
 }
 
 double HighestNeighbour(const PointMesh& mesh, const std::vector<double>& heights, CellIndex point)

@@ -29,9 +29,9 @@ struct MeshCourses
 MeshCourses CoursesOn(const PointMesh& mesh, const GivenGround& given);
 
 /**
- * Lowers points of rivers to the lowest neighbour that is of no river, and to a least slope [m/m] from the point
- * before, and raises those of ridges to their highest neighbour: else a river on a height would take no water, cut
- * nothing, and grow into a ridge. Outlets stay.
+ * Lowers points of rivers to the lowest neighbour that is of no river, but not below their next, and to a least slope
+ * [m/m] from the point before, and raises those of ridges to their highest neighbour: else a river on a height would
+ * take no water, cut nothing, and grow into a ridge. Outlets stay.
  */
 void CarveCourses(const PointMesh& mesh, const MeshCourses& courses, double leastSlope, std::vector<double>& heights);
 
