@@ -4,6 +4,7 @@
 
 #include "Data/ArrayReader.h"
 #include "Data/Arrays.h"
+#include "Data/GivenLines.h"
 #include "Data/Inputs.h"
 #include "Data/RiverLines.h"
 #include "Data/Tables.h"
@@ -182,6 +183,7 @@ vtkDrainageFilter::vtkDrainageFilter()
   , Carve(true)
   , Grow(false)
   , UseRock(false)
+  , UseLineHeights(false)
   , KeepHypsometry(false)
   , HypsometricIntegral(0.4)
   , ElevationSkewness(0.4)
@@ -191,7 +193,7 @@ vtkDrainageFilter::vtkDrainageFilter()
   , ValleyWidth(3.0)
   , Seed(1)
 {
-  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfInputPorts(4);
   this->SetNumberOfOutputPorts(2);
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
@@ -203,7 +205,8 @@ vtkDrainageFilter::~vtkDrainageFilter() = default;
 int vtkDrainageFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port > 0);
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 2 ? "vtkTable" : "vtkImageData");
+  constexpr const char* types[] = { "vtkImageData", "vtkImageData", "vtkTable", "vtkPolyData" };
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), types[port]);
   return 1;
 }
 
@@ -229,6 +232,7 @@ int vtkDrainageFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector
   littoral::RequestAll(inputVector[0]->GetInformationObject(0));
   littoral::RequestAll(inputVector[1]->GetInformationObject(0));
   littoral::RequestAll(inputVector[2]->GetInformationObject(0));
+  littoral::RequestAll(inputVector[3]->GetInformationObject(0));
   return 1;
 }
 
@@ -313,6 +317,11 @@ void vtkDrainageFilter::GrowGround(vtkInformationVector** inputVector, Ground& g
   if (this->UseRock)
   {
     parameters.Rock = RockOf(littoral::InputOf<vtkImageData>(inputVector[0], "Terrain"));
+  }
+  if (auto* given = littoral::OptionalInputOf<vtkPolyData>(inputVector[3], "Given"))
+  {
+    parameters.Given = littoral::ReadGiven(given, littoral::InputOf<vtkImageData>(inputVector[0], "Terrain"),
+      this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME()), this->UseLineHeights);
   }
   littoral::Require(littoral::WhyInvalid(ground.Heights, parameters));
   const littoral::GridSamples place = ReadTarget(target, this->GetInputArrayInformation(0), &littoral::GrowthMemory);
@@ -427,6 +436,7 @@ void vtkDrainageFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Carve: " << (this->Carve ? "on" : "off") << "\n";
   os << indent << "Grow: " << (this->Grow ? "on" : "off") << "\n";
   os << indent << "UseRock: " << (this->UseRock ? "on" : "off") << "\n";
+  os << indent << "UseLineHeights: " << (this->UseLineHeights ? "on" : "off") << "\n";
   os << indent << "KeepHypsometry: " << (this->KeepHypsometry ? "on" : "off") << "\n";
   os << indent << "HypsometricIntegral: " << this->HypsometricIntegral << "\n";
   os << indent << "ElevationSkewness: " << this->ElevationSkewness << "\n";

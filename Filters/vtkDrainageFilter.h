@@ -21,7 +21,8 @@
  *
  * With Grow the terrain is grown anew instead, by an evolution of rivers and hillslopes over irregular points under an
  * uplift that follows the terrain's long waves, with the slopes, curvature, concavity, variogram and heights of the
- * target: ground whose valleys and ridges prefer no direction of the grid.
+ * target: ground whose valleys and ridges prefer no direction of the grid. Rivers, ridges and heights of input 3 are
+ * held: water runs along the rivers and over no ridge, and the ground goes through the heights as far as it drains.
  *
  * Output 0: the vtkImageData with the point arrays of the input and `Elevation` double [m], `DrainageArea` double [m^2]
  * (flow accumulation times the area of a cell, the cell included), `FlowDirection` signed char (D8: the receiving
@@ -136,6 +137,16 @@ public:
 
   ///@{
   /**
+   * Heights of the points of input 3's lines, too; default off: lines are flat drawings, whose heights do not count.
+   * Those of a river must not rise towards its lower end. Used only with Grow.
+   */
+  vtkSetMacro(UseLineHeights, bool);
+  vtkGetMacro(UseLineHeights, bool);
+  vtkBooleanMacro(UseLineHeights, bool);
+  ///@}
+
+  ///@{
+  /**
    * Distribution of heights kept as the terrain has it; default off: a lognormal distribution of HypsometricIntegral
    * and ElevationSkewness. Used only without a target image and a table of statistics.
    */
@@ -219,6 +230,12 @@ public:
   /// Removes the connection of port 2, the table of statistics.
   void RemoveStatistics() { this->RemoveAllInputConnections(2); }
 
+  /// Connects given rivers, ridges and heights, port 3.
+  void SetGivenConnection(vtkAlgorithmOutput* given) { this->SetInputConnection(3, given); }
+
+  /// Removes the connection of port 3.
+  void RemoveGiven() { this->RemoveAllInputConnections(3); }
+
 protected:
   vtkDrainageFilter();
   ~vtkDrainageFilter() override;
@@ -235,6 +252,7 @@ protected:
   bool Carve;
   bool Grow;
   bool UseRock;
+  bool UseLineHeights;
   bool KeepHypsometry;
   double HypsometricIntegral;
   double ElevationSkewness;

@@ -5,10 +5,14 @@
 #include "Drainage/DepressionBreaching.h"
 #include "Drainage/GroundStatistics.h"
 #include "Drainage/ValleySpreading.h"
+#include "Landscapes/CourseWaves.h"
+#include "Landscapes/GridCourses.h"
+#include "Landscapes/HeightCorrection.h"
 #include "Landscapes/HeightMatching.h"
 #include "Landscapes/LandscapeMeasures.h"
 #include "Landscapes/LandscapeStep.h"
 #include "Landscapes/LongWaves.h"
+#include "Landscapes/MeshCourses.h"
 #include "Landscapes/RockHardness.h"
 #include "Numerics/ParameterCheck.h"
 #include "Numerics/RandomStream.h"
@@ -83,6 +87,15 @@ constexpr std::size_t MaximumCellsToFit = std::size_t{ 1 } << 18;
 constexpr int LargestPart = 288;
 constexpr int LargeIterations = 2;
 constexpr double PartWork = 0.3;
+
+/// Rounds of corrections to given heights and of breaching, and the deviation of the narrowest function that corrects
+/// growing ground [cells].
+constexpr int LastRounds = 4;
+constexpr double GrowingCells = 2.0;
+constexpr int GrowingPasses = 2;
+
+/// Width of the valleys that given rivers have in the long waves, over the steering's smoothing.
+constexpr double LinesFactor = 2.0;
 
 /// Least factor of rock and uplift, and one over the greatest.
 constexpr double LeastFactor = 1e-3;
@@ -183,6 +196,7 @@ public:
     this->Target.Measures.Concavity = this->Wanted.Concavity;
     this->SetMargins();
     this->SetFactors(parameters.Rock);
+    this->SetGiven(parameters.Given);
     this->SetLaw();
     this->SetLongWaves();
     int steps = 0;
@@ -217,6 +231,13 @@ public:
       }
     }
     BreachDepressions(best, BorderOutlets(best.Width, best.Height), BreachPath::LeastCost);
+    const bool isGiven = this->Given.HasLines() || !this->GivenHeights.empty();
+    for (int round = 0; round < LastRounds && isGiven; ++round)
+    {
+      CorrectHeights(best, this->GivenHeights, 1.0, this->Parallel);
+      LeadGrid(best, this->GivenLines, this->Law.MinimumSlope);
+      BreachDepressions(best, BorderOutlets(best.Width, best.Height), BreachPath::LeastCost);
+    }
     return best;
   }
 
@@ -262,6 +283,35 @@ private:
       return {};
     }
     return WithEdges(logs, this->Before, this->After[0], this->After[1]);
+  }
+
+  /// Lines and heights that are given, with origins of the terrain and of the grid with margins.
+  void SetGiven(const GivenGround& given)
+  {
+    this->GivenHeights = HeightsOf(given, this->Terrain);
+    this->GivenLines = given;
+    this->Given = Shifted(WithMouths(given, this->Terrain, this->Before + Levels.front().Factor),
+      { this->Before * this->Terrain.Spacing[0], this->Before * this->Terrain.Spacing[1] });
+  }
+
+  /// The same with the origin of a level's grid, whose first cell's middle is further in than a cell's of the terrain.
+  void SetGivenOfLevel()
+  {
+    const double aside = -0.5 * (this->Factor - 1);
+    this->GivenOfLevel = Shifted(this->Given, { aside * this->Terrain.Spacing[0], aside * this->Terrain.Spacing[1] });
+    this->HeightsOfLevel = HeightsOf(this->GivenOfLevel, this->Guide);
+  }
+
+  /// Brings the heights of points to those that are given.
+  void HoldHeights()
+  {
+    if (!this->HeightsOfLevel.empty())
+    {
+      GridSamples ground = this->Guide;
+      ground.Values = this->Heights;
+      CorrectHeights(ground, this->HeightsOfLevel, GrowingCells, this->Parallel, GrowingPasses);
+      this->Heights = ground.Values;
+    }
   }
 
   /// Factors and ln(f / e) at the points of a level.
@@ -324,6 +374,8 @@ private:
     GridSamples field = WithMargins(this->Waves.Heights(this->Parallel), this->Before, this->After[0], this->After[1]);
     this->Wide = field;
     SmoothGrid(this->Wide.Values, field.Width, field.Height, this->Steering.Smoothing, this->Parallel);
+    LeadWaves(this->Wide, this->Given, LinesFactor * this->Steering.Smoothing, this->Parallel);
+    CorrectHeights(this->Wide, HeightsOf(this->Given, this->Wide), this->Steering.Smoothing, this->Parallel);
     this->Relief = std::sqrt(Moments(field).Variance);
     for (std::size_t n = 0; n < field.Values.size(); ++n)
     {
@@ -338,7 +390,10 @@ private:
     const PointMesh coarse = std::move(this->Mesh);
     this->Factor = factor;
     this->Guide = BlockMeans(this->Wide, factor);
-    this->Mesh = JitteredMesh(this->Guide.Width, this->Guide.Height, this->Guide.Spacing, this->Seed, factor);
+    this->SetGivenOfLevel();
+    this->Mesh = JitteredMesh(this->Guide.Width, this->Guide.Height, this->Guide.Spacing, this->Seed, factor,
+      PointsOnLines(this->GivenOfLevel, this->Guide.Width, this->Guide.Height, this->Guide.Spacing));
+    this->Courses = CoursesOn(this->Mesh, this->GivenOfLevel);
     this->SetRock();
     this->SetFactorsOfLevel();
     if (coarse.Points.empty())
@@ -374,9 +429,11 @@ private:
     steering.Smoothing /= this->Factor;
     for (int step = 0; step < steps; ++step)
     {
-      const MeshDrainage drainage = DrainMesh(this->Mesh, this->Heights, this->Parallel);
+      CarveCourses(this->Mesh, this->Courses, this->Law.MinimumSlope, this->Heights);
+      const MeshDrainage drainage = DrainMesh(this->Mesh, this->Heights, this->Parallel, this->Courses);
       StepLandscape(this->Mesh, drainage, this->Law, this->Uplift, this->Hardness, time, this->Heights, this->Parallel,
         this->Factors);
+      this->HoldHeights();
       SteerUplift(steering, this->Heights, this->Guide, this->Rock, this->Hardness, this->Parallel);
       if (!this->LogSteepness.empty())
       {
@@ -412,6 +469,7 @@ private:
     GridSamples ground =
       PartOf(GridOf(this->Mesh, this->Heights), this->Before, this->Before, this->Terrain.Width, this->Terrain.Height);
     this->MatchPlace(ground);
+    CorrectHeights(ground, this->GivenHeights, 1.0, this->Parallel);
     return ground;
   }
 
@@ -538,13 +596,19 @@ private:
   int Before = 0;
   std::array<int, 2> After{ 0, 0 };
   LandscapeLaw Law;
-  GridSamples LogErodibility;       ///< ln e with margins, without a mean; none without rock
-  GridSamples LogUplift;            ///< ln f
-  RockFactors Factors;              ///< of the level
-  std::vector<double> LogSteepness; ///< ln(f / e) of the level
-  GridSamples Wide;                 ///< long waves with margins
-  double Relief = 0.0;              ///< standard deviation of the field [m]
-  double ShortWaves = 0.0;          ///< that of the field without its long waves [m]
+  GridSamples LogErodibility;            ///< ln e with margins, without a mean; none without rock
+  GridSamples LogUplift;                 ///< ln f
+  RockFactors Factors;                   ///< of the level
+  std::vector<double> LogSteepness;      ///< ln(f / e) of the level
+  std::vector<GivenHeight> GivenHeights; ///< of the terrain
+  GivenGround GivenLines;                ///< of the terrain
+  GivenGround Given;                     ///< of the grid with margins
+  GivenGround GivenOfLevel;
+  std::vector<GivenHeight> HeightsOfLevel;
+  MeshCourses Courses;
+  GridSamples Wide;        ///< long waves with margins
+  double Relief = 0.0;     ///< standard deviation of the field [m]
+  double ShortWaves = 0.0; ///< that of the field without its long waves [m]
   int Factor = 1;
   GridSamples Guide; ///< long waves at the resolution of the level
   PointMesh Mesh;
@@ -631,6 +695,7 @@ std::string WhyInvalid(const GridSamples& terrain, const GrowthParameters& param
   check.Count("MaximumIterations", parameters.MaximumIterations, 0, 100);
   check.Require(WhyTooSmall(terrain, "The terrain"));
   check.Require(WhyInvalid(terrain, parameters.Rock));
+  check.Require(WhyInvalid(terrain, parameters.Given));
   const auto isMissing = [](double height) { return std::isnan(height); };
   if (check.IsGood() && std::all_of(terrain.Values.begin(), terrain.Values.end(), isMissing))
   {

@@ -4,6 +4,7 @@
 #define LittoralLandscapeGrowth_h
 
 #include "Drainage/DrainageCarving.h"
+#include "Landscapes/GivenGround.h"
 #include "Landscapes/UpliftSteering.h"
 #include "Numerics/Parallel.h"
 #include "Terrain/GridSamples.h"
@@ -29,6 +30,7 @@ struct GrowthParameters
   int MaximumIterations = 12; ///< corrections of the law by what is measured, 0 to 100
   int Seed = 1;               ///< seed of points, of the first roughness, and of waves that the terrain lacks
   GrowthRock Rock;
+  GivenGround Given;
 };
 
 /// Why a terrain cannot be grown with these parameters; empty when it can.
@@ -54,6 +56,10 @@ double GrowthMemory(int width, int height);
  * 4. The first that is within its tolerances, or else the best, is brought to the grid, its heights are matched, and
  *    it is breached where the grid lost its way.
  * 5. Faults lift it by their throws, and it is breached where they dam rivers.
+ *
+ * Given rivers, ridges and heights are held in each step: points of the mesh stand on the lines, water runs along the
+ * rivers and over no ridge (DrainMesh), and what is missing of given heights is added smoothly (CorrectHeights), at
+ * last in turn with breaching.
  *
  * Rock and uplift by place multiply K and U over their geometric means, since the place tells these; the steering does
  * not take back what they ask for (KeepSteepness).

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <functional>
 #include <queue>
+#include <tuple>
 #include <utility>
 
 namespace littoral
@@ -18,15 +19,16 @@ namespace
 
 constexpr CellIndex Unreached = -2;
 
-/// Link of steepest descent; -1 where no neighbour is lower.
-CellIndex SteepestLink(const PointMesh& mesh, const std::vector<double>& heights, CellIndex point)
+/// Link of steepest descent, to no point of a ridge; -1 where no other neighbour is lower.
+CellIndex SteepestLink(
+  const PointMesh& mesh, const std::vector<double>& heights, const MeshCourses& courses, CellIndex point)
 {
   CellIndex steepest = -1;
   double most = 0.0;
   for (CellIndex link = mesh.First[point]; link < mesh.First[point + 1]; ++link)
   {
     const double slope = (heights[point] - heights[mesh.Neighbour[link]]) / mesh.Distance[link];
-    if (slope > most)
+    if (slope > most && (courses.IsEmpty() || !courses.IsRidge[mesh.Neighbour[link]]))
     {
       most = slope;
       steepest = link;
@@ -35,16 +37,28 @@ CellIndex SteepestLink(const PointMesh& mesh, const std::vector<double>& heights
   return steepest;
 }
 
-/// Links of steepest descent, and whether all points but the rim's have one.
-bool FindLinks(
-  const PointMesh& mesh, const std::vector<double>& heights, const ParallelFor& parallel, std::vector<CellIndex>& links)
+/// Link along a given river, or of steepest descent; -1 where neither leads downhill.
+CellIndex FallingLink(
+  const PointMesh& mesh, const std::vector<double>& heights, const MeshCourses& courses, CellIndex point)
+{
+  const CellIndex course = courses.IsEmpty() ? -1 : courses.Link[point];
+  if (course < 0)
+  {
+    return SteepestLink(mesh, heights, courses, point);
+  }
+  return heights[mesh.Neighbour[course]] < heights[point] ? course : -1;
+}
+
+/// Links downhill, and whether all points but the rim's have one.
+bool FindLinks(const PointMesh& mesh, const std::vector<double>& heights, const MeshCourses& courses,
+  const ParallelFor& parallel, std::vector<CellIndex>& links)
 {
   std::atomic<bool> isDrained{ true };
   parallel(links.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)
     {
       const auto point = static_cast<CellIndex>(n);
-      links[n] = mesh.IsRim(point) ? -1 : SteepestLink(mesh, heights, point);
+      links[n] = mesh.IsRim(point) ? -1 : FallingLink(mesh, heights, courses, point);
       if (links[n] < 0 && !mesh.IsRim(point))
       {
         isDrained = false;
@@ -97,17 +111,75 @@ std::vector<CellIndex> FloodMesh(const PointMesh& mesh, std::vector<double>& hei
   return back;
 }
 
+/// Way by which a flood comes to a point.
+struct FloodWay
+{
+  double Level;
+  CellIndex Point;
+  CellIndex From;
+
+  bool operator>(const FloodWay& other) const
+  {
+    return std::tie(this->Level, this->Point, this->From) > std::tie(other.Level, other.Point, other.From);
+  }
+};
+using FloodFront = std::priority_queue<FloodWay, std::vector<FloodWay>, std::greater<>>;
+
+/// As FloodMesh(), but up given rivers from their lower ends alone, and over ridges or into the sides of rivers only
+/// once nothing else is left.
+std::vector<CellIndex> FloodCourses(const PointMesh& mesh, const MeshCourses& courses, std::vector<double>& heights)
+{
+  FloodFront open;
+  FloodFront closed;
+  std::vector<CellIndex> back(heights.size(), Unreached);
+  for (CellIndex n = 0; n < mesh.Count(); ++n)
+  {
+    if (mesh.IsRim(n))
+    {
+      back[n] = -1;
+      open.push({ heights[n], n, n });
+    }
+  }
+  while (!open.empty() || !closed.empty())
+  {
+    FloodFront& front = open.empty() ? closed : open;
+    const FloodWay way = front.top();
+    front.pop();
+    const CellIndex point = way.Point;
+    const bool isOutlet = way.From == point;
+    if (!isOutlet && back[point] != Unreached)
+    {
+      continue;
+    }
+    back[point] = isOutlet ? -1 : LinkTo(mesh, point, way.From);
+    heights[point] = std::max(heights[point], way.Level);
+    for (CellIndex link = mesh.First[point]; link < mesh.First[point + 1]; ++link)
+    {
+      const CellIndex next = mesh.Neighbour[link];
+      if (back[next] == Unreached)
+      {
+        const CellIndex course = courses.Link[next];
+        const bool isClosed = courses.IsRidge[point] || (course >= 0 && mesh.Neighbour[course] != point);
+        (isClosed ? closed : open).push({ std::max(heights[next], heights[point]), next, point });
+      }
+    }
+  }
+  return back;
 }
 
-MeshDrainage DrainMesh(const PointMesh& mesh, const std::vector<double>& heights, const ParallelFor& parallel)
+}
+
+MeshDrainage DrainMesh(
+  const PointMesh& mesh, const std::vector<double>& heights, const ParallelFor& parallel, const MeshCourses& courses)
 {
   MeshDrainage drainage;
   drainage.Link.resize(heights.size());
-  if (!FindLinks(mesh, heights, parallel, drainage.Link))
+  if (!FindLinks(mesh, heights, courses, parallel, drainage.Link))
   {
     std::vector<double> filled = heights;
-    const std::vector<CellIndex> back = FloodMesh(mesh, filled);
-    FindLinks(mesh, filled, parallel, drainage.Link);
+    const std::vector<CellIndex> back =
+      courses.IsEmpty() ? FloodMesh(mesh, filled) : FloodCourses(mesh, courses, filled);
+    FindLinks(mesh, filled, courses, parallel, drainage.Link);
     for (std::size_t n = 0; n < back.size(); ++n)
     {
       drainage.Link[n] = drainage.Link[n] < 0 ? back[n] : drainage.Link[n];

@@ -3,6 +3,7 @@
 #ifndef LittoralMeshDrainage_h
 #define LittoralMeshDrainage_h
 
+#include "Landscapes/MeshCourses.h"
 #include "Landscapes/PointMesh.h"
 #include "Numerics/Parallel.h"
 
@@ -23,9 +24,12 @@ struct MeshDrainage
  * Receivers of steepest descent, max (z - z_r) / d over the neighbours. Points of depressions drain over the spill
  * points: by steepest descent on the filled heights, and on their flats along the priority-flood's way (Barnes, Lehman
  * & Mulla 2014).
+ *
+ * Points of given rivers drain along them, uphill too, and no point drains to one of a ridge. Water that ridges enclose
+ * leaves over their lowest point, and a river that ends where all ways out cross it leaves its course there.
  */
-MeshDrainage DrainMesh(
-  const PointMesh& mesh, const std::vector<double>& heights, const ParallelFor& parallel = SerialFor);
+MeshDrainage DrainMesh(const PointMesh& mesh, const std::vector<double>& heights,
+  const ParallelFor& parallel = SerialFor, const MeshCourses& courses = {});
 
 }
 

@@ -21,6 +21,7 @@ using Diagram = boost::polygon::voronoi_diagram<double>;
 
 /// Part of a cell's sides in which its point lies.
 constexpr double InnerPart = 0.9;
+constexpr double LargestAside = 0.5 * InnerPart;
 
 /// Integer units of the shorter side of a cell: Boost.Polygon is exact on integers.
 constexpr double UnitsACell = 1024.0;
@@ -34,7 +35,8 @@ constexpr double LeastArea = 0.05;
 
 using IntegerPoint = boost::polygon::point_data<std::int32_t>;
 
-std::vector<IntegerPoint> JitteredPoints(const PointMesh& mesh, double unit, int seed, int draw)
+std::vector<IntegerPoint> JitteredPoints(
+  const PointMesh& mesh, double unit, int seed, int draw, const std::vector<HeldPoint>& held)
 {
   const RandomStream random(seed, RandomPurpose::LandscapePoints);
   std::vector<IntegerPoint> points;
@@ -50,6 +52,19 @@ std::vector<IntegerPoint> JitteredPoints(const PointMesh& mesh, double unit, int
     const double y = (row + jitter * (u[1] - 0.5)) * mesh.Spacing[1];
     points.emplace_back(
       static_cast<std::int32_t>(std::lround(x / unit)), static_cast<std::int32_t>(std::lround(y / unit)));
+  }
+  for (const HeldPoint& point : held)
+  {
+    if (!mesh.IsRim(point.Cell))
+    {
+      const std::array<int, 2> cell{ point.Cell % mesh.Width, point.Cell / mesh.Width };
+      const auto unitsAlong = [&](int axis) {
+        const double aside =
+          std::clamp(point.Place[axis] / mesh.Spacing[axis] - cell[axis], -LargestAside, LargestAside);
+        return static_cast<std::int32_t>(std::lround((cell[axis] + aside) * mesh.Spacing[axis] / unit));
+      };
+      points[point.Cell] = IntegerPoint(unitsAlong(0), unitsAlong(1));
+    }
   }
   return points;
 }
@@ -184,14 +199,15 @@ bool PointMesh::IsRim(CellIndex point) const
   return i == 0 || j == 0 || i == this->Width - 1 || j == this->Height - 1;
 }
 
-PointMesh JitteredMesh(int width, int height, const std::array<double, 2>& spacing, int seed, int draw)
+PointMesh JitteredMesh(
+  int width, int height, const std::array<double, 2>& spacing, int seed, int draw, const std::vector<HeldPoint>& held)
 {
   PointMesh mesh;
   mesh.Width = width;
   mesh.Height = height;
   mesh.Spacing = spacing;
   const double unit = std::min(spacing[0], spacing[1]) / UnitsACell;
-  const std::vector<IntegerPoint> points = JitteredPoints(mesh, unit, seed, draw);
+  const std::vector<IntegerPoint> points = JitteredPoints(mesh, unit, seed, draw, held);
   for (const IntegerPoint& point : points)
   {
     mesh.Points.push_back({ point.x() * unit, point.y() * unit });

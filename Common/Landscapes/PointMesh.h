@@ -34,9 +34,17 @@ struct PointMesh
   bool IsRim(CellIndex point) const;
 };
 
+/// Place at which the point of a cell shall stand [m].
+struct HeldPoint
+{
+  CellIndex Cell;
+  std::array<double, 2> Place;
+};
+
 /// Points that are uniform in the inner nine tenths of each cell's sides, by a seed and a draw: meshes of two draws
-/// share no numbers.
-PointMesh JitteredMesh(int width, int height, const std::array<double, 2>& spacing, int seed, int draw = 0);
+/// share no numbers. Points that are held stand at their places, or as near to them as these inner parts go.
+PointMesh JitteredMesh(int width, int height, const std::array<double, 2>& spacing, int seed, int draw = 0,
+  const std::vector<HeldPoint>& held = {});
 
 /// Grid of the heights of a mesh: linear in each triangle, at every half cell, then smoothed over half a cell.
 GridSamples GridOf(const PointMesh& mesh, const std::vector<double>& heights);

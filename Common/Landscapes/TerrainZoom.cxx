@@ -4,6 +4,7 @@
 
 #include "Drainage/DepressionBreaching.h"
 #include "Landscapes/BlockInterpolation.h"
+#include "Landscapes/HeightCorrection.h"
 #include "Landscapes/LandscapeMeasures.h"
 #include "Landscapes/LandscapeStep.h"
 #include "Landscapes/LongWaves.h"
@@ -64,18 +65,6 @@ std::vector<int> FactorsOf(int number)
     }
   }
   return factors;
-}
-
-/// Height of a grid between the middles of its cells, linear along both axes.
-double HeightAt(const GridSamples& grid, const std::array<double, 2>& point)
-{
-  const double x = std::clamp(point[0] / grid.Spacing[0], 0.0, grid.Width - 1.0);
-  const double y = std::clamp(point[1] / grid.Spacing[1], 0.0, grid.Height - 1.0);
-  const int i = std::min(static_cast<int>(x), grid.Width - 2);
-  const int j = std::min(static_cast<int>(y), grid.Height - 2);
-  const double low = grid.At(i, j) + (x - i) * (grid.At(i + 1, j) - grid.At(i, j));
-  const double high = grid.At(i, j + 1) + (x - i) * (grid.At(i + 1, j + 1) - grid.At(i, j + 1));
-  return low + (y - j) * (high - low);
 }
 
 void Breach(GridSamples& ground, const Poll& poll)

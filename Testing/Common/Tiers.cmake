@@ -24,6 +24,7 @@ set(standard_TestFractalDimension FractalDimension.OfWavesInPhaseIsExact Fractal
 set(standard_TestGardnerPlant
   Kinds/*/Tree Kinds/*/Bush GardnerTexture.ShellsAreAsOpaqueAsTheFunctionIsAboveTheirThreshold)
 set(all_TestGardnerPlant Kinds/*/Cypress Kinds/*/StonePine) # as tree and bush
+set(standard_TestGivenGround GivenGround.IsInTheGroundThatGrows)
 set(standard_TestIntensityTrend IntensityTrend.WeightsTakeTheTrendOutOfPairs
   IntensityTrend.PointsAtADistanceHaveATrend IntensityTrend.ClustersAreFoundUnderATrend)
 # The fit is right by MeetsTheEquationsOfTheLikelihood too.

@@ -10,6 +10,7 @@
 #include "vtkGroundStatisticsFilter.h"
 #include "vtkTurningBandsTerrainSource.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -19,6 +20,7 @@
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
@@ -354,6 +356,73 @@ bool RockIsUsed()
   return good && FailsNaming("UseRock is on", drainage);
 }
 
+/// Given lines and points are held: a river's water leaves at its lower end, no water comes to a ridge, the ground goes
+/// through a point; bad ones are refused.
+bool GivenIsHeld()
+{
+  const auto terrain = Terrain(50, 3);
+  const auto place = Terrain(40, 7);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  const double places[][3] = { { 200.0, 300.0, 90.0 }, { 600.0, 450.0, 60.0 }, { 1000.0, 330.0, 20.0 },
+    { 200.0, 840.0, 0.0 }, { 800.0, 960.0, 0.0 }, { 420.0, 660.0, 123.0 } };
+  for (const auto& at : places)
+  {
+    points->InsertNextPoint(at);
+  }
+  const vtkIdType river[] = { 0, 1, 2 };
+  const vtkIdType ridge[] = { 3, 4 };
+  lines->InsertNextCell(3, river);
+  lines->InsertNextCell(2, ridge);
+  vtkNew<vtkDoubleArray> isRidge;
+  isRidge->SetName("Ridge");
+  isRidge->InsertNextValue(0.0);
+  isRidge->InsertNextValue(1.0);
+  vtkNew<vtkPolyData> given;
+  given->SetPoints(points);
+  given->SetLines(lines);
+  given->GetCellData()->AddArray(isRidge);
+  vtkNew<vtkDrainageFilter> drainage;
+  drainage->SetInputConnection(terrain->GetOutputPort());
+  drainage->SetTargetConnection(place->GetOutputPort());
+  drainage->SetInputData(3, given);
+  drainage->GrowOn();
+  drainage->UseLineHeightsOn();
+  drainage->SetMaximumNumberOfIterations(1);
+  given->GetCellData()->RemoveArray("Ridge"); // the ridge is level, so it may be a river
+  drainage->Update();
+  vtkImageData* ground = drainage->GetOutput();
+  const auto at = [&](const char* name, double x, double y) {
+    double point[3] = { x, y, 0.0 };
+    return Value(ground, name, ground->FindPoint(point));
+  };
+  const double cell = 20.0 * 30.0;
+  bool good = Drains(ground);
+  good &= Check(std::abs(at("Elevation", 420.0, 660.0) - 123.0) < 1.0, "a given height is not met");
+  good &= Check(std::abs(at("Elevation", 600.0, 450.0) - 60.0) < 10.0, "a height of a line is not met");
+  good &= Check(at("DrainageArea", 1000.0, 330.0) > 40.0 * cell, "a given river has no water");
+  given->GetCellData()->AddArray(isRidge);
+  given->Modified();
+  drainage->UseLineHeightsOff();
+  drainage->Update();
+  good &= Check(at("DrainageArea", 1000.0, 330.0) > 40.0 * cell, "a given river has no water");
+  good &= Check(at("DrainageArea", 500.0, 900.0) < 5.0 * cell, "water crosses a ridge");
+  good &= Check(std::abs(at("Elevation", 420.0, 660.0) - 123.0) < 1.0, "a given height is not met");
+  points->SetPoint(1, 600.0, 1000.0, 60.0);
+  points->Modified();
+  good &= FailsNaming("A river crosses a ridge", drainage);
+  points->SetPoint(1, 600.0, 2000.0, 60.0);
+  points->Modified();
+  good &= FailsNaming("outside of the terrain", drainage);
+  points->SetPoint(1, NaN, 450.0, 60.0);
+  points->Modified();
+  good &= FailsNaming("not finite", drainage);
+  points->SetPoint(1, 600.0, 450.0, 91.0);
+  points->Modified();
+  drainage->UseLineHeightsOn();
+  return good && FailsNaming("A river runs uphill", drainage);
+}
+
 /// A table of statistics hands over heights and concavity, as the same numbers set one by one do.
 bool StatisticsAreTaken()
 {
@@ -628,8 +697,9 @@ bool MemoryIsAsked()
 
 int TestDrainageFilter(int, char*[])
 {
-  return CarvedGroundDrains() && TargetIsTaken() && GrownGroundDrains() && RockIsUsed() && StatisticsAreTaken() &&
-      OutletsAreChosen() && PartsAreOfOneWhole() && HolesAreOutside() && BadInput() && MemoryIsAsked()
+  return CarvedGroundDrains() && TargetIsTaken() && GrownGroundDrains() && RockIsUsed() && GivenIsHeld() &&
+      StatisticsAreTaken() && OutletsAreChosen() && PartsAreOfOneWhole() && HolesAreOutside() && BadInput() &&
+      MemoryIsAsked()
     ? EXIT_SUCCESS
     : EXIT_FAILURE;
 }
