@@ -51,7 +51,8 @@ double DiagonalOf(vtkPVDataInformation* data)
 
 double LargestOf(vtkPVDataInformation* data, const char* array)
 {
-  vtkPVArrayInformation* information = data->GetArrayInformation(array, vtkDataObject::POINT);
+  vtkPVArrayInformation* ofPoints = data->GetArrayInformation(array, vtkDataObject::POINT);
+  vtkPVArrayInformation* information = ofPoints ? ofPoints : data->GetArrayInformation(array, vtkDataObject::CELL);
   return information ? std::max(1e-9, information->GetComponentRange(0)[1]) : 1.0;
 }
 
@@ -173,9 +174,10 @@ void ShowAsDots(vtkSMProxy* representation, double size, const double color[3])
 }
 
 //----------------------------------------------------------------------------
-void ShowAsFog(vtkSMProxy* representation, vtkPVDataInformation* data, const char* array)
+void ShowAsFog(vtkSMProxy* representation, vtkPVDataInformation* data, const char* array, const double* color)
 {
-  ColorHelper::SetScalarColoring(representation, array, vtkDataObject::POINT);
+  const bool isOfPoints = data->GetArrayInformation(array, vtkDataObject::POINT) != nullptr;
+  ColorHelper::SetScalarColoring(representation, array, isOfPoints ? vtkDataObject::POINT : vtkDataObject::CELL);
   vtkSMPropertyHelper(representation, "Representation").Set("Volume");
   vtkSMProxy* colors = vtkSMPropertyHelper(representation, "LookupTable").GetAsProxy();
   vtkSMProxy* opacities = vtkSMPropertyHelper(representation, "ScalarOpacityFunction").GetAsProxy();
@@ -197,8 +199,13 @@ void ShowAsFog(vtkSMProxy* representation, vtkPVDataInformation* data, const cha
   vtkSMPropertyHelper(opacities, "Points").Set(points.data(), static_cast<unsigned int>(points.size()));
   opacities->UpdateVTKObjects();
   vtkSMPropertyHelper(representation, "ScalarOpacityUnitDistance").Set(unit);
-  const double pale[8] = { 0.0, 0.62, 0.80, 0.82, largest, 0.90, 0.96, 0.94 };
-  vtkSMPropertyHelper(colors, "RGBPoints").Set(pale, 8);
+  double range[8] = { 0.0, 0.62, 0.80, 0.82, largest, 0.90, 0.96, 0.94 }; // pale, as water
+  for (int c = 0; color && c < 3; ++c)
+  {
+    range[1 + c] = color[c];
+    range[5 + c] = 0.6 * color[c];
+  }
+  vtkSMPropertyHelper(colors, "RGBPoints").Set(range, 8);
   vtkSMPropertyHelper(colors, "AutomaticRescaleRangeMode").Set("Never");
   colors->UpdateVTKObjects();
 }

@@ -45,9 +45,10 @@ void ShowAsDots(vtkSMProxy* representation, double size, const double color[3]);
 /**
  * An image of extinction s [1/m] as a volume. Opacity is 1 - exp(-F s U) over the unit distance U, so that light is
  * absorbed as in F times as much fog; F is 1 where the fog is dense enough to be seen, else above. A transfer function
- * that is no longer ParaView's own stays.
+ * that is no longer ParaView's own stays. Fog has the color, darker where it is denser, or that of water where it is
+ * null.
  */
-void ShowAsFog(vtkSMProxy* representation, vtkPVDataInformation* data, const char* array);
+void ShowAsFog(vtkSMProxy* representation, vtkPVDataInformation* data, const char* array, const double* color);
 
 }
 

@@ -474,17 +474,19 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
     }
     ShowAsDots(representation, std::strtod(size, nullptr), ink);
   }
+  double given[3];
+  const char* color = this->Hint("ink", port);
+  const double* ink = color && ReadPlace(color, given) ? given : nullptr;
   const char* width = this->Hint("lines", port);
   if (width && data->GetDataSetType() == VTK_POLY_DATA)
   {
-    double ink[3];
-    const char* color = this->Hint("ink", port);
-    DrawLines(representation, std::strtod(width, nullptr), color && ReadPlace(color, ink) ? ink : nullptr);
+    DrawLines(representation, std::strtod(width, nullptr), ink);
   }
   const char* fog = this->Hint("fog", port);
-  if (fog && data->GetArrayInformation(fog, vtkDataObject::POINT))
+  if (fog &&
+    (data->GetArrayInformation(fog, vtkDataObject::POINT) || data->GetArrayInformation(fog, vtkDataObject::CELL)))
   {
-    ShowAsFog(representation, data, fog);
+    ShowAsFog(representation, data, fog, ink);
     this->WaitForLegend(representation);
   }
   const char* array = this->Hint("color", port);

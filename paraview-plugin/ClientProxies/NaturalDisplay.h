@@ -38,7 +38,7 @@ namespace littoral
  *    share `sky` is added to that of the lights, for leaves in the shade.
  *  - Particles are lit spheres with their radii, whatever the source, enlarged until the largest has the radius
  * `sprite` [diagonals of the data]; points with `dots` are dots of that size [pixels]; `lines` are of that width
- * [pixels], in the color `ink` if there is one; the array of `fog` [1/m] is a volume.
+ * [pixels], in the color `ink` if there is one, as the volume of the array of `fog` [1/m], of points or cells.
  *  - With `over-inputs` a view that shows nothing but what the filter is made of, as ParaView does, counts as empty.
  *  - What is connected to the property `replaces` is hidden in the view, for a proxy with the hint
  *    `<Visibility replace_input="0" />`, whose other inputs stay.
