@@ -12,6 +12,15 @@ import unittest
 HERE = os.path.dirname(os.path.abspath(__file__))
 TIERS = os.path.join(HERE, "..", "Tiers")
 
+#: check.py on a machine whose loops are as fast as those of the budgets, however busy it is.
+AS_FAST = """
+import sys
+sys.path.insert(0, sys.argv.pop(1))
+import check
+check.loop = lambda: check.LOOP
+sys.exit(check.main(*sys.argv[1:]))
+"""
+
 
 def check(*cases, whole=()):
     """The end and the text of a check of tests by name, labels, output and status, as ctest writes them."""
@@ -22,8 +31,8 @@ def check(*cases, whole=()):
     with open("tests.json", "w", encoding="utf-8") as file:
         json.dump({"tests": [{"name": name, "properties": [{"name": "LABELS", "value": labels.split(";")}]}
                              for name, labels, _, _ in cases]}, file)
-    run = subprocess.run([sys.executable, "-B", os.path.join(TIERS, "check.py"), "record.xml", "tests.json", "names.txt",
-                          *whole], capture_output=True, text=True, check=False)
+    run = subprocess.run([sys.executable, "-B", "-c", AS_FAST, TIERS, "record.xml", "tests.json", "names.txt", *whole],
+                         capture_output=True, text=True, check=False)
     return run.returncode, run.stdout + run.stderr
 
 
