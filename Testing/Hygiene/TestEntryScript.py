@@ -115,16 +115,15 @@ class EntryScript(unittest.TestCase):
         for name, (_, _, _, wanted, _) in RELEASES.items():
             self.release(name)
             lists = words(wanted or "debian-13")  # elsewhere the names of Debian 13 serve as a description
-            for asked in [uses, *((use,) for use in uses if name == "Debian 13")]:
+            for asked in [uses, *((use,) for use in ("run", "test") if name == "Debian 13")]:
                 with self.subTest(release=name, uses=asked):
                     printed = self.run_script("packages", *asked)
                     self.assertEqual(printed.returncode, 0, printed.stderr)
                     self.assertEqual(set(printed.stdout.split()), set().union(*(lists[use] for use in asked)))
 
     def test_a_release_that_was_not_tried_is_told(self):
-        for name, (_, _, _, wanted, tried) in RELEASES.items():
-            if wanted is None:
-                continue
+        for name in "Debian 12", "Debian forky", "Ubuntu 26.04", "Linux Mint":
+            tried = RELEASES[name][-1]
             with self.subTest(release=name):
                 self.release(name)
                 lines = self.run_script("setup", "test").stdout
