@@ -205,7 +205,7 @@ class WindFiles(unittest.TestCase):
         for step in (0, 3, 6, 8, -1):
             reader.UpdateTimeStep(step * 0.05)
             image = reader.GetOutput()
-            index = image.FindPoint(100.0, 20.0 - 1e-4, 65.0)
+            index = image.FindPoint((100.0, 20.0 - 1e-4, 65.0))
             plane = numbers(image)[:, :, -1]
             np.testing.assert_allclose(plane[..., 1], values[step % 7][..., 0], atol=1e-3)
             np.testing.assert_allclose(plane[..., 0], -values[step % 7][..., 1], atol=1e-3)
