@@ -35,6 +35,7 @@ constexpr double ParcelsOfCell = 1.5;    ///< along a side
 constexpr std::size_t PlantsAtOnce = 64; ///< by a thread
 constexpr std::size_t PolygonsAtOnce = 4096;
 constexpr std::size_t TreesAtOnce = 256;
+constexpr int MostKinds = 1000; ///< species of a stand
 constexpr double TallestTree = 150.0;
 constexpr int LevelsOfPlant = 3;
 
@@ -348,6 +349,10 @@ public:
   {
     const auto forAll = [&](vtkPolyData* block, const TextureImage* picture, const auto& add) {
       const auto count = static_cast<std::size_t>(block ? block->GetNumberOfPolys() : 0);
+      if (count == 0)
+      {
+        return; // there may be no block either
+      }
       ForRanges(parallel, count, PolygonsAtOnce, [&](std::size_t begin, std::size_t end) {
         FoliageTriangles triangles(block, picture);
         for (std::size_t polygon = begin; polygon < end; ++polygon)
@@ -408,7 +413,7 @@ private:
         foot[axis] = feet->GetComponent(row, axis);
       }
     }
-    Require(kinds <= MostKinds ? "" : "its Species are more than " + std::to_string(MostKinds) + ".");
+    Require(kinds <= std::size_t{ MostKinds } ? "" : "its Species are more than " + std::to_string(MostKinds) + ".");
     if (this->KindOfPlant.empty())
     {
       this->KindOfPlant.push_back(0);
@@ -440,8 +445,6 @@ private:
     measure(this->Leaves, &this->Picture, this->PlantOfLeaf, this->AreaOfLeaves);
     measure(this->Skin, nullptr, this->PlantOfBark, this->AreaOfWood);
   }
-
-  static constexpr std::size_t MostKinds = 1000;
 
   vtkPolyData* Leaves;
   vtkPolyData* Skin;
@@ -532,8 +535,6 @@ public:
   }
 
 private:
-  static constexpr vtkIdType MostKinds = 1000;
-
   double MaximumHeight;
   std::vector<StandCrown> List;
   double AreaOfLeaves = 0.0;
