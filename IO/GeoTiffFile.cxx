@@ -4,7 +4,6 @@
 
 #include "CoordinateSystem.h"
 #include "GdalMessages.h"
-#include "ReplacedFile.h"
 
 #include <algorithm>
 #include <atomic>
@@ -22,11 +21,6 @@ namespace littoral
 
 namespace
 {
-
-/// Ends the writing when the user asks for it.
-struct Stopped
-{
-};
 
 /// A file in memory, and what GDAL may put beside it.
 class MemoryFile
@@ -94,7 +88,7 @@ void SetPlace(void* dataset, const GeoTiffContent& content, GdalMessages& messag
   }
 }
 
-/// Writes the heights. Throws RasterError or Stopped.
+/// Writes the heights. Throws RasterError or WriteStopped.
 void WriteRows(
   void* dataset, const GeoTiffContent& content, const RasterProgress& progress, const GdalMessages& messages)
 {
@@ -108,7 +102,7 @@ void WriteRows(
   {
     if (j % 64 == 0 && !progress(0.9 * j / height))
     {
-      throw Stopped();
+      throw WriteStopped();
     }
     content.FillRow(j, row.data());
     if (GDALRasterIO(band, GF_Write, 0, j, width, 1, row.data(), width, 1, GDT_Float64, 0, 0) != CE_None)
@@ -136,7 +130,7 @@ std::string WhyOtherSystem(const std::string& name, const std::string& wanted)
   return isSame && !isBeside ? "" : "GeoTIFF cannot hold the coordinate system " + NameOf(system);
 }
 
-/// Copies a file in memory to the disk. Throws std::ios_base::failure or Stopped.
+/// Copies a file in memory to the disk. Throws std::ios_base::failure or WriteStopped.
 void CopyTo(ReplacedFile& file, const std::string& name, const RasterProgress& progress)
 {
   vsi_l_offset length = 0;
@@ -146,7 +140,7 @@ void CopyTo(ReplacedFile& file, const std::string& name, const RasterProgress& p
   {
     if (!progress(0.9 + 0.1 * static_cast<double>(at) / static_cast<double>(length)))
     {
-      throw Stopped();
+      throw WriteStopped();
     }
     const vsi_l_offset part = std::min(chunk, length - at);
     file.Stream().write(reinterpret_cast<const char*>(bytes + at), static_cast<std::streamsize>(part));
@@ -155,22 +149,16 @@ void CopyTo(ReplacedFile& file, const std::string& name, const RasterProgress& p
 
 }
 
-GeoTiffOutcome WriteGeoTiff(const std::string& path, const GeoTiffContent& content, const RasterProgress& progress)
+FileOutcome WriteGeoTiff(const std::string& path, const GeoTiffContent& content, const RasterProgress& progress)
 {
   GDALAllRegister();
   GdalMessages messages;
-  ReplacedFile file(path);
-  if (!file.WhyFailed().empty())
-  {
-    return { false, file.WhyFailed(), true };
-  }
-  try
-  {
+  return WriteFile(path, [&](ReplacedFile& file) {
     const MemoryFile memory;
     Dataset dataset = CreateDataset(memory.Name, content);
     if (!dataset)
     {
-      return { false, messages.ErrorOr("GDAL has no writer of GeoTIFF") };
+      throw RasterError(messages.ErrorOr("GDAL has no writer of GeoTIFF"));
     }
     SetPlace(dataset.get(), content, messages);
     WriteRows(dataset.get(), content, progress, messages);
@@ -178,30 +166,11 @@ GeoTiffOutcome WriteGeoTiff(const std::string& path, const GeoTiffContent& conte
     const std::string problem = messages.ErrorOr(WhyOtherSystem(memory.Name, content.System));
     if (!problem.empty())
     {
-      return { false, problem };
+      throw RasterError(problem);
     }
     CopyTo(file, memory.Name, progress);
-    const bool isWritten = file.Close() && file.Commit();
-    return { isWritten, isWritten ? "" : file.WhyFailed(), true };
-  }
-  catch (const Stopped&)
-  {
-    return { false, {} };
-  }
-  catch (const std::bad_alloc&)
-  {
-    return { false, "there is not enough memory" };
-  }
-  catch (const RasterError& problem)
-  {
-    return { false, problem.what() };
-  }
-  catch (const std::exception& problem)
-  {
-    // What the system said of the file is clearer than what the stream made of it.
-    file.Close();
-    return { false, file.WhyFailed().empty() ? problem.what() : file.WhyFailed(), true };
-  }
+    return file.Close() && file.Commit();
+  });
 }
 
 }

@@ -4,6 +4,7 @@
 #define LittoralGeoTiffFile_h
 
 #include "Raster.h"
+#include "ReplacedFile.h"
 
 #include <array>
 #include <string>
@@ -27,16 +28,9 @@ struct GeoTiffContent
   std::function<void(int row, double* heights)> FillRow;
 };
 
-struct GeoTiffOutcome
-{
-  bool Written = false;
-  std::string Reason;    ///< empty if written or stopped
-  bool IsOfDisk = false; ///< whether the system refused the file
-};
-
 /// Writes a GeoTIFF, which takes the place of another file only when it is whole. The same content makes the same
 /// bytes.
-GeoTiffOutcome WriteGeoTiff(const std::string& path, const GeoTiffContent& content, const RasterProgress& progress);
+FileOutcome WriteGeoTiff(const std::string& path, const GeoTiffContent& content, const RasterProgress& progress);
 
 }
 

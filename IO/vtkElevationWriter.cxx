@@ -8,16 +8,12 @@
 #include "GdalMessages.h"
 #include "GeoTiffFile.h"
 #include "Numerics/ParameterCheck.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
-#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkErrorCode.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkMatrix3x3.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -55,15 +51,13 @@ double MetresPerUnitOf(const std::string& text)
 
 //----------------------------------------------------------------------------
 vtkElevationWriter::vtkElevationWriter()
+  : vtkSingleFileWriter("a raster")
 {
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
 }
 
 //----------------------------------------------------------------------------
-vtkElevationWriter::~vtkElevationWriter()
-{
-  this->SetFileName(nullptr);
-}
+vtkElevationWriter::~vtkElevationWriter() = default;
 
 //----------------------------------------------------------------------------
 int vtkElevationWriter::FillInputPortInformation(int, vtkInformation* info)
@@ -73,56 +67,9 @@ int vtkElevationWriter::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //----------------------------------------------------------------------------
-vtkTypeBool vtkElevationWriter::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return littoral::WithoutExceptions(
-    this, request, outputVector, [&] { return this->Superclass::ProcessRequest(request, inputVector, outputVector); });
-}
-
-//----------------------------------------------------------------------------
-int vtkElevationWriter::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*)
-{
-  this->SetErrorCode(vtkErrorCode::NoError);
-  this->InvokeEvent(vtkCommand::StartEvent);
-  this->WriteData();
-  this->InvokeEvent(vtkCommand::EndEvent);
-  this->WriteTime.Modified();
-  // An abort is no failure.
-  return this->IsWritten || this->GetErrorCode() == vtkErrorCode::UserError ? 1 : littoral::FailedRequest(this);
-}
-
-//----------------------------------------------------------------------------
-int vtkElevationWriter::Write()
-{
-  this->IsWritten = false;
-  if (this->GetNumberOfInputConnections(0) > 0)
-  {
-    this->SetErrorCode(vtkErrorCode::NoError);
-    this->Superclass::Write();
-  }
-  else
-  {
-    this->Refuse("there is no input.");
-  }
-  if (!this->IsWritten && this->GetErrorCode() == vtkErrorCode::NoError)
-  {
-    this->SetErrorCode(vtkErrorCode::UnknownError); // an input failed, and has told why
-  }
-  return this->IsWritten ? 1 : 0;
-}
-
-//----------------------------------------------------------------------------
-void vtkElevationWriter::Refuse(const std::string& reason)
-{
-  vtkErrorMacro(<< littoral::FileMessage("write", this->FileName ? this->FileName : "", "a raster", reason));
-}
-
-//----------------------------------------------------------------------------
 std::string vtkElevationWriter::WhyInvalid() const
 {
   littoral::ParameterCheck check;
-  check.Require(this->FileName && *this->FileName, "FileName is empty.");
   check.Choice("Compression", this->Compression, Deflate + 1);
   return check.Reason();
 }
@@ -181,6 +128,7 @@ void vtkElevationWriter::SetPlace(vtkImageData* image, littoral::GeoTiffContent&
 //----------------------------------------------------------------------------
 void vtkElevationWriter::WriteImage(vtkImageData* image)
 {
+  this->NeedFileName();
   littoral::Require(this->WhyInvalid());
   littoral::RequireRaster(image, 1);
   vtkDataArray* heights = this->FindHeights(image);
@@ -205,45 +153,24 @@ void vtkElevationWriter::WriteImage(vtkImageData* image)
     }
   };
   this->SetProgressText("Writing heights");
-  const littoral::GeoTiffOutcome outcome = littoral::WriteGeoTiff(this->FileName, content, [this](double share) {
+  this->Conclude(littoral::WriteGeoTiff(this->FileName, content, [this](double share) {
     this->UpdateProgress(share);
     return !littoral::IsAborted(this);
-  });
-  this->IsWritten = outcome.Written;
-  if (!outcome.Written)
-  {
-    const bool isStopped = outcome.Reason.empty();
-    this->SetErrorCode(isStopped ? vtkErrorCode::UserError
-        : outcome.IsOfDisk       ? vtkErrorCode::CannotOpenFileError
-                                 : vtkErrorCode::UnknownError);
-  }
-  littoral::Require(outcome.Reason);
+  }));
 }
 
 //----------------------------------------------------------------------------
-void vtkElevationWriter::WriteData()
+void vtkElevationWriter::WriteInput()
 {
   auto* image = vtkImageData::SafeDownCast(this->GetInput());
-  try
-  {
-    littoral::Require(image ? "" : "there is no input.");
-    this->WriteImage(image);
-  }
-  catch (const littoral::InvalidInput& refusal)
-  {
-    this->Refuse(refusal.what());
-    if (this->GetErrorCode() == vtkErrorCode::NoError)
-    {
-      this->SetErrorCode(vtkErrorCode::UnknownError);
-    }
-  }
+  littoral::Require(image ? "" : "there is no input.");
+  this->WriteImage(image);
 }
 
 //----------------------------------------------------------------------------
 void vtkElevationWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "CoordinateSystem: " << this->CoordinateSystem << "\n";
   os << indent << "Compression: " << this->Compression << "\n";
 }

@@ -23,7 +23,7 @@
 #define vtkElevationWriter_h
 
 #include "LittoralIOModule.h" // for the export macro
-#include "vtkWriter.h"
+#include "vtkSingleFileWriter.h"
 
 #include <string> // for the coordinate system
 
@@ -35,11 +35,11 @@ namespace littoral
 struct GeoTiffContent;
 }
 
-class LITTORALIO_EXPORT vtkElevationWriter : public vtkWriter
+class LITTORALIO_EXPORT vtkElevationWriter : public vtkSingleFileWriter
 {
 public:
   static vtkElevationWriter* New();
-  vtkTypeMacro(vtkElevationWriter, vtkWriter);
+  vtkTypeMacro(vtkElevationWriter, vtkSingleFileWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum CompressionType
@@ -47,14 +47,6 @@ public:
     NoCompression = 0,
     Deflate = 1,
   };
-
-  ///@{
-  /**
-   * Name of the output file; default null, which is an error.
-   */
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
-  ///@}
 
   ///@{
   /**
@@ -75,21 +67,12 @@ public:
   void SetCompressionToDeflate() { this->SetCompression(Deflate); }
   ///@}
 
-  /**
-   * Writes the file; 0 where that fails, after a message.
-   */
-  int Write() override;
-
 protected:
   vtkElevationWriter();
   ~vtkElevationWriter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  vtkTypeBool ProcessRequest(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  void WriteData() override;
+  void WriteInput() override;
 
 private:
   vtkElevationWriter(const vtkElevationWriter&) = delete;
@@ -101,13 +84,9 @@ private:
   /// Positions of the points, in units of the coordinate system.
   void SetPlace(vtkImageData* image, littoral::GeoTiffContent& content) const;
   void WriteImage(vtkImageData* image);
-  /// One message that names the file.
-  void Refuse(const std::string& reason);
 
-  char* FileName = nullptr;
   std::string CoordinateSystem;
   int Compression = Deflate;
-  bool IsWritten = false;
 };
 
 #endif

@@ -5,14 +5,11 @@
 #include "Data/ArrayReader.h"
 #include "Data/Inputs.h"
 #include "Numerics/ParameterCheck.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Plants/CanopyDensity.h"
 #include "Plants/ForestFiles.h"
 #include "ReplacedFile.h"
 
-#include "vtkCommand.h"
-#include "vtkErrorCode.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
@@ -60,13 +57,13 @@ double PositiveOf(vtkDataArray* array, vtkIdType tree)
 }
 
 //----------------------------------------------------------------------------
-vtkForestDensityWriter::vtkForestDensityWriter() = default;
+vtkForestDensityWriter::vtkForestDensityWriter()
+  : vtkSingleFileWriter("a forest")
+{
+}
 
 //----------------------------------------------------------------------------
-vtkForestDensityWriter::~vtkForestDensityWriter()
-{
-  this->SetFileName(nullptr);
-}
+vtkForestDensityWriter::~vtkForestDensityWriter() = default;
 
 //----------------------------------------------------------------------------
 int vtkForestDensityWriter::FillInputPortInformation(int, vtkInformation* info)
@@ -78,74 +75,19 @@ int vtkForestDensityWriter::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //----------------------------------------------------------------------------
-vtkTypeBool vtkForestDensityWriter::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return littoral::WithoutExceptions(
-    this, request, outputVector, [&] { return this->Superclass::ProcessRequest(request, inputVector, outputVector); });
-}
-
-//----------------------------------------------------------------------------
-int vtkForestDensityWriter::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*)
-{
-  this->SetErrorCode(vtkErrorCode::NoError);
-  this->InvokeEvent(vtkCommand::StartEvent);
-  this->WriteData();
-  this->InvokeEvent(vtkCommand::EndEvent);
-  this->WriteTime.Modified();
-  // An abort is no failure.
-  return this->IsWritten || this->GetErrorCode() == vtkErrorCode::UserError ? 1 : littoral::FailedRequest(this);
-}
-
-//----------------------------------------------------------------------------
-int vtkForestDensityWriter::Write()
-{
-  this->IsWritten = false;
-  if (this->GetNumberOfInputConnections(0) > 0)
-  {
-    this->SetErrorCode(vtkErrorCode::NoError);
-    this->Superclass::Write();
-  }
-  else
-  {
-    this->Refuse("there is no input");
-  }
-  if (!this->IsWritten && this->GetErrorCode() == vtkErrorCode::NoError)
-  {
-    this->SetErrorCode(vtkErrorCode::UnknownError); // an input failed, and has told why
-  }
-  return this->IsWritten ? 1 : 0;
-}
-
-//----------------------------------------------------------------------------
-void vtkForestDensityWriter::Refuse(const std::string& reason)
-{
-  vtkErrorMacro(<< littoral::FileMessage("write", this->FileName ? this->FileName : "", "a forest", reason));
-}
-
-//----------------------------------------------------------------------------
 void vtkForestDensityWriter::WriteWhole(const FillFile& fill)
 {
   this->SetProgressText("Writing forest");
-  bool isStopped = false;
-  const littoral::FileOutcome outcome = littoral::WriteFile(this->FileName, [&](littoral::ReplacedFile& file) {
+  this->Conclude(littoral::WriteFile(this->FileName, [&](littoral::ReplacedFile& file) {
     file.OnWrite([&](std::size_t) {
       if (littoral::IsAborted(this))
       {
-        isStopped = true;
         throw littoral::WriteStopped();
       }
     });
     fill(file.Stream());
     return file.Close() && file.Commit();
-  });
-  this->IsWritten = outcome.Written;
-  if (!outcome.Written)
-  {
-    this->SetErrorCode(isStopped ? vtkErrorCode::UserError : vtkErrorCode::CannotOpenFileError);
-  }
-  littoral::Require(outcome.Reason);
-  this->UpdateProgress(1.0);
+  }));
 }
 
 //----------------------------------------------------------------------------
@@ -214,40 +156,25 @@ void vtkForestDensityWriter::WriteTrees(vtkPointSet* trees)
 }
 
 //----------------------------------------------------------------------------
-void vtkForestDensityWriter::WriteData()
+void vtkForestDensityWriter::WriteInput()
 {
-  this->IsWritten = false;
-  try
-  {
-    const std::string path = this->FileName ? this->FileName : "";
-    littoral::Require(path.empty() ? "FileName is empty" : "");
-    const std::string extension = vtksys::SystemTools::GetFilenameLastExtension(path);
-    littoral::ParameterCheck check;
-    check.Range("DragCoefficient", this->DragCoefficient, 0.0, 10.0);
-    littoral::Require(check.Reason());
-    auto* image = vtkImageData::SafeDownCast(this->GetInput());
-    auto* trees = vtkPointSet::SafeDownCast(this->GetInput());
-    littoral::Require(image || trees ? "" : "there is no input");
-    const bool isOfCells = extension == ".bdf" || extension == ".dat";
-    littoral::Require(isOfCells || extension == ".amrwind" ? "" : "the name must end in .bdf, .dat or .amrwind");
-    littoral::Require(isOfCells && !image ? "a " + extension + " is written of the image of densities" : "");
-    littoral::Require(!isOfCells && !trees ? "a .amrwind is written of trees, the last output of Forest Density" : "");
-    isOfCells ? this->WriteImage(image, extension) : this->WriteTrees(trees);
-  }
-  catch (const littoral::InvalidInput& refusal)
-  {
-    this->Refuse(refusal.what());
-    if (this->GetErrorCode() == vtkErrorCode::NoError)
-    {
-      this->SetErrorCode(vtkErrorCode::UnknownError);
-    }
-  }
+  const std::string extension = vtksys::SystemTools::GetFilenameLastExtension(this->NeedFileName());
+  littoral::ParameterCheck check;
+  check.Range("DragCoefficient", this->DragCoefficient, 0.0, 10.0);
+  littoral::Require(check.Reason());
+  auto* image = vtkImageData::SafeDownCast(this->GetInput());
+  auto* trees = vtkPointSet::SafeDownCast(this->GetInput());
+  littoral::Require(image || trees ? "" : "there is no input");
+  const bool isOfCells = extension == ".bdf" || extension == ".dat";
+  littoral::Require(isOfCells || extension == ".amrwind" ? "" : "the name must end in .bdf, .dat or .amrwind");
+  littoral::Require(isOfCells && !image ? "a " + extension + " is written of the image of densities" : "");
+  littoral::Require(!isOfCells && !trees ? "a .amrwind is written of trees, the last output of Forest Density" : "");
+  isOfCells ? this->WriteImage(image, extension) : this->WriteTrees(trees);
 }
 
 //----------------------------------------------------------------------------
 void vtkForestDensityWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "DragCoefficient: " << this->DragCoefficient << "\n";
 }

@@ -25,7 +25,7 @@
 #define vtkForestDensityWriter_h
 
 #include "LittoralIOModule.h" // for the export macro
-#include "vtkWriter.h"
+#include "vtkSingleFileWriter.h"
 
 #include <functional>
 #include <ostream>
@@ -34,20 +34,12 @@
 class vtkImageData;
 class vtkPointSet;
 
-class LITTORALIO_EXPORT vtkForestDensityWriter : public vtkWriter
+class LITTORALIO_EXPORT vtkForestDensityWriter : public vtkSingleFileWriter
 {
 public:
   static vtkForestDensityWriter* New();
-  vtkTypeMacro(vtkForestDensityWriter, vtkWriter);
+  vtkTypeMacro(vtkForestDensityWriter, vtkSingleFileWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * Name of the output file, ending in `.bdf`, `.dat` or `.amrwind`; default null, which is an error.
-   */
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
-  ///@}
 
   ///@{
   /**
@@ -57,21 +49,12 @@ public:
   vtkGetMacro(DragCoefficient, double);
   ///@}
 
-  /**
-   * Writes the file; 0 where that fails, after a message.
-   */
-  int Write() override;
-
 protected:
   vtkForestDensityWriter();
   ~vtkForestDensityWriter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  vtkTypeBool ProcessRequest(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  void WriteData() override;
+  void WriteInput() override;
 
 private:
   vtkForestDensityWriter(const vtkForestDensityWriter&) = delete;
@@ -80,14 +63,11 @@ private:
   /// Fills a file.
   using FillFile = std::function<void(std::ostream& file)>;
 
-  void Refuse(const std::string& reason);
   void WriteImage(vtkImageData* image, const std::string& extension);
   void WriteTrees(vtkPointSet* trees);
   void WriteWhole(const FillFile& fill);
 
-  char* FileName = nullptr;
   double DragCoefficient = 0.2;
-  bool IsWritten = false;
 };
 
 #endif

@@ -67,13 +67,13 @@ public:
 };
 
 //----------------------------------------------------------------------------
-vtkGLTFSceneWriter::vtkGLTFSceneWriter() = default;
+vtkGLTFSceneWriter::vtkGLTFSceneWriter()
+  : vtkSingleFileWriter("a scene")
+{
+}
 
 //----------------------------------------------------------------------------
-vtkGLTFSceneWriter::~vtkGLTFSceneWriter()
-{
-  this->SetFileName(nullptr);
-}
+vtkGLTFSceneWriter::~vtkGLTFSceneWriter() = default;
 
 //----------------------------------------------------------------------------
 int vtkGLTFSceneWriter::FillInputPortInformation(int, vtkInformation* info)
@@ -138,8 +138,7 @@ vtkTypeBool vtkGLTFSceneWriter::ProcessRequest(
         Pipeline::UPDATE_TIME_STEP(), this->StartTime + this->Frame / this->FramesPerSecond);
     }
   }
-  return littoral::WithoutExceptions(
-    this, request, outputVector, [&] { return this->Superclass::ProcessRequest(request, inputVector, outputVector); });
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }
 
 //----------------------------------------------------------------------------
@@ -151,8 +150,7 @@ int vtkGLTFSceneWriter::RequestData(vtkInformation* request, vtkInformationVecto
     this->InvokeEvent(vtkCommand::StartEvent);
   }
   this->WriteData();
-  const unsigned long code = this->GetErrorCode();
-  if (code == vtkErrorCode::NoError && this->Frame > 0)
+  if (this->GetErrorCode() == vtkErrorCode::NoError && this->Frame > 0)
   {
     request->Set(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING(), 1);
     return 1;
@@ -160,36 +158,20 @@ int vtkGLTFSceneWriter::RequestData(vtkInformation* request, vtkInformationVecto
   request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
   this->InvokeEvent(vtkCommand::EndEvent);
   this->WriteTime.Modified();
-  // An abort is no failure.
-  return code == vtkErrorCode::NoError || code == vtkErrorCode::UserError ? 1 : littoral::FailedRequest(this);
+  return this->Answer();
 }
 
 //----------------------------------------------------------------------------
 int vtkGLTFSceneWriter::Write()
 {
-  this->Internals.reset();
-  this->Frame = 0;
-  this->IsWritten = false;
-  if (this->GetNumberOfInputConnections(0) > 0)
-  {
-    this->Superclass::Write();
-  }
-  else
-  {
-    this->Refuse("there is no input.");
-  }
-  if (!this->IsWritten && this->GetErrorCode() == vtkErrorCode::NoError)
-  {
-    this->SetErrorCode(vtkErrorCode::UnknownError); // an input failed, and has told why
-  }
-  return this->IsWritten ? 1 : 0;
+  this->End();
+  return this->Superclass::Write();
 }
 
 //----------------------------------------------------------------------------
 std::string vtkGLTFSceneWriter::WhyInvalid() const
 {
   littoral::ParameterCheck check;
-  check.Require(this->FileName && *this->FileName, "FileName is empty.");
   check.Choice("InstanceForm", this->InstanceForm, Nodes + 1);
   check.Choice("LevelForm", this->LevelForm, Low + 1);
   for (const auto& [source, kind] : this->SourceKinds)
@@ -242,12 +224,6 @@ littoral::SceneOptions vtkGLTFSceneWriter::GetOptions() const
 }
 
 //----------------------------------------------------------------------------
-void vtkGLTFSceneWriter::Refuse(const std::string& reason)
-{
-  vtkErrorMacro(<< littoral::FileMessage("write", this->FileName ? this->FileName : "", "a scene", reason));
-}
-
-//----------------------------------------------------------------------------
 std::vector<littoral::SceneSource> vtkGLTFSceneWriter::GetSources()
 {
   std::vector<littoral::SceneSource> sources;
@@ -272,6 +248,7 @@ int vtkGLTFSceneWriter::GetNumberOfFrames() const
 /// Reads the sources as they are at the first time.
 void vtkGLTFSceneWriter::Begin(const std::vector<littoral::SceneSource>& sources)
 {
+  this->NeedFileName();
   littoral::Require(this->WhyInvalid());
   this->Internals = std::make_unique<vtkInternals>(this->GetOptions());
   littoral::Scene& scene = this->Internals->Scene;
@@ -313,17 +290,10 @@ void vtkGLTFSceneWriter::WriteScene()
   this->Internals->Reader.Finish();
   littoral::Require(littoral::WhyTooLarge(this->Internals->Scene));
   this->SetProgressText("Writing a scene");
-  const littoral::FileOutcome outcome =
-    littoral::WriteScene(this->FileName, this->Internals->Scene, [this, first](double share) {
-      this->UpdateProgress(first + (1.0 - first) * share);
-      return !littoral::IsAborted(this);
-    });
-  this->IsWritten = outcome.Written;
-  if (!outcome.Written && outcome.Reason.empty())
-  {
-    this->SetErrorCode(vtkErrorCode::UserError);
-  }
-  littoral::Require(outcome.Reason);
+  this->Conclude(littoral::WriteScene(this->FileName, this->Internals->Scene, [this, first](double share) {
+    this->UpdateProgress(first + (1.0 - first) * share);
+    return !littoral::IsAborted(this);
+  }));
 }
 
 //----------------------------------------------------------------------------
@@ -334,17 +304,16 @@ void vtkGLTFSceneWriter::End()
 }
 
 //----------------------------------------------------------------------------
-void vtkGLTFSceneWriter::WriteData()
+void vtkGLTFSceneWriter::WriteInput()
 {
   try
   {
     this->WriteFrame();
   }
-  catch (const littoral::InvalidInput& refusal)
+  catch (...)
   {
-    this->Refuse(refusal.what());
-    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
     this->End();
+    throw;
   }
 }
 
@@ -383,7 +352,6 @@ void vtkGLTFSceneWriter::PrintSelf(ostream& os, vtkIndent indent)
   const auto triple = [](const double* a) {
     return littoral::TextOf(a[0]) + " " + littoral::TextOf(a[1]) + " " + littoral::TextOf(a[2]);
   };
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "SceneName: " << this->SceneName << "\n";
   for (const auto& [source, name] : this->SourceNames)
   {

@@ -34,7 +34,7 @@
 #define vtkGLTFSceneWriter_h
 
 #include "LittoralIOModule.h" // for the export macro
-#include "vtkWriter.h"
+#include "vtkSingleFileWriter.h"
 
 #include <map>    // for names and kinds
 #include <memory> // for the scene
@@ -47,20 +47,12 @@ struct SceneOptions;
 struct SceneSource;
 }
 
-class LITTORALIO_EXPORT vtkGLTFSceneWriter : public vtkWriter
+class LITTORALIO_EXPORT vtkGLTFSceneWriter : public vtkSingleFileWriter
 {
 public:
   static vtkGLTFSceneWriter* New();
-  vtkTypeMacro(vtkGLTFSceneWriter, vtkWriter);
+  vtkTypeMacro(vtkGLTFSceneWriter, vtkSingleFileWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * Name of the output file; default null, which is an error.
-   */
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
-  ///@}
 
   ///@{
   /**
@@ -299,7 +291,7 @@ protected:
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  void WriteData() override;
+  void WriteInput() override;
 
 private:
   vtkGLTFSceneWriter(const vtkGLTFSceneWriter&) = delete;
@@ -314,10 +306,7 @@ private:
   void WriteScene();
   void WriteFrame();
   void End();
-  /// One message naming the file.
-  void Refuse(const std::string& reason);
 
-  char* FileName = nullptr;
   std::string SceneName = "Scene";
   std::map<int, std::string> SourceNames;
   std::map<int, int> SourceKinds;
@@ -343,7 +332,6 @@ private:
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals; // the scene while it is read
   int Frame = 0;                           // of the motion
-  bool IsWritten = false;                  // by the last Write()
 };
 
 #endif

@@ -5,7 +5,6 @@
 #include "InflowFile.h"
 #include "InflowImage.h"
 #include "Numerics/ParameterCheck.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkCommand.h"
@@ -16,7 +15,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <array>
-#include <new>
 #include <vector>
 
 vtkStandardNewMacro(vtkWindFieldWriter);
@@ -50,13 +48,13 @@ vtkImageData* UpdatedPart(vtkAlgorithm* producer, int port, const std::array<int
 }
 
 //----------------------------------------------------------------------------
-vtkWindFieldWriter::vtkWindFieldWriter() = default;
+vtkWindFieldWriter::vtkWindFieldWriter()
+  : vtkSingleFileWriter("a wind")
+{
+}
 
 //----------------------------------------------------------------------------
-vtkWindFieldWriter::~vtkWindFieldWriter()
-{
-  this->SetFileName(nullptr);
-}
+vtkWindFieldWriter::~vtkWindFieldWriter() = default;
 
 //----------------------------------------------------------------------------
 int vtkWindFieldWriter::FillInputPortInformation(int, vtkInformation* info)
@@ -66,35 +64,13 @@ int vtkWindFieldWriter::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //----------------------------------------------------------------------------
-vtkTypeBool vtkWindFieldWriter::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkWindFieldWriter::WriteInput()
 {
-  return littoral::WithoutExceptions(
-    this, request, outputVector, [&] { return this->Superclass::ProcessRequest(request, inputVector, outputVector); });
-}
-
-//----------------------------------------------------------------------------
-int vtkWindFieldWriter::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*)
-{
-  this->SetErrorCode(vtkErrorCode::NoError);
-  this->InvokeEvent(vtkCommand::StartEvent);
-  this->WriteData();
-  this->InvokeEvent(vtkCommand::EndEvent);
-  this->WriteTime.Modified();
-  // An abort is no failure.
-  return this->IsWritten || this->GetErrorCode() == vtkErrorCode::UserError ? 1 : littoral::FailedRequest(this);
-}
-
-//----------------------------------------------------------------------------
-void vtkWindFieldWriter::WriteData()
-{
-  this->WriteOrRefuse([&] {
-    auto* image = vtkImageData::SafeDownCast(this->GetInput());
-    littoral::Require(image ? "" : "there is no input");
-    int whole[6];
-    image->GetExtent(whole);
-    this->WritePlanes(whole, [image](int, int) { return image; });
-  });
+  auto* image = vtkImageData::SafeDownCast(this->GetInput());
+  littoral::Require(image ? "" : "there is no input");
+  int whole[6];
+  image->GetExtent(whole);
+  this->WritePlanes(whole, [image](int, int) { return image; });
 }
 
 //----------------------------------------------------------------------------
@@ -123,41 +99,9 @@ int vtkWindFieldWriter::Write()
 }
 
 //----------------------------------------------------------------------------
-void vtkWindFieldWriter::WriteOrRefuse(const std::function<void()>& write)
-{
-  this->IsWritten = false;
-  std::string reason;
-  try
-  {
-    write();
-  }
-  catch (const littoral::Aborted&)
-  {
-    this->SetErrorCode(littoral::IsAborted(this) ? vtkErrorCode::UserError : vtkErrorCode::UnknownError);
-  }
-  catch (const littoral::InvalidInput& refusal)
-  {
-    reason = refusal.what();
-  }
-  catch (const std::bad_alloc&)
-  {
-    reason = "there is not enough memory";
-  }
-  if (!reason.empty())
-  {
-    vtkErrorMacro(<< littoral::FileMessage("write", this->FileName ? this->FileName : "", "a wind", reason));
-    if (this->GetErrorCode() == vtkErrorCode::NoError)
-    {
-      this->SetErrorCode(vtkErrorCode::UnknownError);
-    }
-  }
-}
-
-//----------------------------------------------------------------------------
 void vtkWindFieldWriter::WritePlanes(const int whole[6], const PartOfInput& part)
 {
-  const std::string path = this->FileName ? this->FileName : "";
-  littoral::Require(path.empty() ? "FileName is empty" : "");
+  const std::string path = this->NeedFileName();
   littoral::FormatOf(path);
   littoral::ParameterCheck check;
   check.NotNegative("HubHeight", this->HubHeight, "m");
@@ -195,22 +139,14 @@ void vtkWindFieldWriter::WritePlanes(const int whole[6], const PartOfInput& part
     throw littoral::Aborted();
   }
   velocities = {};
-  const littoral::FileOutcome outcome = littoral::WriteInflow(
-    littoral::TargetOf(path, grid, range, static_cast<littoral::HawcOrder>(this->PlaneOrder)), planes);
-  this->IsWritten = outcome.Written;
-  if (!outcome.Written)
-  {
-    this->SetErrorCode(outcome.Reason.empty() ? vtkErrorCode::UserError : vtkErrorCode::CannotOpenFileError);
-  }
-  littoral::Require(outcome.Reason);
-  this->UpdateProgress(1.0);
+  this->Conclude(littoral::WriteInflow(
+    littoral::TargetOf(path, grid, range, static_cast<littoral::HawcOrder>(this->PlaneOrder)), planes));
 }
 
 //----------------------------------------------------------------------------
 void vtkWindFieldWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "HubHeight: " << this->HubHeight << "\n";
   os << indent << "TowerLayers: " << this->TowerLayers << "\n";
   os << indent << "PlaneOrder: " << this->PlaneOrder << "\n";

@@ -29,18 +29,18 @@
 #define vtkWindFieldWriter_h
 
 #include "LittoralIOModule.h" // for the export macro
-#include "vtkWriter.h"
+#include "vtkSingleFileWriter.h"
 
 #include <functional> // for parts of the input
 #include <string>
 
 class vtkImageData;
 
-class LITTORALIO_EXPORT vtkWindFieldWriter : public vtkWriter
+class LITTORALIO_EXPORT vtkWindFieldWriter : public vtkSingleFileWriter
 {
 public:
   static vtkWindFieldWriter* New();
-  vtkTypeMacro(vtkWindFieldWriter, vtkWriter);
+  vtkTypeMacro(vtkWindFieldWriter, vtkSingleFileWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum PlaneOrderType
@@ -48,14 +48,6 @@ public:
     EarliestFirst = 0,
     LatestFirst = 1,
   };
-
-  ///@{
-  /**
-   * Name of the output file, ending in `.bts`, `.hawc` or `.wnd`; default null, which is an error.
-   */
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
-  ///@}
 
   ///@{
   /**
@@ -97,11 +89,7 @@ protected:
   ~vtkWindFieldWriter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  vtkTypeBool ProcessRequest(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  void WriteData() override;
+  void WriteInput() override;
 
 private:
   vtkWindFieldWriter(const vtkWindFieldWriter&) = delete;
@@ -112,14 +100,10 @@ private:
 
   /// Writes an input of a whole extent, of which parts can be had. Throws littoral::InvalidInput.
   void WritePlanes(const int whole[6], const PartOfInput& part);
-  /// The same with one message for what is refused.
-  void WriteOrRefuse(const std::function<void()>& write);
 
-  char* FileName = nullptr;
   double HubHeight = 0.0;
   int TowerLayers = 0;
   int PlaneOrder = EarliestFirst;
-  bool IsWritten = false;
 };
 
 #endif

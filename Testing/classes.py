@@ -42,6 +42,7 @@ BASES = {
     "vtkPlantSource": "Plants",
     "vtkLeafyTreeSource": "Plants",
     "vtkViewDependentAlgorithm": "Views",
+    "vtkSingleFileWriter": "Rasters",
 }
 
 # Classes that draw, and are no part of a pipeline.

@@ -24,7 +24,7 @@ from vtkmodules.util.execution_model import select_ports  # noqa: E402, not ther
 NO_PROPERTIES = {"Weight", "SourceKind", "SourceName", "Material", "Transmittance"}
 #: Properties that are objects, or None.
 OBJECTS = {"Controller"}
-ABSTRACT = {"vtkPlantSource", "vtkRandomFieldAlgorithm", "vtkLeafyTreeSource", "vtkViewDependentAlgorithm"}
+ABSTRACT = {"vtkPlantSource", "vtkSingleFileWriter", "vtkRandomFieldAlgorithm", "vtkLeafyTreeSource", "vtkViewDependentAlgorithm"}
 
 
 def snake(name):

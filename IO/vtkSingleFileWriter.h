@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSingleFileWriter
+ * @brief   base class of the writers of one file
+ *
+ * A subclass writes in WriteInput() under another name in the same folder and renames the file when it is complete. On
+ * failure, an existing file of this name is unchanged, one error names file and reason, and Write() returns 0. An abort
+ * is no error: Write() returns 0, and the error code is vtkErrorCode::UserError.
+ */
+#ifndef vtkSingleFileWriter_h
+#define vtkSingleFileWriter_h
+
+#include "LittoralIOModule.h" // for the export macro
+#include "vtkWriter.h"
+
+#include <functional> // for what writes
+#include <string>     // for the name
+
+namespace littoral
+{
+struct FileOutcome;
+}
+
+class LITTORALIO_EXPORT vtkSingleFileWriter : public vtkWriter
+{
+public:
+  vtkTypeMacro(vtkSingleFileWriter, vtkWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Name of the output file, with an extension of the class; default null, which is an error.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  /**
+   * Writes the file; 0 where that fails, after a message.
+   */
+  int Write() override;
+
+protected:
+  /// The content of a file with its article, for messages: a wind.
+  explicit vtkSingleFileWriter(const char* content);
+  ~vtkSingleFileWriter() override;
+
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  void WriteData() override;
+
+  /// Writes the input, and tells the outcome to Conclude(). Throws littoral::InvalidInput.
+  virtual void WriteInput() = 0;
+  /// FileName. Throws littoral::InvalidInput where there is none.
+  std::string NeedFileName() const;
+  /// Notes whether the file was written. Throws its reason if it was not.
+  void Conclude(const littoral::FileOutcome& outcome);
+  /// Calls what writes. What it throws becomes one error that names the file.
+  void WriteOrRefuse(const std::function<void()>& write);
+  /// The result of a request that wrote: an abort is no failure.
+  int Answer();
+
+  char* FileName = nullptr;
+  bool IsWritten = false; ///< by the last Write()
+
+private:
+  vtkSingleFileWriter(const vtkSingleFileWriter&) = delete;
+  void operator=(const vtkSingleFileWriter&) = delete;
+
+  const char* const Content;
+};
+
+#endif
