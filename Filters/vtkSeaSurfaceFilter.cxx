@@ -195,9 +195,11 @@ int vtkSeaSurfaceFilter::RequestData(
   const littoral::SeaState sea = littoral::ReadSeaState(littoral::InputOf<vtkTable>(inputVector[0], "Input"));
   littoral::Require(this->WhyBadProperties(time));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (information->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) <= 0)
+  const littoral::PieceRange part = littoral::RequestedPart(information, this->Sectors);
+  const littoral::SeaSurfaceGrid grid(this->MakeParameters(), static_cast<int>(part.Begin), static_cast<int>(part.End));
+  if (grid.GetNumberOfPoints() > 0)
   {
-    this->MakeSurface(sea, time, output);
+    this->MakeSurface(sea, grid, time, output);
   }
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
   littoral::KeepRanges(output, littoral::PollOf(this));
@@ -205,10 +207,10 @@ int vtkSeaSurfaceFilter::RequestData(
 }
 
 //----------------------------------------------------------------------------
-void vtkSeaSurfaceFilter::MakeSurface(const littoral::SeaState& sea, double time, vtkPolyData* output)
+void vtkSeaSurfaceFilter::MakeSurface(
+  const littoral::SeaState& sea, const littoral::SeaSurfaceGrid& grid, double time, vtkPolyData* output)
 {
   const littoral::SeaSurfaceParameters parameters = this->MakeParameters();
-  const littoral::SeaSurfaceGrid grid(parameters);
   const bool hasFoam = this->FoamLifetime > 0.0;
   const double bytesOfPoint = BytesOfPoint + (hasFoam ? BytesOfFoam : 0.0);
   littoral::RequireMemory(

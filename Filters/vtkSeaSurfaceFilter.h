@@ -12,8 +12,8 @@
  * `Displacement` (see FoamLifetime). Waves are left out where they are shorter than four spacings; at Center all waves
  * of at least 4 Spacing are there.
  *
- * Piece 0 holds the whole output, other pieces are empty. A property out of range or a table that is no sea state is
- * reported as one error. Coulais et al., eq. 2, as vtkParticleOrbitFilter moves points at sea level.
+ * Pieces are sectors of the disk; they share the points between them. A property out of range or a table that is no sea
+ * state is reported as one error. Coulais et al., eq. 2, as vtkParticleOrbitFilter moves points at sea level.
  *
  * @sa vtkSeaStateSource vtkParticleOrbitFilter
  */
@@ -147,7 +147,8 @@ private:
 
   littoral::SeaSurfaceParameters MakeParameters() const;
   std::string WhyBadProperties(double time) const;
-  void MakeSurface(const littoral::SeaState& sea, double time, vtkPolyData* output);
+  void MakeSurface(
+    const littoral::SeaState& sea, const littoral::SeaSurfaceGrid& grid, double time, vtkPolyData* output);
 };
 
 #endif

@@ -83,7 +83,16 @@ std::string WhyInvalid(const SeaSurfaceParameters& parameters)
 }
 
 SeaSurfaceGrid::SeaSurfaceGrid(const SeaSurfaceParameters& parameters)
+  : SeaSurfaceGrid(parameters, 0, parameters.Sectors)
+{
+}
+
+SeaSurfaceGrid::SeaSurfaceGrid(const SeaSurfaceParameters& parameters, int first, int end)
   : Sectors(parameters.Sectors)
+  , First(first)
+  , Count(end - first)
+  // A ring that does not close ends with the next part's first point.
+  , Columns(this->Count > 0 && this->Count < this->Sectors ? this->Count + 1 : this->Count)
   , Innermost(parameters.Spacing)
 {
   double radius = 0.0;
@@ -99,14 +108,15 @@ SeaSurfaceGrid::SeaSurfaceGrid(const SeaSurfaceParameters& parameters)
 
 double SeaSurfaceGrid::SpacingAt(std::size_t point) const
 {
-  return point == 0 ? this->Innermost : this->Spacings[(point - 1) / this->Sectors];
+  return point == 0 ? this->Innermost : this->Spacings[(point - 1) / this->Columns];
 }
 
 void SeaSurfaceGrid::PlaceAt(std::size_t point, double& x, double& y) const
 {
-  const std::size_t ring = point == 0 ? 0 : (point - 1) / this->Sectors;
+  const std::size_t ring = point == 0 ? 0 : (point - 1) / this->Columns;
   const double radius = point == 0 ? 0.0 : this->Radii[ring];
-  const double angle = TwoPi * static_cast<double>((point - 1) % this->Sectors) / this->Sectors;
+  const std::size_t sector = point == 0 ? 0 : (this->First + (point - 1) % this->Columns) % this->Sectors;
+  const double angle = TwoPi * static_cast<double>(sector) / this->Sectors;
   x = radius * std::cos(angle);
   y = radius * std::sin(angle);
 }
@@ -114,19 +124,19 @@ void SeaSurfaceGrid::PlaceAt(std::size_t point, double& x, double& y) const
 std::vector<int> SeaSurfaceGrid::MakeTriangles(const Poll& onRing) const
 {
   std::vector<int> corners;
-  corners.reserve(3 * this->Sectors * (2 * this->Radii.size() - 1));
-  for (int i = 0; i < this->Sectors; ++i)
+  corners.reserve(3 * this->Count * (2 * this->Radii.size() - 1));
+  for (int i = 0; i < this->Count; ++i)
   {
-    corners.insert(corners.end(), { 0, 1 + i, 1 + (i + 1) % this->Sectors });
+    corners.insert(corners.end(), { 0, 1 + i, 1 + (i + 1) % this->Columns });
   }
   for (std::size_t ring = 1; ring < this->Radii.size(); ++ring)
   {
     onRing();
-    const int inner = 1 + static_cast<int>(ring - 1) * this->Sectors;
-    const int outer = inner + this->Sectors;
-    for (int i = 0; i < this->Sectors; ++i)
+    const int inner = 1 + static_cast<int>(ring - 1) * this->Columns;
+    const int outer = inner + this->Columns;
+    for (int i = 0; i < this->Count; ++i)
     {
-      const int next = (i + 1) % this->Sectors;
+      const int next = (i + 1) % this->Columns;
       corners.insert(corners.end(), { inner + i, outer + i, outer + next });
       corners.insert(corners.end(), { inner + i, outer + next, inner + next });
     }

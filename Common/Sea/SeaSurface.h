@@ -34,9 +34,11 @@ class SeaSurfaceGrid
 {
 public:
   explicit SeaSurfaceGrid(const SeaSurfaceParameters& parameters);
+  /// The sectors from first up to end, which does not belong to them. Parts of a disk share the points between them.
+  SeaSurfaceGrid(const SeaSurfaceParameters& parameters, int first, int end);
 
-  /// The center, then ring by ring.
-  std::size_t GetNumberOfPoints() const { return 1 + this->Radii.size() * this->Sectors; }
+  /// The center, then ring by ring; none in a part without a sector.
+  std::size_t GetNumberOfPoints() const { return this->Columns > 0 ? 1 + this->Radii.size() * this->Columns : 0; }
   /// Radii of the rings [m], increasing.
   const std::vector<double>& GetRadii() const { return this->Radii; }
 
@@ -50,7 +52,10 @@ public:
 private:
   std::vector<double> Radii;
   std::vector<double> Spacings; ///< a ring
-  int Sectors;
+  int Sectors;                  ///< of the disk
+  int First;                    ///< sector of the part
+  int Count;                    ///< of its sectors
+  int Columns;                  ///< of its points on a ring
   double Innermost;
 };
 

@@ -96,6 +96,44 @@ TEST(SeaSurface, WavesEndWhereTheyWouldAlias)
   EXPECT_GT(still, 500u);
 }
 
+TEST(SeaSurface, PartsAreTheDisk)
+{
+  // Each triangle of the disk, by the places of its corners, is in one of the parts, with the same surface at them.
+  const SeaSurfaceParameters disk = SmallDisk();
+  const SeaState sea = OneWave(120.0);
+  const auto trianglesOf = [&](int first, int end, std::vector<std::vector<float>>& triangles) {
+    const SeaSurfaceGrid grid(disk, first, end);
+    const SeaSurfacePoints points = SurfaceOf(sea, disk, grid, 1.0, 3.0, 0, grid.GetNumberOfPoints());
+    const std::vector<int> corners = grid.MakeTriangles();
+    for (std::size_t i = 0; i < corners.size(); i += 3)
+    {
+      std::vector<float> triangle;
+      for (std::size_t c = i; c < i + 3; ++c)
+      {
+        triangle.insert(
+          triangle.end(), points.Places.begin() + 3 * corners[c], points.Places.begin() + 3 * corners[c] + 3);
+        triangle.push_back(points.Jacobians[corners[c]]);
+      }
+      triangles.push_back(triangle);
+    }
+  };
+  std::vector<std::vector<float>> whole;
+  trianglesOf(0, disk.Sectors, whole);
+  std::sort(whole.begin(), whole.end());
+  for (const std::vector<int>& bounds : { std::vector<int>{ 0, 30, 60, 90 }, { 0, 0, 1, 89, 90 } })
+  {
+    ASSERT_EQ(bounds.back(), disk.Sectors);
+    std::vector<std::vector<float>> parts;
+    for (std::size_t part = 0; part + 1 < bounds.size(); ++part)
+    {
+      trianglesOf(bounds[part], bounds[part + 1], parts);
+    }
+    std::sort(parts.begin(), parts.end());
+    EXPECT_TRUE(parts == whole);
+  }
+  EXPECT_EQ(SeaSurfaceGrid(disk, 7, 7).GetNumberOfPoints(), 0u);
+}
+
 TEST(SeaSurface, DiskIsCoveredOnce)
 {
   const SeaSurfaceParameters disk = SmallDisk();
