@@ -138,8 +138,6 @@ struct vtkPlantScatterFilter::Request
   std::vector<littoral::ShownPlant> Shown;
   std::vector<littoral::PlantPlace> Places; ///< each in the level in which it is shown; none if levels are alike
   std::vector<char> CellsShown;
-  long long FirstSite = 0;
-  long long EndSite = 0;
 
   std::size_t NumberOf(littoral::PlantLevel level) const
   {
@@ -342,8 +340,11 @@ void vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
 }
 
 //----------------------------------------------------------------------------
-void vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
+void vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs, vtkInformation* output)
 {
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const int piece = std::max(0, output->Get(Pipeline::UPDATE_PIECE_NUMBER())); // VTK asks for -1 where it knows of none
+  const int pieces = std::max(1, output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
   auto* sites = littoral::InputOf<vtkPointSet>(inputs[SitesPort], SitesInput);
   auto* terrain = littoral::OptionalInputOf<vtkImageData>(inputs[TerrainPort], TerrainInput);
   const std::vector<littoral::PlantExtent>& extents = this->Internals->Species.Extents;
@@ -364,7 +365,8 @@ void vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
   }
   const std::vector<littoral::DataStamp> stamps{ littoral::StampOf(sites), littoral::StampOf(terrain) };
   std::vector<double> numbers{ static_cast<double>(this->Seed), this->ScaleVariation, this->TintVariation,
-    this->SlopeLimit, this->HeightRange[0], this->HeightRange[1], this->PlantsPerCell };
+    this->SlopeLimit, this->HeightRange[0], this->HeightRange[1], this->PlantsPerCell, static_cast<double>(piece),
+    static_cast<double>(pieces) };
   numbers.insert(numbers.end(), options.Weights.begin(), options.Weights.end());
   const std::vector<std::string> names{ dimensions.Height, dimensions.Diameter };
   if (stamps == scene.Stamps && numbers == scene.Numbers && names == scene.Names)
@@ -375,10 +377,14 @@ void vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
   this->SetProgressText("Placing plants");
   const littoral::GroundLimits limits{ this->SlopeLimit * Degree, this->HeightRange[0], this->HeightRange[1] };
   littoral::Require(littoral::WhyInvalid(options));
-  scene.Places = littoral::PlacePlants(sites, terrain, options, limits, dimensions, this->Internals->Species.Stems);
+  const littoral::SitePart part = littoral::MakeSitePart(sites, this->PlantsPerCell, piece, pieces);
+  scene.Places =
+    littoral::PlacePlants(sites, part, terrain, options, limits, dimensions, this->Internals->Species.Stems);
   scene.MediumPlaces = littoral::PlacesInLevel(sites, dimensions, this->Internals->Species.MediumStems, scene.Places);
   std::vector<littoral::Vector3> feet;
   std::vector<littoral::Box> boxes;
+  feet.reserve(scene.Places.size());
+  boxes.reserve(scene.Places.size());
   for (const littoral::PlantPlace& place : scene.Places)
   {
     feet.push_back(place.Foot);
@@ -390,7 +396,7 @@ void vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
     const littoral::Box box = littoral::BoxOf(place, extents[place.Species]);
     boxes[index] = { glm::min(boxes[index].Low, box.Low), glm::max(boxes[index].High, box.High) };
   }
-  scene.Cells = std::make_unique<littoral::SceneCells>(feet, boxes, this->PlantsPerCell);
+  scene.Cells = std::make_unique<littoral::SceneCells>(part.Grid, part.Cells, feet, boxes);
   scene.Stamps = stamps;
   scene.Numbers = numbers;
   scene.Names = names;
@@ -403,7 +409,7 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
   this->CheckProperties();
   this->CheckSites(inputs[SitesPort]);
   this->RememberPrototypes(inputs[PrototypesPort]);
-  littoral::InContext(CannotScatter, [&] { this->RememberPlaces(inputs); });
+  littoral::InContext(CannotScatter, [&] { this->RememberPlaces(inputs, outputs->GetInformationObject(0)); });
   const Plants& scene = this->Internals->Scene;
   littoral::PlantViewOptions options;
   options.UseLevels = this->UseLevels;
@@ -411,15 +417,10 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
   options.NearDistance = this->NearDistance;
   options.FarDistance = this->FarDistance;
   options.VisibleDistance = this->VisibleDistance;
-  const littoral::PieceRange sites = littoral::RequestedPart(outputs->GetInformationObject(0),
-    littoral::PointsIn(vtkDataObject::GetData(inputs[SitesPort]))->GetNumberOfPoints());
   Request request;
   request.Seen = view;
-  request.FirstSite = sites.Begin;
-  request.EndSite = sites.End;
   request.CellsShown = scene.Cells->Show(littoral::ViewFrustum(view));
-  request.Shown = littoral::ShownPlants(
-    scene.Places, *scene.Cells, request.CellsShown, view, options, request.FirstSite, request.EndSite);
+  request.Shown = littoral::ShownPlants(scene.Places, *scene.Cells, request.CellsShown, view, options);
   if (!scene.MediumPlaces.empty())
   {
     request.Places = scene.Places;
@@ -496,18 +497,13 @@ void vtkPlantScatterFilter::WriteCounters(
 {
   const Plants& scene = this->Internals->Scene;
   const auto write = [fields](const char* name, double value) { littoral::WriteCounter(fields, name, value); };
-  double plantsInAll = 0.0;
   double polygonsInAll = 0.0;
   for (const littoral::PlantPlace& place : scene.Places)
   {
-    if (place.Site >= request.FirstSite && place.Site < request.EndSite)
-    {
-      plantsInAll += 1.0;
-      polygonsInAll += this->Internals->Species.HighPolygons(place.Species);
-    }
+    polygonsInAll += this->Internals->Species.HighPolygons(place.Species);
   }
   const auto marks = std::count(request.CellsShown.begin(), request.CellsShown.end(), 1);
-  write("PlantsInAll", plantsInAll);
+  write("PlantsInAll", static_cast<double>(scene.Places.size()));
   write("PlantsShown", static_cast<double>(request.Shown.size()));
   write("PlantsHigh", static_cast<double>(request.NumberOf(littoral::PlantLevel::High)));
   write("PlantsMedium", static_cast<double>(request.NumberOf(littoral::PlantLevel::Medium)));

@@ -51,9 +51,9 @@
  * vtkPlantSource::TEXTURE_SIZES(), which other filters pass on, and where the data are there already. Else they are
  * known after an execution: update this filter before filters that process one of these images.
  *
- * A piece reads all sites and holds its share of the plants. Defaults of inherited properties: NearDistance 30 m,
- * FarDistance 130 m. A property or a site value out of range, or a site beyond
- * the terrain, is reported as one error.
+ * A piece reads all sites and makes the plants of its cells, about as many as any other; the first one looks whether
+ * all sites can have a plant. Defaults of inherited properties: NearDistance 30 m, FarDistance 130 m. A property or a
+ * site value out of range, or a site beyond the terrain, is reported as one error.
  */
 #ifndef vtkPlantScatterFilter_h
 #define vtkPlantScatterFilter_h
@@ -268,7 +268,7 @@ private:
   void CheckProperties();
   void CheckSites(vtkInformationVector* inputs);
   void RememberPrototypes(vtkInformationVector* prototypes);
-  void RememberPlaces(vtkInformationVector** inputs);
+  void RememberPlaces(vtkInformationVector** inputs, vtkInformation* output);
   void Merge(const Request& request, vtkMultiBlockDataSet* output);
   void AddInstances(const Request& request, vtkMultiBlockDataSet* output);
   void WriteCounters(const Request& request, double polygons, double bytes, vtkFieldData* fields) const;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace littoral
 {
@@ -38,20 +39,25 @@ int CellsAlong(double size, double otherSize, double wanted)
   return static_cast<int>(std::clamp(std::round(size / step), 1.0, wanted));
 }
 
-}
-
-SceneCells::SceneCells(const std::vector<Vector3>& feet, const std::vector<Box>& boxes, double objectsPerCell)
+/// The grid over some feet.
+CellGrid GridOver(const std::vector<Vector3>& feet, double objectsPerCell)
 {
   if (feet.empty())
   {
-    return;
+    return {};
   }
   Box ground{ feet.front(), feet.front() };
   for (const Vector3& foot : feet)
   {
     Unite(ground, { foot, foot }, false);
   }
-  const auto objects = static_cast<double>(feet.size());
+  return CellGrid(ground, static_cast<double>(feet.size()), objectsPerCell);
+}
+
+}
+
+CellGrid::CellGrid(const Box& ground, double objects, double objectsPerCell)
+{
   const double wanted = std::clamp(objects / objectsPerCell, 1.0, std::min(MostCellsPerObject * objects, MostCells));
   const Vector3 size = ground.High - ground.Low;
   this->Columns = CellsAlong(size.x, size.y, wanted);
@@ -62,25 +68,65 @@ SceneCells::SceneCells(const std::vector<Vector3>& feet, const std::vector<Box>&
     this->Origin[axis] = ground.Low[axis];
     this->Step[axis] = size[axis] > 0.0 ? size[axis] / counts[axis] : 1.0;
   }
-  const std::size_t cells = static_cast<std::size_t>(this->Columns) * this->Rows;
+}
+
+int CellGrid::CellAt(const Vector3& foot) const
+{
+  return this->Place(foot.y, 1, this->Rows) * this->Columns + this->Place(foot.x, 0, this->Columns);
+}
+
+int CellGrid::Place(double position, int axis, int count) const
+{
+  const double cell = (position - this->Origin[axis]) / this->Step[axis];
+  return cell > 0.0 ? static_cast<int>(std::min(cell, count - 1.0)) : 0; // not a number: 0
+}
+
+std::array<int, 2> CellsOfPart(const std::vector<int>& objectsInCells, int part, int parts)
+{
+  const long long objects = std::accumulate(objectsInCells.begin(), objectsInCells.end(), 0LL);
+  const int cells = static_cast<int>(objectsInCells.size());
+  // A cell is in the part of its first object: in part p where p <= n before / N < p + 1.
+  const auto firstOf = [&](long long wanted) {
+    long long before = 0;
+    int cell = 0;
+    for (; cell < cells && before * parts < objects * wanted; ++cell)
+    {
+      before += objectsInCells[cell];
+    }
+    return cell;
+  };
+  return { firstOf(part), part + 1 < parts ? firstOf(part + 1) : cells };
+}
+
+SceneCells::SceneCells(const std::vector<Vector3>& feet, const std::vector<Box>& boxes, double objectsPerCell)
+{
+  const CellGrid grid = GridOver(feet, objectsPerCell);
+  *this = SceneCells(grid, { 0, grid.GetColumns() * grid.GetRows() }, feet, boxes);
+}
+
+SceneCells::SceneCells(const CellGrid& grid, const std::array<int, 2>& cells, const std::vector<Vector3>& feet,
+  const std::vector<Box>& boxes)
+  : Columns(grid.GetColumns())
+{
+  if (cells[0] >= cells[1])
+  {
+    return;
+  }
+  const int firstRow = cells[0] / this->Columns;
+  this->Rows = (cells[1] - 1) / this->Columns + 1 - firstRow;
+  const std::size_t count = static_cast<std::size_t>(this->Columns) * this->Rows;
   this->Cells.resize(feet.size());
-  this->Count.assign(cells, 0);
-  this->Boxes.resize(cells);
+  this->Count.assign(count, 0);
+  this->Boxes.resize(count);
   for (std::size_t object = 0; object < feet.size(); ++object)
   {
-    const int column = this->Place(feet[object].x, 0, this->Columns);
-    const int cell = this->Place(feet[object].y, 1, this->Rows) * this->Columns + column;
+    const int cell = grid.CellAt(feet[object]) - firstRow * this->Columns;
     this->Cells[object] = cell;
     Unite(this->Boxes[cell], boxes[object], this->Count[cell] == 0);
     this->Filled += this->Count[cell] == 0;
     ++this->Count[cell];
   }
   this->BuildTiles();
-}
-
-int SceneCells::Place(double position, int axis, int count) const
-{
-  return std::clamp(static_cast<int>((position - this->Origin[axis]) / this->Step[axis]), 0, count - 1);
 }
 
 void SceneCells::BuildTiles()

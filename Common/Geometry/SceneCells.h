@@ -5,11 +5,38 @@
 
 #include "Geometry/ViewFrustum.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
 namespace littoral
 {
+
+/// The cells of a scene's ground, counted row by row from the smallest x and y.
+class CellGrid
+{
+public:
+  CellGrid() = default;
+  /// Cells as nearly square as can be, for about as many of the objects each as asked for (positive). Of the ground's
+  /// box x and y count.
+  CellGrid(const Box& ground, double objects, double objectsPerCell);
+
+  int GetColumns() const { return this->Columns; }
+  int GetRows() const { return this->Rows; }
+  /// The cell of a foot; the nearest one of a foot beside the ground.
+  int CellAt(const Vector3& foot) const;
+
+private:
+  int Place(double position, int axis, int count) const;
+
+  int Columns = 0;
+  int Rows = 0;
+  double Origin[2] = { 0.0, 0.0 };
+  double Step[2] = { 1.0, 1.0 };
+};
+
+/// The first cell of a part and the one behind its last, of parts with as many objects each as whole cells allow.
+std::array<int, 2> CellsOfPart(const std::vector<int>& objectsInCells, int part, int parts);
 
 /**
  * A regular grid of cells over a scene, seen from above (Setas et al., section 4: a view need process only the objects
@@ -19,13 +46,17 @@ namespace littoral
 class SceneCells
 {
 public:
-  /// Cells as nearly square as can be, for about as many objects each as asked for (positive).
+  /// The cells of a grid from the first up to the end, and the objects in them. A cell's number here is counted from
+  /// the row of the first.
+  SceneCells(const CellGrid& grid, const std::array<int, 2>& cells, const std::vector<Vector3>& feet,
+    const std::vector<Box>& boxes);
+  /// All cells of a grid over the feet.
   SceneCells(const std::vector<Vector3>& feet, const std::vector<Box>& boxes, double objectsPerCell);
 
   int GetColumns() const { return this->Columns; }
   int GetRows() const { return this->Rows; }
 
-  /// The cell of an object; cells are counted row by row, from the smallest x and y.
+  /// The cell of an object.
   int CellOf(std::size_t object) const { return this->Cells[object]; }
 
   /// Number of objects in a cell.
@@ -41,14 +72,11 @@ public:
   std::vector<char> Show(const ViewFrustum& frustum) const;
 
 private:
-  int Place(double position, int axis, int count) const;
   void BuildTiles();
 
   int Columns = 0;
   int Rows = 0;
   int Filled = 0;
-  double Origin[2] = { 0.0, 0.0 };
-  double Step[2] = { 1.0, 1.0 };
   std::vector<int> Cells;
   std::vector<int> Count;
   std::vector<Box> Boxes;

@@ -125,36 +125,49 @@ std::array<float, 3> PlantDraws::Tint(long long site) const
     static_cast<float>(brightness * (1.0 - shift)) };
 }
 
+GroundPoint GroundGaps::Add(const Vector3& foot)
+{
+  const GroundPoint ground = this->Terrain.At(foot.x, foot.y);
+  ++this->Sites;
+  if (!ground.IsCovered || !std::isfinite(ground.Height))
+  {
+    this->First = this->Outside + this->Holes == 0 ? foot : this->First;
+    ++(ground.IsCovered ? this->Holes : this->Outside);
+  }
+  return ground;
+}
+
+std::string GroundGaps::Reason() const
+{
+  if (this->Outside + this->Holes == 0)
+  {
+    return "";
+  }
+  std::ostringstream text;
+  text << "of " << this->Sites << " sites, " << this->Outside << " lie outside of the Terrain and " << this->Holes
+       << " where it has no height; the first at (" << this->First.x << ", " << this->First.y << ", " << this->First.z
+       << ").";
+  return text.str();
+}
+
 std::string PutOnGround(const HeightGrid& terrain, const GroundLimits& limits, std::vector<PlantPlace>& places)
 {
   std::size_t kept = 0;
-  std::size_t outside = 0;
-  std::size_t holes = 0;
-  Vector3 first{ 0.0, 0.0, 0.0 };
+  GroundGaps gaps(terrain);
   for (const PlantPlace& place : places)
   {
-    const GroundPoint ground = terrain.At(place.Foot.x, place.Foot.y);
-    if (!ground.IsCovered || !std::isfinite(ground.Height))
-    {
-      first = outside + holes == 0 ? place.Foot : first;
-      ++(ground.IsCovered ? holes : outside);
-    }
-    else if ((limits.Slope >= 0.5 * Pi || ground.Slope <= limits.Slope) && ground.Height >= limits.LowestHeight &&
+    const GroundPoint ground = gaps.Add(place.Foot);
+    if (std::isfinite(ground.Height) && ground.IsCovered &&
+      (limits.Slope >= 0.5 * Pi || ground.Slope <= limits.Slope) && ground.Height >= limits.LowestHeight &&
       ground.Height <= limits.HighestHeight)
     {
       places[kept] = place;
       places[kept++].Foot.z = ground.Height;
     }
   }
-  if (outside + holes > 0)
-  {
-    std::ostringstream text;
-    text << "of " << places.size() << " sites, " << outside << " lie outside of the Terrain and " << holes
-         << " where it has no height; the first at (" << first.x << ", " << first.y << ", " << first.z << ").";
-    return text.str();
-  }
-  places.resize(kept);
-  return "";
+  const std::string reason = gaps.Reason();
+  places.resize(reason.empty() ? kept : places.size());
+  return reason;
 }
 
 void DropOutside(const GroundLimits& limits, std::vector<PlantPlace>& places)
@@ -193,14 +206,13 @@ ImpostorCard FacingCard(const ImpostorShape& shape, const PlantPlace& place, con
 }
 
 std::vector<ShownPlant> ShownPlants(const std::vector<PlantPlace>& places, const SceneCells& cells,
-  const std::vector<char>& cellsShown, const View& view, const PlantViewOptions& options, long long firstSite,
-  long long endSite)
+  const std::vector<char>& cellsShown, const View& view, const PlantViewOptions& options)
 {
   std::vector<ShownPlant> shown;
   for (std::size_t index = 0; index < places.size(); ++index)
   {
     const PlantPlace& place = places[index];
-    if (place.Site < firstSite || place.Site >= endSite || (options.UseCulling && !cellsShown[cells.CellOf(index)]))
+    if (options.UseCulling && !cellsShown[cells.CellOf(index)])
     {
       continue;
     }

@@ -78,6 +78,27 @@ struct GroundLimits
   double HighestHeight = 1e30;       ///< [m]
 };
 
+/// Counts sites under which a terrain has no ground.
+class GroundGaps
+{
+public:
+  explicit GroundGaps(const HeightGrid& terrain)
+    : Terrain(terrain)
+  {
+  }
+  /// The ground under a site.
+  GroundPoint Add(const Vector3& foot);
+  /// Why there is no ground at a site, in words for a user; empty if all have one.
+  std::string Reason() const;
+
+private:
+  const HeightGrid& Terrain;
+  std::size_t Sites = 0;
+  std::size_t Outside = 0;
+  std::size_t Holes = 0;
+  Vector3 First{ 0.0, 0.0, 0.0 };
+};
+
 /// Sets plants on a terrain and drops those whose ground is beyond the limits. Why there is no ground at a site, in
 /// words for a user; empty if all have one.
 std::string PutOnGround(const HeightGrid& terrain, const GroundLimits& limits, std::vector<PlantPlace>& places);
@@ -110,11 +131,9 @@ struct ShownPlant
   PlantLevel Level = PlantLevel::High;
 };
 
-/// Plants that a view shows, with Site in [firstSite, endSite), in the order of the places. `cellsShown` are the marks
-/// of the cells for this view.
+/// Plants that a view shows, in the order of the places. `cellsShown` are the marks of the cells for this view.
 std::vector<ShownPlant> ShownPlants(const std::vector<PlantPlace>& places, const SceneCells& cells,
-  const std::vector<char>& cellsShown, const View& view, const PlantViewOptions& options, long long firstSite,
-  long long endSite);
+  const std::vector<char>& cellsShown, const View& view, const PlantViewOptions& options);
 
 /// Takes vertices from a prototype to a plant.
 class PlantPlacement

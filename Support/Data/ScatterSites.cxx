@@ -72,8 +72,8 @@ bool IsIdentity(double siteId)
   throw InvalidInput(check.Reason());
 }
 
-/// The plant at a site, on no terrain yet.
-PlantPlace MakePlace(vtkPointSet* sites, const SiteArrays& arrays, const PlantDraws& draws, int species, vtkIdType site)
+/// The plant at a site by its arrays alone.
+PlantPlace ReadPlace(vtkPointSet* sites, const SiteArrays& arrays, int species, vtkIdType site)
 {
   PlantPlace place;
   double position[3];
@@ -82,9 +82,9 @@ PlantPlace MakePlace(vtkPointSet* sites, const SiteArrays& arrays, const PlantDr
   place.Site = static_cast<int>(site);
   const double drawnBy = arrays.SiteId ? arrays.SiteId->GetComponent(site, 0) : static_cast<double>(site);
   place.SiteId = IsIdentity(drawnBy) ? static_cast<long long>(drawnBy) : 0;
-  const double kind = arrays.Species ? arrays.Species->GetComponent(site, 0) : draws.Species(place.SiteId);
-  place.Scale = arrays.Scale ? arrays.Scale->GetComponent(site, 0) : draws.Scale(place.SiteId);
-  place.Azimuth = arrays.Azimuth ? arrays.Azimuth->GetComponent(site, 0) : draws.Azimuth(place.SiteId);
+  const double kind = arrays.Species ? arrays.Species->GetComponent(site, 0) : 0.0;
+  place.Scale = arrays.Scale ? arrays.Scale->GetComponent(site, 0) : 1.0;
+  place.Azimuth = arrays.Azimuth ? arrays.Azimuth->GetComponent(site, 0) : 0.0;
   const bool isSpecies = kind >= 0.0 && kind < species && kind == std::floor(kind);
   if (!IsFinite(place.Foot) || !IsIdentity(drawnBy) || !isSpecies || !ValueInterval::Positive().Contains(place.Scale) ||
     !std::isfinite(place.Azimuth))
@@ -92,42 +92,126 @@ PlantPlace MakePlace(vtkPointSet* sites, const SiteArrays& arrays, const PlantDr
     RefuseSite(place, drawnBy, kind, species);
   }
   place.Species = static_cast<int>(kind);
-  place.Tint = draws.Tint(place.SiteId);
   return place;
+}
+
+/// Draws what the arrays do not tell of a plant.
+void DrawPlace(const SiteArrays& arrays, const PlantDraws& draws, PlantPlace& place)
+{
+  place.Species = arrays.Species ? place.Species : draws.Species(place.SiteId);
+  place.Scale = arrays.Scale ? place.Scale : draws.Scale(place.SiteId);
+  place.Azimuth = arrays.Azimuth ? place.Azimuth : draws.Azimuth(place.SiteId);
+  place.Tint = draws.Tint(place.SiteId);
+}
+
+/// The dimensions of the tree at a site.
+TreeDimensions ReadDimensions(const SiteArrays& arrays, int site)
+{
+  TreeDimensions tree{ 1.0, 1.0 }; // what is not given is good
+  tree.Height = arrays.Height ? arrays.Height->GetComponent(site, 0) : tree.Height;
+  tree.Diameter = arrays.Diameter ? arrays.Diameter->GetComponent(site, 0) : tree.Diameter;
+  Require(WhyInvalid(tree, " of site " + std::to_string(site)));
+  return tree;
 }
 
 /// Gives the plant at a site the dimensions that it has there.
 void FitPlace(const SiteArrays& arrays, const std::vector<StemShape>& stems, PlantPlace& place)
 {
   const std::string ofSite = " of site " + std::to_string(place.Site);
-  TreeDimensions tree{ 1.0, 1.0 }; // what is not given is good
-  tree.Height = arrays.Height ? arrays.Height->GetComponent(place.Site, 0) : tree.Height;
-  tree.Diameter = arrays.Diameter ? arrays.Diameter->GetComponent(place.Site, 0) : tree.Diameter;
-  Require(WhyInvalid(tree, ofSite));
+  const TreeDimensions tree = ReadDimensions(arrays, place.Site);
   InContext("the plant" + ofSite + " cannot have a DBH: ", [&] {
     Require(
       stems[place.Species].Fit({ arrays.Height ? tree.Height : 0.0, arrays.Diameter ? tree.Diameter : 0.0 }, place));
   });
 }
 
+/// Looks at all sites, of which other parts hold some.
+void CheckSites(vtkPointSet* sites, const SiteArrays& arrays, vtkImageData* terrain, int species)
+{
+  const HeightGrid ground = terrain ? MakeGrid(terrain) : HeightGrid();
+  GroundGaps gaps(ground);
+  for (vtkIdType site = 0; site < sites->GetNumberOfPoints(); ++site)
+  {
+    const PlantPlace place = ReadPlace(sites, arrays, species, site);
+    if (arrays.HasDimensions())
+    {
+      ReadDimensions(arrays, place.Site);
+    }
+    if (terrain)
+    {
+      gaps.Add(place.Foot);
+    }
+  }
+  Require(gaps.Reason());
 }
 
-std::vector<PlantPlace> PlacePlants(vtkPointSet* sites, vtkImageData* terrain, const ScatterOptions& options,
-  const GroundLimits& limits, const DimensionArrays& dimensions, const std::vector<StemShape>& stems)
+}
+
+SitePart MakeSitePart(vtkPointSet* sites, double sitesPerCell, int part, int parts)
 {
   const vtkIdType count = sites->GetNumberOfPoints();
-  const double bytes = sizeof(PlantPlace) + 2.0 * sizeof(Box);
   Require(count > std::numeric_limits<int>::max() ? "more sites than 2147483647 are not placed." : "");
-  RequireMemory(static_cast<double>(count) * bytes, "A forest on " + std::to_string(count) + " sites", "take fewer");
+  SitePart result;
+  result.IsFirst = part == 0;
+  if (count == 0)
+  {
+    return result;
+  }
+  double box[6];
+  sites->GetBounds(box);
+  result.Grid =
+    CellGrid({ { box[0], box[2], box[4] }, { box[1], box[3], box[5] } }, static_cast<double>(count), sitesPerCell);
+  const auto cellOf = [&](vtkIdType site) {
+    double foot[3];
+    sites->GetPoint(site, foot);
+    return result.Grid.CellAt({ foot[0], foot[1], foot[2] });
+  };
+  const int cells = result.Grid.GetColumns() * result.Grid.GetRows();
+  result.Cells = { 0, cells };
+  if (parts > 1)
+  {
+    RequireMemory(sizeof(int) * static_cast<double>(cells), "the cells of the sites", "raise PlantsPerCell");
+    std::vector<int> sitesInCells(cells, 0);
+    for (vtkIdType site = 0; site < count; ++site)
+    {
+      ++sitesInCells[cellOf(site)];
+    }
+    result.Cells = CellsOfPart(sitesInCells, part, parts);
+  }
+  const auto [first, end] = result.Cells;
+  const double bytes = sizeof(int) + sizeof(PlantPlace) + 2.0 * sizeof(Box);
+  RequireMemory(
+    static_cast<double>(count) * bytes / parts, "A forest on " + std::to_string(count) + " sites", "take fewer");
+  result.Indices.reserve(count / parts + 1);
+  for (vtkIdType site = 0; site < count; ++site)
+  {
+    const int cell = parts > 1 ? cellOf(site) : first;
+    if (cell >= first && cell < end)
+    {
+      result.Indices.push_back(static_cast<int>(site));
+    }
+  }
+  return result;
+}
+
+std::vector<PlantPlace> PlacePlants(vtkPointSet* sites, const SitePart& part, vtkImageData* terrain,
+  const ScatterOptions& options, const GroundLimits& limits, const DimensionArrays& dimensions,
+  const std::vector<StemShape>& stems)
+{
   std::vector<PlantPlace> places;
-  places.reserve(static_cast<std::size_t>(count));
+  places.reserve(part.Indices.size());
   RequireLengths(sites, "Input", FarForPoints);
   const SiteArrays arrays(sites, dimensions);
   const PlantDraws draws(options);
   const int species = static_cast<int>(options.Weights.size());
-  for (vtkIdType site = 0; site < count; ++site)
+  if (part.IsFirst && static_cast<vtkIdType>(part.Indices.size()) < sites->GetNumberOfPoints())
   {
-    places.push_back(MakePlace(sites, arrays, draws, species, site));
+    CheckSites(sites, arrays, terrain, species);
+  }
+  for (const int site : part.Indices)
+  {
+    places.push_back(ReadPlace(sites, arrays, species, site));
+    DrawPlace(arrays, draws, places.back());
     if (arrays.HasDimensions())
     {
       FitPlace(arrays, stems, places.back());

@@ -5,9 +5,11 @@
 
 // The sites of a scattered forest. Private: never installed, never wrapped.
 
+#include "Geometry/SceneCells.h"
 #include "Plants/PlantScatter.h"
 #include "Plants/StemShape.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -24,10 +26,23 @@ struct DimensionArrays
   std::string Diameter;
 };
 
-/// The plants at all sites, on the ground if there is a terrain; `stems` are those of the prototypes. Throws
-/// InvalidInput if they cannot stand there.
-std::vector<PlantPlace> PlacePlants(vtkPointSet* sites, vtkImageData* terrain, const ScatterOptions& options,
-  const GroundLimits& limits, const DimensionArrays& dimensions = {}, const std::vector<StemShape>& stems = {});
+/// The sites of one of several parts: those in some of the cells over all of them.
+struct SitePart
+{
+  CellGrid Grid;              ///< over all sites
+  std::array<int, 2> Cells{}; ///< the first one of the part, and the one behind its last
+  std::vector<int> Indices;   ///< increasing
+  bool IsFirst = true;
+};
+
+/// A part of the sites, as many in each part as whole cells allow.
+SitePart MakeSitePart(vtkPointSet* sites, double sitesPerCell, int part, int parts);
+
+/// The plants at the sites of a part, on the ground if there is a terrain; `stems` are those of the prototypes. Throws
+/// InvalidInput if they cannot stand there; the first part looks at all sites.
+std::vector<PlantPlace> PlacePlants(vtkPointSet* sites, const SitePart& part, vtkImageData* terrain,
+  const ScatterOptions& options, const GroundLimits& limits, const DimensionArrays& dimensions = {},
+  const std::vector<StemShape>& stems = {});
 
 /// The same plants in a level of detail with other stems, where sites have dimensions; none where they have not.
 std::vector<PlantPlace> PlacesInLevel(vtkPointSet* sites, const DimensionArrays& dimensions,

@@ -521,8 +521,10 @@ bool PlantsStandOnAPartOfATerrain()
   littoral::ScatterOptions options;
   options.Weights = { 1.0 };
   std::vector<littoral::PlantPlace> places;
-  const std::string why =
-    littoral::WhyRefused([&] { places = littoral::PlacePlants(sites, terrain, options, littoral::GroundLimits()); });
+  const std::string why = littoral::WhyRefused([&] {
+    places = littoral::PlacePlants(
+      sites, littoral::MakeSitePart(sites, 1.0, 0, 1), terrain, options, littoral::GroundLimits());
+  });
   bool good = Check(why.empty() && places.size() == 3, "plants are not placed: " + why);
   for (std::size_t site = 0; good && site < 3; ++site)
   {

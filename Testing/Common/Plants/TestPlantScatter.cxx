@@ -113,8 +113,7 @@ Work Walk(const Forest& forest, const SceneCells& cells, const std::vector<View>
   Work work;
   for (const View& view : path)
   {
-    const auto shown = ShownPlants(forest.Places, cells, cells.Show(ViewFrustum(view)), view, options, 0,
-      static_cast<long long>(forest.Places.size()));
+    const auto shown = ShownPlants(forest.Places, cells, cells.Show(ViewFrustum(view)), view, options);
     work.Plants += static_cast<double>(shown.size());
     for (const ShownPlant& plant : shown)
     {
@@ -244,7 +243,7 @@ TEST(PlantScatter, ShowsEachPlantOnceAtTheLevelOfItsDistance)
   options.NearDistance = 60.0;
   options.FarDistance = 250.0;
   options.VisibleDistance = 380.0;
-  const auto shown = ShownPlants(forest.Places, cells, marks, view, options, 0, 2000);
+  const auto shown = ShownPlants(forest.Places, cells, marks, view, options);
   std::vector<int> times(2000, 0);
   std::array<int, 3> levels{ 0, 0, 0 };
   for (const ShownPlant& plant : shown)
@@ -285,7 +284,7 @@ TEST(PlantScatter, LevelsReachUpToTheirDistances)
   options.UseCulling = false;
   options.NearDistance = 32.0;
   options.FarDistance = 256.0;
-  const auto shown = ShownPlants(places, cells, {}, view, options, 0, 6);
+  const auto shown = ShownPlants(places, cells, {}, view, options);
   ASSERT_EQ(shown.size(), 6u);
   const int wanted[] = { 0, 0, 1, 1, 1, 2 };
   for (int n = 0; n < 6; ++n)
@@ -325,25 +324,65 @@ TEST(PlantScatter, ABoxHoldsItsPlantHoweverThatIsTurned)
   }
 }
 
-TEST(PlantScatter, PartsOfTheSitesMakeTheWhole)
+TEST(SceneCells, PartsShowWhatTheWholeShows)
 {
   const Forest forest = MakeForest(500, 400.0, 10.0);
-  const SceneCells cells(forest.Feet, forest.Boxes, 1.0);
   const View view = RandomPath(1, 400.0).front();
-  const std::vector<char> marks = cells.Show(ViewFrustum(view));
-  const auto placesOf = [&](long long first, long long end) {
-    std::vector<int> places;
-    for (const ShownPlant& plant : ShownPlants(forest.Places, cells, marks, view, {}, first, end))
+  Box ground{ forest.Feet.front(), forest.Feet.front() };
+  for (const Vector3& foot : forest.Feet)
+  {
+    ground = { glm::min(ground.Low, foot), glm::max(ground.High, foot) };
+  }
+  const CellGrid grid(ground, 500.0, 1.5);
+  std::vector<int> plantsInCells(grid.GetColumns() * grid.GetRows(), 0);
+  for (const Vector3& foot : forest.Feet)
+  {
+    ++plantsInCells[grid.CellAt(foot)];
+  }
+  // Indices of the plants that parts show, and the number in the largest part.
+  const auto shownBy = [&](int parts) {
+    std::pair<std::vector<int>, std::size_t> found;
+    for (int part = 0; part < parts; ++part)
     {
-      places.push_back(plant.Place);
+      const std::array<int, 2> own = CellsOfPart(plantsInCells, part, parts);
+      std::vector<int> indices;
+      std::vector<PlantPlace> places;
+      std::vector<Vector3> feet;
+      std::vector<Box> boxes;
+      for (int n = 0; n < 500; ++n)
+      {
+        const int cell = grid.CellAt(forest.Feet[n]);
+        if (cell >= own[0] && cell < own[1])
+        {
+          indices.push_back(n);
+          places.push_back(forest.Places[n]);
+          feet.push_back(forest.Feet[n]);
+          boxes.push_back(forest.Boxes[n]);
+        }
+      }
+      const SceneCells cells(grid, own, feet, boxes);
+      for (const ShownPlant& plant : ShownPlants(places, cells, cells.Show(ViewFrustum(view)), view, {}))
+      {
+        found.first.push_back(indices[plant.Place]);
+      }
+      found.second = std::max(found.second, indices.size());
     }
-    return places;
+    std::sort(found.first.begin(), found.first.end());
+    return found;
   };
-  std::vector<int> joined = placesOf(0, 123);
-  const std::vector<int> rest = placesOf(123, 500);
-  joined.insert(joined.end(), rest.begin(), rest.end());
-  EXPECT_EQ(joined, placesOf(0, 500));
-  EXPECT_FALSE(rest.empty());
+  const auto [whole, all] = shownBy(1);
+  EXPECT_EQ(all, 500u);
+  EXPECT_GT(whole.size(), 20u);
+  EXPECT_LT(whole.size(), 400u);
+  for (const int parts : { 2, 3, 7, 1000 })
+  {
+    const auto [shown, largest] = shownBy(parts);
+    EXPECT_EQ(shown, whole) << parts;
+    // A part is a cell's plants longer than its share at most.
+    EXPECT_LE(
+      static_cast<int>(largest), 500 / parts + 1 + *std::max_element(plantsInCells.begin(), plantsInCells.end()));
+  }
+  EXPECT_EQ(CellsOfPart(plantsInCells, 3, 3)[0], CellsOfPart(plantsInCells, 3, 3)[1]) << "a part beyond the last";
 }
 
 TEST(PlantScatter, GainOfLevelsAndCellsOnARandomPath)

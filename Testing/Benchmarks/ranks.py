@@ -1,0 +1,152 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Work and memory of a rank on 1, 2 and 3 ranks, over the classes whose output comes in pieces.
+
+A rank asks for its piece of the output of a pipeline and for nothing else, as in ParaView's servers. So each piece is
+made by a process of its own, one after the other: what ranks take from each other, cores and memory's bandwidth, is not
+in these numbers, and neither is the sending of data. Strong scaling divides the same work; weak scaling gives n ranks n
+times the work. T(n) = s + p / n is fitted to the processor time of the rank that takes longest.
+"""
+
+import json
+import math
+import resource
+import subprocess
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+RANKS = (1, 2, 3)
+PROJECTED = (64, 1024)
+
+
+def terrain(pv, scale):
+    return pv.TurningBandsTerrain(WholeExtent=[0, 3000, 0, 3000 * scale, 0, 0])
+
+
+def wind(pv, scale):
+    return pv.WindField(Dimensions=[8192, 32 * scale, 32])
+
+
+def sections(pv, scale):
+    return pv.ImageSections(Input=wind(pv, scale), CrossSections=64)
+
+
+def sites(pv, scale):
+    return pv.QuadratPoints(Size=[4000.0 * scale, 4000.0], Quadrats=[400 * scale, 400], MeanPerQuadrat=10.0)
+
+
+def instances(pv, scale):
+    return pv.PlantScatter(Sites=sites(pv, scale), Prototypes=pv.ReevesTree(Preset="Shrub"), OutputForm="Instances",
+                           UseCulling=0)
+
+
+def sea_surface(pv, scale):
+    return pv.SeaSurface(Input=pv.SeaState(NumberOfTrains=100), Sectors=1000 * scale)
+
+
+def particles(pv, scale):
+    return pv.SuspendedParticles(Bounds=[-200.0, 200.0 * (2 * scale - 1), -200.0, 200.0, -50.0, 0.0], Density=0.1)
+
+
+def orbits(pv, scale):
+    return pv.ParticleOrbits(Input=particles(pv, scale), SeaState=pv.SeaState(NumberOfTrains=30))
+
+
+def fog(pv, scale):
+    return pv.ParticleFog(Input=particles(pv, scale), Dimensions=[200, 200, 50])
+
+
+def statistics(pv, scale):
+    return pv.PointPatternStatistics(Input=pv.QuadratPoints(Size=[1000.0 * scale, 1000.0],
+                                                            Quadrats=[60 * scale, 60], MeanPerQuadrat=10.0))
+
+
+def kriging(pv, scale):
+    survey = pv.QuadratPoints(Size=[1000.0, 1000.0], Quadrats=[20, 20], MeanPerQuadrat=1.0)
+    heights = pv.SitePreference(Sites=survey, Terrain=pv.TurningBandsTerrain(WholeExtent=[0, 250, 0, 250, 0, 0],
+                                                                             Spacing=[4.0, 4.0, 1.0]))
+    return pv.ConditionalTerrain(Input=heights, Dimensions=[300, 300 * scale])
+
+
+def canopy(pv, scale):
+    return pv.ForestDensity(Input=instances(pv, scale), CellSize=[4.0, 4.0, 1.0])
+
+
+def drainage(pv, scale):
+    return pv.Drainage(Input=pv.TurningBandsTerrain(WholeExtent=[0, 500, 0, 500 * scale, 0, 0]), Carve=0)
+
+
+CASES = {"terrain": terrain, "wind": wind, "sections of a wind": sections, "points of quadrats": sites,
+         "scatter to instances": instances, "sea surface": sea_surface, "suspended particles": particles,
+         "orbits": orbits, "fog": fog, "K and g": statistics, "kriging": kriging, "leaf area in cells": canopy,
+         "drainage": drainage}
+
+
+def update(name, scale, piece, pieces):
+    """Makes a piece in this process: processor time [s] and memory [MB] that it took."""
+    from vtk_proxies import VtkProxies
+
+    made = []  # so that nothing is given back before it is measured
+    pv = VtkProxies(made.append)
+    output = CASES[name](pv, scale)
+    before = resource.getrusage(resource.RUSAGE_SELF)
+    output.UpdatePiece(piece, pieces, 0)
+    after = resource.getrusage(resource.RUSAGE_SELF)
+    if output.GetErrorCode():
+        raise SystemExit(f"{name}: piece {piece} of {pieces} failed")
+    return {"seconds": after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime,
+            "megabytes": (after.ru_maxrss - before.ru_maxrss) / 1024}
+
+
+def measured(name, scale, pieces):
+    """The most that a rank takes: processor time and memory."""
+    found = []
+    for piece in range(pieces):
+        done = subprocess.run([sys.executable, __file__, name, str(scale), str(piece), str(pieces)],
+                              capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            raise SystemExit(done.stderr)
+        found.append(json.loads(done.stdout.splitlines()[-1]))
+    return {key: max(one[key] for one in found) for key in found[0]}
+
+
+def model_of(times):
+    """s and p of T(n) = s + p / n, by least squares, neither below 0."""
+    x = [1.0 / n for n in times]
+    mean_x, mean_t = sum(x) / len(x), sum(times.values()) / len(x)
+    p = sum((a - mean_x) * (t - mean_t) for a, t in zip(x, times.values())) / sum((a - mean_x) ** 2 for a in x)
+    p = min(max(p, 0.0), sum(t * a for a, t in zip(x, times.values())) / sum(a * a for a in x))
+    return mean_t - p * mean_x, p
+
+
+def line_of(name):
+    """A row of the table."""
+    strong = {n: measured(name, 1, n) for n in RANKS}
+    weak = measured(name, RANKS[-1], RANKS[-1])
+    s, p = model_of({n: one["seconds"] for n, one in strong.items()})
+    gains = [strong[1]["seconds"] / max(1e-9, s + p / n) for n in PROJECTED]
+    cells = [name, f"{strong[1]['seconds']:.2f}", *(f"{strong[n]['seconds'] / strong[1]['seconds']:.2f}" for n in RANKS[1:]),
+             f"{strong[1]['megabytes']:.0f}", *(f"{strong[n]['megabytes'] / max(1.0, strong[1]['megabytes']):.2f}"
+                                                for n in RANKS[1:]),
+             f"{weak['seconds'] / strong[1]['seconds']:.2f}", f"{s / (s + p):.2f}",
+             *(f"{gain:.1f}" if math.isfinite(gain) else "" for gain in gains)]
+    return "| " + " | ".join(cells) + " |"
+
+
+def main(names):
+    """The table of the cases, as text of Markdown."""
+    head = ["what", "CPU [s]", *(f"{n} ranks" for n in RANKS[1:]), "memory [MB]", *(f"{n} ranks" for n in RANKS[1:]),
+            "thrice the work on 3", "s / (s + p)", *(f"gain on {n}" for n in PROJECTED)]
+    print("| " + " | ".join(head) + " |")
+    print("|" + "---|" * len(head), flush=True)
+    for name in names or CASES:
+        print(line_of(name), flush=True)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) == 5 and sys.argv[2].isdigit():
+        print(json.dumps(update(sys.argv[1], int(sys.argv[2]), int(sys.argv[3]), int(sys.argv[4]))))
+    else:
+        main(sys.argv[1:])
