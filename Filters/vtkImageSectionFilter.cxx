@@ -18,6 +18,7 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <utility>
@@ -31,15 +32,47 @@ namespace
 /// Memory of a point and its cell, at most, with some arrays [bytes].
 constexpr double BytesOfPoint = 250.0;
 
-/// Sections of an image, one after the other.
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+/// The samples of a whole image that a piece of the sections is made of: a part along x. Parts share the samples
+/// between them; layers across x belong to the piece before End.
+struct SectionPart
+{
+  std::array<int, 6> Whole{ 0, -1, 0, -1, 0, -1 };
+  std::array<int, 6> Extent{ 0, -1, 0, -1, 0, -1 };
+  int End = 0;
+
+  SectionPart(vtkInformation* input, vtkInformation* output)
+  {
+    if (!input->Has(Pipeline::WHOLE_EXTENT()))
+    {
+      return;
+    }
+    input->Get(Pipeline::WHOLE_EXTENT(), this->Whole.data());
+    const int width = this->Whole[1] - this->Whole[0];
+    // An image of one layer across x belongs to the first piece.
+    const littoral::PieceRange steps = littoral::RequestedPart(output, std::max(1, width));
+    if (width >= 0 && steps.Begin < steps.End)
+    {
+      this->Extent = this->Whole;
+      this->Extent[0] = this->Whole[0] + static_cast<int>(steps.Begin);
+      this->Extent[1] = std::min(this->Whole[0] + static_cast<int>(steps.End), this->Whole[1]);
+      this->End = this->Extent[1] + (this->Extent[1] == this->Whole[1] ? 1 : 0);
+    }
+  }
+
+  bool IsEmpty() const { return this->Extent[1] < this->Extent[0]; }
+};
+
+/// Sections of a part of an image, one after the other.
 class Sections
 {
 public:
-  Sections(vtkImageData* image, littoral::Poll onRow)
+  Sections(vtkImageData* image, const std::array<int, 6>& extent, littoral::Poll onRow)
     : Image(image)
     , OnRow(std::move(onRow))
+    , Extent(extent)
   {
-    image->GetExtent(this->Extent.data());
     this->Points->SetDataTypeToDouble();
   }
 
@@ -51,7 +84,8 @@ public:
     const vtkIdType first = this->Points->GetNumberOfPoints();
     const vtkIdType row = this->Extent[2 * u + 1] - this->Extent[2 * u] + 1;
     const double count = static_cast<double>(row) * (this->Extent[2 * v + 1] - this->Extent[2 * v] + 1.0);
-    littoral::RequireMemory(BytesOfPoint * count, "a section of " + littoral::TextOf(count) + " points", "take a coarser image");
+    littoral::RequireMemory(
+      BytesOfPoint * count, "a section of " + littoral::TextOf(count) + " points", "take a coarser image");
     int sample[3];
     sample[axis] = index;
     for (sample[v] = this->Extent[2 * v]; sample[v] <= this->Extent[2 * v + 1]; ++sample[v])
@@ -74,9 +108,6 @@ public:
       }
     }
   }
-
-  int First(int axis) const { return this->Extent[2 * axis]; }
-  int Last(int axis) const { return this->Extent[2 * axis + 1]; }
 
   void Write(vtkPolyData* output)
   {
@@ -114,9 +145,15 @@ int vtkImageSectionFilter::FillInputPortInformation(int, vtkInformation* info)
 
 //----------------------------------------------------------------------------
 int vtkImageSectionFilter::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  littoral::RequestAll(inputVector[0]->GetInformationObject(0));
+  vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  littoral::RequestAll(input);
+  SectionPart part(input, outputVector->GetInformationObject(0));
+  if (!part.IsEmpty())
+  {
+    input->Set(Pipeline::UPDATE_EXTENT(), part.Extent.data(), 6);
+  }
   return 1;
 }
 
@@ -128,31 +165,32 @@ int vtkImageSectionFilter::RequestData(
   check.Count("CrossSections", this->CrossSections, 0, 100);
   littoral::Require(check.Reason());
   auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Input");
-  if (image->GetNumberOfPoints() == 0 ||
-    outputVector->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
+  const SectionPart part(inputVector[0]->GetInformationObject(0), outputVector->GetInformationObject(0));
+  if (image->GetNumberOfPoints() == 0 || part.IsEmpty())
   {
     return 1;
   }
-  Sections sections(image, littoral::PollOf(this));
-  const auto isLayer = [&](int axis) { return sections.First(axis) == sections.Last(axis); };
+  const std::array<int, 6>& whole = part.Whole;
+  Sections sections(image, part.Extent, littoral::PollOf(this));
+  const auto isLayer = [&](int axis) { return whole[2 * axis] == whole[2 * axis + 1]; };
   if (isLayer(0) || isLayer(1) || isLayer(2))
   {
     const int axis = isLayer(2) ? 2 : isLayer(1) ? 1 : 0;
-    sections.Add(axis, sections.First(axis));
+    sections.Add(axis, whole[2 * axis]);
   }
   else
   {
-    sections.Add(2, sections.First(2));
-    sections.Add(1, sections.Last(1));
+    sections.Add(2, whole[4]);
+    sections.Add(1, whole[3]);
     std::set<int> across;
     for (int i = 0; i < this->CrossSections; ++i)
     {
-      const long long width = sections.Last(0) - sections.First(0);
-      across.insert(sections.First(0) + static_cast<int>((2 * i + 1) * width / (2 * this->CrossSections)));
+      const long long width = whole[1] - whole[0];
+      across.insert(whole[0] + static_cast<int>((2 * i + 1) * width / (2 * this->CrossSections)));
     }
-    for (int index : across)
+    for (auto index = across.lower_bound(part.Extent[0]); index != across.end() && *index < part.End; ++index)
     {
-      sections.Add(0, index);
+      sections.Add(0, *index);
     }
   }
   sections.Write(vtkPolyData::GetData(outputVector));

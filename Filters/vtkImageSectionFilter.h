@@ -10,7 +10,7 @@
  * CrossSections layers across x, evenly spaced; of an image of one layer, that layer. The point arrays are those of the
  * input, and places are those of the image with its direction matrix.
  *
- * Piece 0 holds the whole output, other pieces are empty. A property out of range is reported as one error.
+ * A piece is a part along x, and asks for that part of the input; pieces share the samples between them. A property out of range is reported as one error.
  *
  * @sa vtkWindFieldSource
  */

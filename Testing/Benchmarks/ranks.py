@@ -30,7 +30,7 @@ def wind(pv, scale):
 
 
 def sections(pv, scale):
-    return pv.ImageSections(Input=wind(pv, scale), CrossSections=64)
+    return pv.ImageSections(Input=wind(pv, scale), CrossSections=100)
 
 
 def sites(pv, scale):
@@ -43,7 +43,7 @@ def instances(pv, scale):
 
 
 def sea_surface(pv, scale):
-    return pv.SeaSurface(Input=pv.SeaState(NumberOfTrains=100), Sectors=1000 * scale)
+    return pv.SeaSurface(Input=pv.SeaState(NumberOfTrains=100 * scale), Sectors=1000)
 
 
 def particles(pv, scale):
@@ -67,7 +67,7 @@ def kriging(pv, scale):
     survey = pv.QuadratPoints(Size=[1000.0, 1000.0], Quadrats=[20, 20], MeanPerQuadrat=1.0)
     heights = pv.SitePreference(Sites=survey, Terrain=pv.TurningBandsTerrain(WholeExtent=[0, 250, 0, 250, 0, 0],
                                                                              Spacing=[4.0, 4.0, 1.0]))
-    return pv.ConditionalTerrain(Input=heights, Dimensions=[300, 300 * scale])
+    return pv.ConditionalTerrain(Input=heights, Dimensions=[800, 800 * scale])
 
 
 def canopy(pv, scale):
