@@ -139,7 +139,7 @@ GroundPoint GroundGaps::Add(const Vector3& foot)
 
 std::string GroundGaps::Reason() const
 {
-  if (this->Outside + this->Holes == 0)
+  if (!this->AreThere())
   {
     return "";
   }
@@ -165,9 +165,8 @@ std::string PutOnGround(const HeightGrid& terrain, const GroundLimits& limits, s
       places[kept++].Foot.z = ground.Height;
     }
   }
-  const std::string reason = gaps.Reason();
-  places.resize(reason.empty() ? kept : places.size());
-  return reason;
+  places.resize(gaps.AreThere() ? places.size() : kept);
+  return gaps.Reason();
 }
 
 void DropOutside(const GroundLimits& limits, std::vector<PlantPlace>& places)

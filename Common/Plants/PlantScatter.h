@@ -88,6 +88,7 @@ public:
   }
   /// The ground under a site.
   GroundPoint Add(const Vector3& foot);
+  bool AreThere() const { return this->Outside + this->Holes > 0; }
   /// Why there is no ground at a site, in words for a user; empty if all have one.
   std::string Reason() const;
 

@@ -9,7 +9,6 @@ times the work. T(n) = s + p / n is fitted to the processor time of the rank tha
 """
 
 import json
-import math
 import resource
 import subprocess
 import sys
@@ -60,7 +59,7 @@ def fog(pv, scale):
 
 def statistics(pv, scale):
     return pv.PointPatternStatistics(Input=pv.QuadratPoints(Size=[1000.0 * scale, 1000.0],
-                                                            Quadrats=[60 * scale, 60], MeanPerQuadrat=10.0))
+                                                            Quadrats=[40 * scale, 40], MeanPerQuadrat=10.0))
 
 
 def kriging(pv, scale):
@@ -117,8 +116,10 @@ def model_of(times):
     x = [1.0 / n for n in times]
     mean_x, mean_t = sum(x) / len(x), sum(times.values()) / len(x)
     p = sum((a - mean_x) * (t - mean_t) for a, t in zip(x, times.values())) / sum((a - mean_x) ** 2 for a in x)
-    p = min(max(p, 0.0), sum(t * a for a, t in zip(x, times.values())) / sum(a * a for a in x))
-    return mean_t - p * mean_x, p
+    if p <= 0.0:
+        return mean_t, 0.0
+    s = mean_t - p * mean_x
+    return (s, p) if s >= 0.0 else (0.0, sum(t * a for a, t in zip(x, times.values())) / sum(a * a for a in x))
 
 
 def line_of(name):
@@ -126,12 +127,12 @@ def line_of(name):
     strong = {n: measured(name, 1, n) for n in RANKS}
     weak = measured(name, RANKS[-1], RANKS[-1])
     s, p = model_of({n: one["seconds"] for n, one in strong.items()})
-    gains = [strong[1]["seconds"] / max(1e-9, s + p / n) for n in PROJECTED]
+    gains = [(s + p) / (s + p / n) for n in PROJECTED]
     cells = [name, f"{strong[1]['seconds']:.2f}", *(f"{strong[n]['seconds'] / strong[1]['seconds']:.2f}" for n in RANKS[1:]),
              f"{strong[1]['megabytes']:.0f}", *(f"{strong[n]['megabytes'] / max(1.0, strong[1]['megabytes']):.2f}"
                                                 for n in RANKS[1:]),
              f"{weak['seconds'] / strong[1]['seconds']:.2f}", f"{s / (s + p):.2f}",
-             *(f"{gain:.1f}" if math.isfinite(gain) else "" for gain in gains)]
+             *(f"{gain:.1f}" for gain in gains)]
     return "| " + " | ".join(cells) + " |"
 
 

@@ -377,6 +377,18 @@ class Benchmarks(unittest.TestCase):
         done = self.report([result("Swell", 1.0)])
         self.assertEqual((done.returncode, done.stderr), (1, "bench: bench_scenes.py, forest: ended with 3\n"))
 
+    def test_work_of_a_rank_is_what_is_whole_and_what_is_shared(self):
+        import ranks
+
+        for times, model in (({1: 10.0, 2: 6.0, 4: 4.0}, (2.0, 8.0)), ({1: 5.0, 2: 5.0, 4: 5.0}, (5.0, 0.0)),
+                             ({1: 8.0, 2: 4.0, 4: 2.0}, (0.0, 8.0)), ({1: 1.0, 2: 2.0, 4: 3.0}, (2.0, 0.0))):
+            for found, wanted in zip(ranks.model_of(times), model):
+                self.assertAlmostEqual(found, wanted)
+        # More than halved by two ranks, as where less memory is quicker: nothing is whole.
+        s, p = ranks.model_of({1: 12.0, 2: 5.0, 4: 3.0})
+        self.assertEqual(s, 0.0)
+        self.assertGreater(p, 10.0)
+
     def test_quick_leaves_out_what_takes_long_unless_asked(self):
         self.make("bench_waves", PROGRAM.format(python=sys.executable).replace("--benchmark_min_time", "--benchmark_filter"))
         self.report([result("Swell", 1.0)], "--quick")

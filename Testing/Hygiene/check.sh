@@ -172,8 +172,9 @@ case "${1:-}" in
       '(\.(resize|reserve|assign)|^ *std::vector<.*> [a-zA-Z]+)\(.*[>.]GetNumberOf(Tuples|Points|Values|Cells|Rows)\(\)' \
       Support Filters Sources IO | grep -v '^Support/Data/Arrays\.' |
       fail_if_found "Copies and vectors that are not made by WithType, ListOf and SetSize:"
-    # Classes that put out no more than a table or a few primitives, and pass on what they get.
+    # Classes that put out no more than a table or a few primitives, and pass on what they get; a base class.
     small='vtkFlowPrimitiveSource|vtkSeaStateSource|vtkFlowArrowFilter|vtkPlantWakeFilter|vtkSeaStatisticsFilter'
+    small="$small|vtkSingleFileWriter"
     # Functions that ask for the class that calls them.
     asks='RequireMemory|BytesOfFile|ReadHeights|WhyTooLarge|ReadSeaweeds|ReadWind|SwayBlocks'
     grep -lE '::(RequestData|WriteData)\(' Filters/*.cxx Sources/*.cxx IO/vtk*.cxx | grep -vE "($small)\.cxx" |
