@@ -242,16 +242,27 @@ LITTORAL_INLINE Real Length(const glm::vec<3, Real>& a)
 using LaneIndices = std::array<std::size_t, LaneCount>;
 
 template <std::size_t Lanes, typename Number, std::size_t... Lane>
-LITTORAL_INLINE SimdDoubles<Lanes> FromLanes(const Number& number, std::index_sequence<Lane...> /*lanes*/)
+LITTORAL_INLINE SimdDoubles<Lanes> FromLanes(
+  const Number& number, std::size_t first, std::index_sequence<Lane...> /*lanes*/)
 {
-  return { number(Lane)... };
+  return { number(first + Lane)... };
 }
 
-/// A number of each lane.
+/// A number of each lane, counted from the first.
 template <std::size_t Lanes, typename Number>
-LITTORAL_INLINE SimdDoubles<Lanes> FromLanes(const Number& number)
+LITTORAL_INLINE SimdDoubles<Lanes> FromLanes(const Number& number, std::size_t first = 0)
 {
-  return FromLanes<Lanes>(number, std::make_index_sequence<Lanes>());
+  if constexpr (Lanes == 8)
+  {
+    // GCC 12 would put them one by one into a register that it has not halved
+    const SimdDouble4 low = FromLanes<4>(number, first);
+    const SimdDouble4 high = FromLanes<4>(number, first + 4);
+    return SimdDoubles<8>(__builtin_shufflevector(low.Values, high.Values, 0, 1, 2, 3, 4, 5, 6, 7));
+  }
+  else
+  {
+    return FromLanes<Lanes>(number, first, std::make_index_sequence<Lanes>());
+  }
 }
 
 /// One member of elements of an array, which may be inherited, a lane each.

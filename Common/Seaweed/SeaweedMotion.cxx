@@ -225,16 +225,18 @@ void SeaweedMotion::Pose(const LinkState* states, std::size_t begin, std::size_t
 //----------------------------------------------------------------------------
 void SeaweedMotion::Middles(const LinkBatch& batch, const LinkPose* poses, Vector3* middles, double ahead) const
 {
-  for (std::size_t i = 0; i < batch.Links; ++i)
-  {
-    for (std::size_t lane = 0; lane < batch.Lanes; ++lane)
+  const auto find = [&](const auto& bodies) {
+    for (std::size_t i = 0; i < batch.Links; ++i)
     {
-      const std::size_t link = batch.First[lane] + i;
-      const LinkPose& pose = poses[link];
-      const Vector3 half = 0.5 * this->Links[link].Length * pose.Axis;
-      *middles++ = pose.Foot + half + ahead * (pose.Velocity + glm::cross(pose.Spin, half));
+      for (std::size_t lane = 0; lane < batch.Lanes; ++lane)
+      {
+        const LinkPose& pose = poses[batch.First[lane] + i];
+        const Vector3 half = 0.5 * bodies[batch.Bodies + i].Length.Values[lane] * pose.Axis;
+        *middles++ = pose.Foot + half + ahead * (pose.Velocity + glm::cross(pose.Spin, half));
+      }
     }
-  }
+  };
+  std::visit(find, this->Bodies->Bodies);
 }
 
 //----------------------------------------------------------------------------

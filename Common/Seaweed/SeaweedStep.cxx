@@ -158,6 +158,7 @@ struct LinkDynamics
   using Vector = Vector3Of<Real>;
   LinkStateOf<Real> Start; // of the sub-step
   LinkPoseOf<Real> StartPose;
+  WaterOf<Real> Water; // in the middle of the step
   LinkStateOf<Real> End;
   LinkPoseOf<Real> EndPose;
   LinkStateOf<Real> State; // in its middle, the current iterate
@@ -263,8 +264,8 @@ public:
   }
 
   /// Pose, joint, velocity product (1), inertia (2), loads and bias (3) of the link alone, those of its parent known.
-  LITTORAL_INLINE void InitializeLink(const LinkBody<Real>& body, const WaterOf<Real>& water,
-    const LinkBody<Real>* parentBody, const Link* parent, Link& link) const
+  LITTORAL_INLINE void InitializeLink(
+    const LinkBody<Real>& body, const LinkBody<Real>* parentBody, const Link* parent, Link& link) const
   {
     const Real g = this->Half;
     PoseLink<Real>(this->Options.Joint, body, link.State, parentBody, parent ? &parent->Pose : nullptr, link.Pose);
@@ -287,7 +288,7 @@ public:
         glm::cross(parent->VelocityProductAngular, link.Arm) + g * glm::cross(spin, glm::cross(spin, link.Arm));
     }
 
-    link.Load = LoadOn<Real>(this->Options, body, pose, link.Face, water);
+    link.Load = LoadOn<Real>(this->Options, body, pose, link.Face, link.Water);
     link.Force = link.Load.Force;
     link.Tension = glm::dot(pose.Axis, link.Load.Moment);
     // With the water's velocity in it, a tension would depend on who observes
@@ -651,23 +652,6 @@ private:
   }
 };
 
-template <std::size_t... Lane>
-constexpr std::array<std::size_t, sizeof...(Lane)> Numbered(std::index_sequence<Lane...> /*lanes*/)
-{
-  return { Lane... };
-}
-
-template <typename Real>
-LITTORAL_INLINE WaterOf<Real> WaterAt(const WaterAtLink* water)
-{
-  constexpr auto at = Numbered(std::make_index_sequence<Real::Count>());
-  WaterOf<Real> all;
-  all.Velocity = GatherVector(water, at, &WaterAtLink::Velocity);
-  all.Acceleration = GatherVector(water, at, &WaterAtLink::Acceleration);
-  all.Displacement = GatherVector(water, at, &WaterAtLink::Displacement);
-  return all;
-}
-
 /// A batch in a step. Each lane has sub-steps and iterations of its own, a function of its own state alone.
 template <typename Real>
 class BatchMarch
@@ -677,7 +661,7 @@ public:
   static constexpr std::size_t Lanes = Real::Count;
 
   BatchMarch(const SeaweedOptions& options, double step, std::size_t count, Link* links, const LinkBody<Real>* bodies,
-    const int* parents, const WaterAtLink* water)
+    const int* parents)
     : Dynamics(options)
     , IsImplicit(options.Integrator == SeaweedIntegrator::Implicit)
     , Step(step)
@@ -685,7 +669,6 @@ public:
     , Links(links)
     , Bodies(bodies)
     , Parents(parents)
-    , Water(water)
   {
   }
 
@@ -713,8 +696,7 @@ private:
   std::size_t Count;
   Link* Links;
   const LinkBody<Real>* Bodies;
-  const int* Parents; // -1: the ground
-  const WaterAtLink* Water;
+  const int* Parents;            // -1: the ground
   std::array<int, Lanes> Done{}; // ticks of the step
   std::array<int, Lanes> Size{}; // ticks of the next sub-step
   Real Energy{ 0.0 };            // at the start of the sub-step [J]
@@ -770,8 +752,7 @@ private:
     {
       for (std::size_t i = 0; i < this->Count; ++i)
       {
-        this->Dynamics.InitializeLink(this->Bodies[i], WaterAt<Real>(this->Water + Lanes * i), this->ParentBody(i),
-          this->ParentOf(i), this->Links[i]);
+        this->Dynamics.InitializeLink(this->Bodies[i], this->ParentBody(i), this->ParentOf(i), this->Links[i]);
       }
       for (std::size_t i = this->Count; i-- > 0;)
       {
@@ -874,6 +855,24 @@ private:
   }
 };
 
+template <std::size_t... Lane>
+constexpr std::array<std::size_t, sizeof...(Lane)> Numbered(std::index_sequence<Lane...> /*lanes*/)
+{
+  return { Lane... };
+}
+
+/// The water at a link, a lane each.
+template <typename Real>
+LITTORAL_INLINE WaterOf<Real> WaterAt(const WaterAtLink* water)
+{
+  constexpr auto at = Numbered(std::make_index_sequence<Real::Count>());
+  WaterOf<Real> all;
+  all.Velocity = GatherVector(water, at, &WaterAtLink::Velocity);
+  all.Acceleration = GatherVector(water, at, &WaterAtLink::Acceleration);
+  all.Displacement = GatherVector(water, at, &WaterAtLink::Displacement);
+  return all;
+}
+
 /// A batch and what is known of it at the beginning of a step, which it then has at the end.
 struct StepTask
 {
@@ -907,6 +906,7 @@ LITTORAL_INLINE void StepLanes(const StepTask& task)
     links[i].StartPose.Axis = GatherVector(poses, at, &LinkPose::Axis);
     links[i].StartPose.Velocity = GatherVector(poses, at, &LinkPose::Velocity);
     links[i].StartPose.Spin = GatherVector(poses, at, &LinkPose::Spin);
+    links[i].Water = WaterAt<Real>(task.Water + Lanes * i);
     for (std::size_t& one : at)
     {
       ++one;
@@ -914,7 +914,7 @@ LITTORAL_INLINE void StepLanes(const StepTask& task)
   }
   const LinkBody<Real>* bodies = &std::get<std::vector<LinkBody<Real>>>(task.Bodies.Bodies)[batch.Bodies];
   const int* parents = &task.Bodies.Parents[batch.Bodies];
-  BatchMarch<Real>(task.Options, task.Step, batch.Links, links, bodies, parents, task.Water).Run();
+  BatchMarch<Real>(task.Options, task.Step, batch.Links, links, bodies, parents).Run();
   for (std::size_t i = 0; i < batch.Links; ++i)
   {
     for (std::size_t lane = 0; lane < batch.Trees; ++lane)

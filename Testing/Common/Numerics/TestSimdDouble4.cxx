@@ -97,6 +97,15 @@ std::vector<LinkPose> MovedPlants(int first, int last)
       motion.Step(1.0 / 48.0, batch, water.data(), states.data(), poses.data());
     }
   }
+  // The poses that come with the states are those of the states
+  std::vector<LinkPose> posed(states.size());
+  motion.Pose(states.data(), 0, states.size(), posed.data());
+  for (std::size_t link = 0; link < posed.size(); ++link)
+  {
+    EXPECT_EQ(posed[link].Foot, poses[link].Foot);
+    EXPECT_EQ(posed[link].Rotation, poses[link].Rotation);
+    EXPECT_EQ(posed[link].Axis, poses[link].Axis);
+  }
   return poses;
 }
 
