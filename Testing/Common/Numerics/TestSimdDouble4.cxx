@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <vector>
 
@@ -52,6 +54,41 @@ TEST(SimdDouble4, LanesEqualScalars)
     EXPECT_EQ(angles.Values[lane], AngleOf(sine[lane], cosine[lane]));
     EXPECT_EQ(roots.Values[lane], std::sqrt(sine[lane]));
   }
+}
+
+namespace
+{
+
+struct Numbered
+{
+  double Number;
+};
+
+/// Elements in a shuffled order, a lane each.
+template <std::size_t Lanes>
+void ExpectLanesInOrder()
+{
+  Numbered elements[16];
+  std::array<std::size_t, Lanes> at;
+  for (std::size_t i = 0; i < 16; ++i)
+  {
+    elements[i].Number = 0.1 * static_cast<double>(i);
+    at[i % Lanes] = (5 * (i % Lanes) + 3) % 16;
+  }
+  const SimdDoubles<Lanes> gathered = GatherNumber(elements, at, &Numbered::Number);
+  for (std::size_t lane = 0; lane < Lanes; ++lane)
+  {
+    EXPECT_EQ(gathered.Values[lane], elements[at[lane]].Number) << lane << " of " << Lanes;
+  }
+}
+
+}
+
+TEST(SimdDouble4, LanesAreFilledInOrder)
+{
+  ExpectLanesInOrder<2>();
+  ExpectLanesInOrder<4>();
+  ExpectLanesInOrder<8>();
 }
 
 namespace
