@@ -15,74 +15,90 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
-// Four doubles in one vector register, a lane each, so that a kernel is written once for a Real that is a double or a
-// SimdDouble4. GLM's vectors take either. Lanes do not mix: each gets the bytes that it would get alone.
+// Doubles side by side in one vector register, a lane each, so that a kernel is written once for a Real that is a
+// double or SimdDoubles. GLM's vectors take either. Lanes do not mix: each gets the bytes that it would get alone.
 
 namespace littoral
 {
 
-/// Lanes of a SimdDouble4.
-constexpr int LaneCount = 4;
-
-/// Four doubles, aligned as the widest version of a kernel expects them, wherever they are made.
-struct alignas(LaneCount * sizeof(double)) SimdDouble4
+/// A power of two of doubles, aligned as the widest version of a kernel expects them, wherever they are made.
+template <std::size_t Lanes>
+struct alignas(Lanes * sizeof(double)) SimdDoubles
 {
-  typedef double Register __attribute__((vector_size(LaneCount * sizeof(double))));
+  typedef double Register __attribute__((vector_size(Lanes * sizeof(double))));
   Register Values;
 
-  SimdDouble4() = default;
-  LITTORAL_INLINE SimdDouble4(double all) // in all lanes; implicit, as double converts to any Real
+  static constexpr std::size_t Count = Lanes;
+
+  SimdDoubles() = default;
+  LITTORAL_INLINE SimdDoubles(double all) // in all lanes; implicit, as double converts to any Real
     : Values(all - Register{})
   {
   }
-  LITTORAL_INLINE explicit SimdDouble4(const Register& values)
+  LITTORAL_INLINE explicit SimdDoubles(const Register& values)
     : Values(values)
   {
   }
-  LITTORAL_INLINE SimdDouble4(double a, double b, double c, double d)
-    : Values{ a, b, c, d }
+  template <typename... Others, std::enable_if_t<sizeof...(Others) + 2 == Lanes, int> = 0>
+  LITTORAL_INLINE SimdDoubles(double a, double b, Others... others)
+    : Values{ a, b, static_cast<double>(others)... }
   {
   }
 
-  LITTORAL_INLINE SimdDouble4& operator+=(const SimdDouble4& o)
+  LITTORAL_INLINE SimdDoubles& operator+=(const SimdDoubles& o)
   {
     this->Values += o.Values;
     return *this;
   }
-  LITTORAL_INLINE SimdDouble4& operator-=(const SimdDouble4& o)
+  LITTORAL_INLINE SimdDoubles& operator-=(const SimdDoubles& o)
   {
     this->Values -= o.Values;
     return *this;
   }
-  LITTORAL_INLINE SimdDouble4& operator*=(const SimdDouble4& o)
+  LITTORAL_INLINE SimdDoubles& operator*=(const SimdDoubles& o)
   {
     this->Values *= o.Values;
     return *this;
   }
-  LITTORAL_INLINE SimdDouble4& operator/=(const SimdDouble4& o)
+  LITTORAL_INLINE SimdDoubles& operator/=(const SimdDoubles& o)
   {
     this->Values /= o.Values;
     return *this;
   }
-  friend LITTORAL_INLINE SimdDouble4 operator+(const SimdDouble4& a, const SimdDouble4& b)
+  friend LITTORAL_INLINE SimdDoubles operator+(const SimdDoubles& a, const SimdDoubles& b)
   {
-    return SimdDouble4(a.Values + b.Values);
+    return SimdDoubles(a.Values + b.Values);
   }
-  friend LITTORAL_INLINE SimdDouble4 operator-(const SimdDouble4& a, const SimdDouble4& b)
+  friend LITTORAL_INLINE SimdDoubles operator-(const SimdDoubles& a, const SimdDoubles& b)
   {
-    return SimdDouble4(a.Values - b.Values);
+    return SimdDoubles(a.Values - b.Values);
   }
-  friend LITTORAL_INLINE SimdDouble4 operator*(const SimdDouble4& a, const SimdDouble4& b)
+  friend LITTORAL_INLINE SimdDoubles operator*(const SimdDoubles& a, const SimdDoubles& b)
   {
-    return SimdDouble4(a.Values * b.Values);
+    return SimdDoubles(a.Values * b.Values);
   }
-  friend LITTORAL_INLINE SimdDouble4 operator/(const SimdDouble4& a, const SimdDouble4& b)
+  friend LITTORAL_INLINE SimdDoubles operator/(const SimdDoubles& a, const SimdDoubles& b)
   {
-    return SimdDouble4(a.Values / b.Values);
+    return SimdDoubles(a.Values / b.Values);
   }
-  friend LITTORAL_INLINE SimdDouble4 operator-(const SimdDouble4& a) { return SimdDouble4(-a.Values); }
+  friend LITTORAL_INLINE SimdDoubles operator-(const SimdDoubles& a) { return SimdDoubles(-a.Values); }
+
+  /// Lane by lane, a < b ? then : other.
+  friend LITTORAL_INLINE SimdDoubles SelectLess(
+    const SimdDoubles& a, const SimdDoubles& b, const SimdDoubles& then, const SimdDoubles& other)
+  {
+    return SimdDoubles(a.Values < b.Values ? then.Values : other.Values);
+  }
 };
+
+/// Four lanes, for what needs no others.
+using SimdDouble4 = SimdDoubles<4>;
+
+/// Lanes of a SimdDouble4.
+constexpr int LaneCount = static_cast<int>(SimdDouble4::Count);
 
 /// Four floats, for loads and stores.
 typedef float SimdFloat4 __attribute__((vector_size(LaneCount * sizeof(float))));
@@ -95,15 +111,10 @@ LITTORAL_INLINE SimdFloat4 LoadFloats(const float* from)
   return four;
 }
 
-/// Lane by lane, a < b ? then : other.
+/// a < b ? then : other.
 LITTORAL_INLINE double SelectLess(double a, double b, double then, double other)
 {
   return a < b ? then : other;
-}
-LITTORAL_INLINE SimdDouble4 SelectLess(
-  const SimdDouble4& a, const SimdDouble4& b, const SimdDouble4& then, const SimdDouble4& other)
-{
-  return SimdDouble4(a.Values < b.Values ? then.Values : other.Values);
 }
 
 template <typename Real>
@@ -130,18 +141,26 @@ LITTORAL_INLINE Real Abs(const Real& x)
   return SelectLess(x, Real(0.0), -x, x);
 }
 
-/// A function of the standard library, lane by lane.
-template <typename Function>
-LITTORAL_INLINE SimdDouble4 EachLane(const SimdDouble4& x, const Function& f)
+template <std::size_t Lanes, typename Function, std::size_t... Lane>
+LITTORAL_INLINE SimdDoubles<Lanes> EachLane(
+  const SimdDoubles<Lanes>& x, const Function& f, std::index_sequence<Lane...> /*lanes*/)
 {
-  return { f(x.Values[0]), f(x.Values[1]), f(x.Values[2]), f(x.Values[3]) };
+  return { f(x.Values[Lane])... };
+}
+
+/// A function of the standard library, lane by lane.
+template <std::size_t Lanes, typename Function>
+LITTORAL_INLINE SimdDoubles<Lanes> EachLane(const SimdDoubles<Lanes>& x, const Function& f)
+{
+  return EachLane(x, f, std::make_index_sequence<Lanes>());
 }
 
 LITTORAL_INLINE double Sqrt(double x)
 {
   return std::sqrt(x);
 }
-LITTORAL_INLINE SimdDouble4 Sqrt(const SimdDouble4& x)
+template <std::size_t Lanes>
+LITTORAL_INLINE SimdDoubles<Lanes> Sqrt(const SimdDoubles<Lanes>& x)
 {
   return EachLane(x, [](double one) { return std::sqrt(one); });
 }
@@ -150,7 +169,8 @@ LITTORAL_INLINE double Sin(double x)
 {
   return std::sin(x);
 }
-LITTORAL_INLINE SimdDouble4 Sin(const SimdDouble4& x)
+template <std::size_t Lanes>
+LITTORAL_INLINE SimdDoubles<Lanes> Sin(const SimdDoubles<Lanes>& x)
 {
   return EachLane(x, [](double one) { return std::sin(one); });
 }
@@ -159,7 +179,8 @@ LITTORAL_INLINE double Cos(double x)
 {
   return std::cos(x);
 }
-LITTORAL_INLINE SimdDouble4 Cos(const SimdDouble4& x)
+template <std::size_t Lanes>
+LITTORAL_INLINE SimdDoubles<Lanes> Cos(const SimdDoubles<Lanes>& x)
 {
   return EachLane(x, [](double one) { return std::cos(one); });
 }
@@ -220,11 +241,56 @@ LITTORAL_INLINE Real Length(const glm::vec<3, Real>& a)
 /// Indices of the lanes' elements in an array.
 using LaneIndices = std::array<std::size_t, LaneCount>;
 
-/// One member of four elements of an array, which may be inherited, a lane each.
-template <typename Element, typename Class>
-LITTORAL_INLINE SimdDouble4 GatherNumber(const Element* elements, const LaneIndices& at, double Class::*member)
+template <std::size_t Lanes, typename Number, std::size_t... Lane>
+LITTORAL_INLINE SimdDoubles<Lanes> FromLanes(
+  const Number& number, std::size_t first, std::index_sequence<Lane...> /*lanes*/)
 {
-  return { elements[at[0]].*member, elements[at[1]].*member, elements[at[2]].*member, elements[at[3]].*member };
+  return { number(first + Lane)... };
+}
+
+/// A number of each lane, counted from the first.
+template <std::size_t Lanes, typename Number>
+LITTORAL_INLINE SimdDoubles<Lanes> FromLanes(const Number& number, std::size_t first = 0)
+{
+  if constexpr (Lanes == 8)
+  {
+    // GCC 12 would put them one by one into a register that it has not halved
+    const SimdDouble4 low = FromLanes<4>(number, first);
+    const SimdDouble4 high = FromLanes<4>(number, first + 4);
+    return SimdDoubles<8>(__builtin_shufflevector(low.Values, high.Values, 0, 1, 2, 3, 4, 5, 6, 7));
+  }
+  else
+  {
+    return FromLanes<Lanes>(number, first, std::make_index_sequence<Lanes>());
+  }
+}
+
+/// One member of elements of an array, which may be inherited, a lane each.
+template <std::size_t Lanes, typename Element, typename Class>
+LITTORAL_INLINE SimdDoubles<Lanes> GatherNumber(
+  const Element* elements, const std::array<std::size_t, Lanes>& at, double Class::*member)
+{
+  return FromLanes<Lanes>([&](std::size_t lane) { return elements[at[lane]].*member; });
+}
+
+/// Vectors, a lane each.
+template <std::size_t Lanes, typename Element, typename Class>
+LITTORAL_INLINE glm::vec<3, SimdDoubles<Lanes>> GatherVector(
+  const Element* elements, const std::array<std::size_t, Lanes>& at, glm::vec<3, double> Class::*member)
+{
+  return { FromLanes<Lanes>([&](std::size_t lane) { return (elements[at[lane]].*member).x; }),
+    FromLanes<Lanes>([&](std::size_t lane) { return (elements[at[lane]].*member).y; }),
+    FromLanes<Lanes>([&](std::size_t lane) { return (elements[at[lane]].*member).z; }) };
+}
+
+template <std::size_t Lanes, typename Element, typename Class>
+LITTORAL_INLINE glm::qua<SimdDoubles<Lanes>> GatherRotation(
+  const Element* elements, const std::array<std::size_t, Lanes>& at, glm::qua<double> Class::*member)
+{
+  return { FromLanes<Lanes>([&](std::size_t lane) { return (elements[at[lane]].*member).w; }),
+    FromLanes<Lanes>([&](std::size_t lane) { return (elements[at[lane]].*member).x; }),
+    FromLanes<Lanes>([&](std::size_t lane) { return (elements[at[lane]].*member).y; }),
+    FromLanes<Lanes>([&](std::size_t lane) { return (elements[at[lane]].*member).z; }) };
 }
 
 /// Four vectors, a lane each.
@@ -234,32 +300,15 @@ LITTORAL_INLINE glm::vec<3, SimdDouble4> InLanes(const glm::vec<3, double>& a, c
   return { SimdDouble4(a.x, b.x, c.x, d.x), SimdDouble4(a.y, b.y, c.y, d.y), SimdDouble4(a.z, b.z, c.z, d.z) };
 }
 
-template <typename Element, typename Class>
-LITTORAL_INLINE glm::vec<3, SimdDouble4> GatherVector(
-  const Element* elements, const LaneIndices& at, glm::vec<3, double> Class::*member)
-{
-  return InLanes(elements[at[0]].*member, elements[at[1]].*member, elements[at[2]].*member, elements[at[3]].*member);
-}
-
-template <typename Element, typename Class>
-LITTORAL_INLINE glm::qua<SimdDouble4> GatherRotation(
-  const Element* elements, const LaneIndices& at, glm::qua<double> Class::*member)
-{
-  const glm::qua<double>& a = elements[at[0]].*member;
-  const glm::qua<double>& b = elements[at[1]].*member;
-  const glm::qua<double>& c = elements[at[2]].*member;
-  const glm::qua<double>& d = elements[at[3]].*member;
-  return { SimdDouble4(a.w, b.w, c.w, d.w), SimdDouble4(a.x, b.x, c.x, d.x), SimdDouble4(a.y, b.y, c.y, d.y),
-    SimdDouble4(a.z, b.z, c.z, d.z) };
-}
-
 /// The vector or quaternion of one lane.
-LITTORAL_INLINE glm::vec<3, double> LaneOf(const glm::vec<3, SimdDouble4>& lanes, int lane)
+template <std::size_t Lanes>
+LITTORAL_INLINE glm::vec<3, double> LaneOf(const glm::vec<3, SimdDoubles<Lanes>>& lanes, std::size_t lane)
 {
   return { lanes.x.Values[lane], lanes.y.Values[lane], lanes.z.Values[lane] };
 }
 
-LITTORAL_INLINE glm::qua<double> LaneOf(const glm::qua<SimdDouble4>& lanes, int lane)
+template <std::size_t Lanes>
+LITTORAL_INLINE glm::qua<double> LaneOf(const glm::qua<SimdDoubles<Lanes>>& lanes, std::size_t lane)
 {
   return { lanes.w.Values[lane], lanes.x.Values[lane], lanes.y.Values[lane], lanes.z.Values[lane] };
 }
@@ -267,8 +316,8 @@ LITTORAL_INLINE glm::qua<double> LaneOf(const glm::qua<SimdDouble4>& lanes, int 
 }
 
 /// Trait for GLM, which asks whether its numbers are floating-point.
-template <>
-class std::numeric_limits<littoral::SimdDouble4> : public std::numeric_limits<double>
+template <std::size_t Lanes>
+class std::numeric_limits<littoral::SimdDoubles<Lanes>> : public std::numeric_limits<double>
 {
 };
 

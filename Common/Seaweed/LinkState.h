@@ -8,7 +8,7 @@
 namespace littoral
 {
 
-// The state of a link at a moment (Real = double), or of four links, a lane each (Real = SimdDouble4).
+// The state of a link at a moment (Real = double), or of links side by side, a lane each (Real = SimdDoubles).
 
 /// The water at the middle of a segment.
 template <typename Real>

@@ -12,6 +12,10 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include <cstddef>
+#include <variant>
+#include <vector>
+
 namespace littoral
 {
 
@@ -182,9 +186,9 @@ struct LinkLoadOf
   Vector Moment{ Real(0.0) };  ///< sum of forces times distances from the foot [N m]; axis x Moment is the torque
   Vector Turning{ Real(0.0) }; ///< what the water's velocity adds to the force of the added mass (StripForce) [N], at
                                ///< the middle; not in Force
-  MomentsOf<Real> FaceDrag; ///< resistance to motion normal to the face [N s/m], [N s], [N s m]
-  MomentsOf<Real> EdgeDrag; ///< resistance to motion along the width
-  Real Friction{ 0.0 };     ///< resistance to motion along the axis [N s/m]
+  MomentsOf<Real> FaceDrag;    ///< resistance to motion normal to the face [N s/m], [N s], [N s m]
+  MomentsOf<Real> EdgeDrag;    ///< resistance to motion along the width
+  Real Friction{ 0.0 };        ///< resistance to motion along the axis [N s/m]
 };
 
 /// The part of a segment that is in the water, 0 to 1.
@@ -285,14 +289,18 @@ LITTORAL_INLINE LinkLoadOf<Real> LoadOn(const SeaweedOptions& options, const Lin
   return load;
 }
 
-/// Links of the trees of a batch, those of the same index a lane each.
-struct SeaweedMotion::LinkBodies
+/// Trees that are moved side by side: 2, 4 or 8, as many doubles as a register of this processor holds.
+std::size_t LanesOfStep();
+
+template <std::size_t Lanes>
+using BodiesInLanes = std::vector<LinkBody<SimdDoubles<Lanes>>>;
+
+/// Links of the trees of batches, those of the same index a lane each.
+struct BatchBodies
 {
-  std::vector<LinkBody<SimdDouble4>> Bodies;
+  std::variant<BodiesInLanes<2>, BodiesInLanes<4>, BodiesInLanes<8>> Bodies; ///< of LanesOfStep() lanes
   std::vector<int> Parents; ///< index of the parent link within the batch; -1: the ground
 };
-
-static_assert(LinkBatch::Width == LaneCount, "a batch fills the lanes");
 
 }
 

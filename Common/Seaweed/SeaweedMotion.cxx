@@ -5,6 +5,7 @@
 #include "Seaweed/SeaweedJoint.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -26,9 +27,10 @@ Vector3 RotateUnit(const Vector3& direction, const Vector3& turn)
 }
 
 /// One link of each lane.
-LinkBody<SimdDouble4> GatherBody(const std::vector<SeaweedLink>& links, const LaneIndices& at)
+template <std::size_t Lanes>
+LinkBody<SimdDoubles<Lanes>> GatherBody(const std::vector<SeaweedLink>& links, const std::array<std::size_t, Lanes>& at)
 {
-  LinkBody<SimdDouble4> body;
+  LinkBody<SimdDoubles<Lanes>> body;
   const auto vector = [&](Vector3 SeaweedLink::*part) { return GatherVector(links.data(), at, part); };
   const auto number = [&](double SeaweedLink::*part) { return GatherNumber(links.data(), at, part); };
   body.Foot = vector(&SeaweedLink::Foot);
@@ -55,6 +57,29 @@ LinkBody<SimdDouble4> GatherBody(const std::vector<SeaweedLink>& links, const La
   body.StopDamping = number(&SeaweedLink::StopDamping);
   body.Bed = number(&SeaweedLink::Bed);
   return body;
+}
+
+/// The links of all batches, which are `count` of one lane.
+template <std::size_t Lanes>
+BodiesInLanes<Lanes> GatherBodies(
+  const std::vector<SeaweedLink>& links, const std::vector<LinkBatch>& batches, std::size_t count)
+{
+  BodiesInLanes<Lanes> bodies;
+  bodies.reserve(count);
+  for (const LinkBatch& batch : batches)
+  {
+    std::array<std::size_t, Lanes> at;
+    std::copy_n(batch.First.begin(), Lanes, at.begin());
+    for (std::size_t link = 0; link < batch.Links; ++link)
+    {
+      bodies.push_back(GatherBody(links, at));
+      for (std::size_t& one : at)
+      {
+        ++one;
+      }
+    }
+  }
+  return bodies;
 }
 
 }
@@ -90,6 +115,7 @@ SeaweedMotion::SeaweedMotion(std::vector<SeaweedLink> links, const SeaweedOption
 /// Trees of the same shape, in the order in which they come.
 void SeaweedMotion::MakeBatches()
 {
+  const std::size_t lanes = LanesOfStep();
   std::map<std::vector<int>, std::size_t> open; // batches that have lanes left, by what their links grow on
   std::vector<int> shape;
   std::size_t end = 0;
@@ -106,6 +132,7 @@ void SeaweedMotion::MakeBatches()
       open[shape] = this->Batches.size();
       LinkBatch batch;
       batch.First.fill(first);
+      batch.Lanes = lanes;
       batch.Links = end - first;
       batch.Trees = 1;
       this->Batches.push_back(batch);
@@ -113,26 +140,31 @@ void SeaweedMotion::MakeBatches()
     }
     LinkBatch& batch = this->Batches[known->second];
     batch.First[batch.Trees++] = first;
-    if (batch.Trees == LaneCount)
+    if (batch.Trees == lanes)
     {
       open.erase(known);
     }
   }
-  const auto bodies = std::make_shared<LinkBodies>();
+  const auto bodies = std::make_shared<BatchBodies>();
   for (LinkBatch& batch : this->Batches)
   {
-    batch.Bodies = bodies->Bodies.size();
-    LaneIndices at = batch.First;
-    for (std::size_t link = 0; link < batch.Links; ++link)
+    batch.Bodies = bodies->Parents.size();
+    for (std::size_t link = batch.First[0]; link < batch.First[0] + batch.Links; ++link)
     {
-      const int parent = this->Links[at[0]].Parent;
-      bodies->Bodies.push_back(GatherBody(this->Links, at));
+      const int parent = this->Links[link].Parent;
       bodies->Parents.push_back(parent < 0 ? -1 : parent - static_cast<int>(batch.First[0]));
-      for (std::size_t& one : at)
-      {
-        ++one;
-      }
     }
+  }
+  switch (lanes)
+  {
+    case 8:
+      bodies->Bodies = GatherBodies<8>(this->Links, this->Batches, bodies->Parents.size());
+      break;
+    case 4:
+      bodies->Bodies = GatherBodies<4>(this->Links, this->Batches, bodies->Parents.size());
+      break;
+    default:
+      bodies->Bodies = GatherBodies<2>(this->Links, this->Batches, bodies->Parents.size());
   }
   this->Bodies = bodies;
 }
@@ -193,16 +225,18 @@ void SeaweedMotion::Pose(const LinkState* states, std::size_t begin, std::size_t
 //----------------------------------------------------------------------------
 void SeaweedMotion::Middles(const LinkBatch& batch, const LinkPose* poses, Vector3* middles, double ahead) const
 {
-  const LinkBody<SimdDouble4>* bodies = &this->Bodies->Bodies[batch.Bodies];
-  for (std::size_t i = 0; i < batch.Links; ++i)
-  {
-    for (int lane = 0; lane < LaneCount; ++lane)
+  const auto find = [&](const auto& bodies) {
+    for (std::size_t i = 0; i < batch.Links; ++i)
     {
-      const LinkPose& pose = poses[batch.First[lane] + i];
-      const Vector3 half = 0.5 * bodies[i].Length.Values[lane] * pose.Axis;
-      *middles++ = pose.Foot + half + ahead * (pose.Velocity + glm::cross(pose.Spin, half));
+      for (std::size_t lane = 0; lane < batch.Lanes; ++lane)
+      {
+        const LinkPose& pose = poses[batch.First[lane] + i];
+        const Vector3 half = 0.5 * bodies[batch.Bodies + i].Length.Values[lane] * pose.Axis;
+        *middles++ = pose.Foot + half + ahead * (pose.Velocity + glm::cross(pose.Spin, half));
+      }
     }
-  }
+  };
+  std::visit(find, this->Bodies->Bodies);
 }
 
 //----------------------------------------------------------------------------

@@ -18,15 +18,18 @@ namespace littoral
 /// Trees of the same topology, a SIMD lane each. Where there are fewer trees than lanes, the first fills the others.
 struct LinkBatch
 {
-  static constexpr std::size_t Width = 4;
-  std::array<std::size_t, Width> First; ///< first link of the tree in each lane
-  std::size_t Links = 0;                ///< of a tree
-  int Trees = 0;                        ///< number of trees that count, 1 to Width
-  std::size_t Bodies = 0;               ///< index of the first of its LinkBodies
+  static constexpr std::size_t MaximumLanes = 8;
+  std::array<std::size_t, MaximumLanes> First; ///< first link of the tree in each lane
+  std::size_t Lanes = 0;                       ///< as many as a register of this processor has
+  std::size_t Links = 0;                       ///< of a tree
+  std::size_t Trees = 0;                       ///< number of trees that count, 1 to Lanes
+  std::size_t Bodies = 0;                      ///< index of the first of its bodies in BatchBodies
 
   /// Links of all lanes, filled ones included.
-  std::size_t PaddedLinks() const { return Width * this->Links; }
+  std::size_t PaddedLinks() const { return this->Lanes * this->Links; }
 };
+
+struct BatchBodies;
 
 /**
  * Seaweeds as trees of stiff segments on springs (Coulais et al., section 4, with its equations put right). The full
@@ -79,8 +82,7 @@ private:
   SeaweedOptions Options;
   std::vector<SeaweedLink> Links;
   std::vector<LinkBatch> Batches;
-  struct LinkBodies;
-  std::shared_ptr<const LinkBodies> Bodies; // of the batches
+  std::shared_ptr<const BatchBodies> Bodies;
 
   void MakeBatches();
 };

@@ -56,7 +56,7 @@ struct SeaweedOptions
 /// Why there are no such options, with the name of the property; empty when there are.
 std::string WhyInvalid(const SeaweedOptions& options);
 
-/// A stiff segment of a seaweed and the joint at its foot (Real = double), or four of them, a lane each (SimdDouble4).
+/// A stiff segment of a seaweed and the joint at its foot (Real = double), or some of them, a lane each (SimdDoubles).
 template <typename Real>
 struct LinkBody
 {

@@ -321,6 +321,13 @@ SeaweedCounters SeaweedScene::ShowPhysical(
   const StandPlant& plant, const std::array<double, 3>& shares, const Picture& picture)
 {
   SeaweedCounters counters;
+  if (shares.front() >= 1.0)
+  {
+    std::copy(picture.Poses.begin() + plant.FirstLink, picture.Poses.begin() + plant.EndLink,
+      this->Shown.begin() + plant.FirstLink);
+    counters.Segments = static_cast<std::int64_t>(plant.EndLink - plant.FirstLink);
+    return counters;
+  }
   for (std::size_t link = plant.FirstLink; link < plant.EndLink; ++link)
   {
     const double share = shares[this->Stand.LastLevelOf(link)];
@@ -398,14 +405,16 @@ SeaweedCounters SeaweedScene::ShowAt(
   double time, double remainder, const StepCurrents& currents, const SeaweedLevels& levels)
 {
   std::vector<LinkState> partly;
+  std::vector<LinkPose> partlyPoses;
   if (this->Physical && remainder > 0.0)
   {
     partly = this->Marching.State();
-    std::vector<LinkPose> poses = this->Poses;
-    this->StepAll(time - remainder, remainder, currents, partly, poses);
+    partlyPoses = this->Poses;
+    this->StepAll(time - remainder, remainder, currents, partly, partlyPoses);
   }
   const WaveOrbits orbits(this->Sea, FlowAtPlaces(), time);
   const Picture picture{ orbits, currents, levels, partly.empty() ? this->Marching.State() : partly,
+    partly.empty() ? this->Poses : partlyPoses,
     levels.UseLevels ? std::make_unique<ViewFrustum>(levels.Seen) : nullptr };
   const std::size_t plants = this->Stand.GetPlants().size();
   std::vector<SeaweedCounters> counters(plants);

@@ -129,7 +129,8 @@ private:
     const StepCurrents& Currents;
     const SeaweedLevels& Levels;
     const std::vector<LinkState>& States;
-    std::unique_ptr<ViewFrustum> View; ///< null: no levels
+    const std::vector<LinkPose>& Poses; ///< those that go with them
+    std::unique_ptr<ViewFrustum> View;  ///< null: no levels
   };
 
   /// Memory of one thread, kept from plant to plant.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 // One step of the equations of motion of a batch of trees, a SIMD lane each.
@@ -17,9 +18,10 @@ namespace littoral
 namespace
 {
 
-using Vector = glm::vec<3, SimdDouble4>;
-using Matrix = glm::mat<3, 3, SimdDouble4>;
-using Quaternion = glm::qua<SimdDouble4>;
+template <typename Real>
+using Vector3Of = glm::vec<3, Real>;
+template <typename Real>
+using Matrix3Of = glm::mat<3, 3, Real>;
 
 // Forward dynamics by the articulated-body algorithm (R. Featherstone, Rigid Body Dynamics Algorithms, Springer 2008,
 // chapter 7, table 7.1) inside an implicit midpoint rule. Spatial vectors are (linear, angular), about the foot of a
@@ -63,11 +65,13 @@ constexpr double StopRange = 1.05;
 constexpr double StopLinearPart = 0.95;
 
 /// A symmetric 3 x 3 matrix.
+template <typename Real>
 struct SymmetricMatrix
 {
-  SimdDouble4 xx, xy, xz, yy, yz, zz;
+  using Vector = Vector3Of<Real>;
+  Real xx, xy, xz, yy, yz, zz;
 
-  LITTORAL_INLINE SymmetricMatrix(const SimdDouble4& diagonal = 0.0)
+  LITTORAL_INLINE SymmetricMatrix(const Real& diagonal = 0.0)
     : xx(diagonal)
     , xy(0.0)
     , xz(0.0)
@@ -90,14 +94,14 @@ struct SymmetricMatrix
     this->yz += o.yz;
     this->zz += o.zz;
   }
-  LITTORAL_INLINE void AddDiagonal(const SimdDouble4& d)
+  LITTORAL_INLINE void AddDiagonal(const Real& d)
   {
     this->xx += d;
     this->yy += d;
     this->zz += d;
   }
   /// Adds f a a^T.
-  LITTORAL_INLINE void AddOuterProduct(const SimdDouble4& f, const Vector& a)
+  LITTORAL_INLINE void AddOuterProduct(const Real& f, const Vector& a)
   {
     const Vector b = f * a;
     this->xx += a.x * b.x;
@@ -120,115 +124,135 @@ struct SymmetricMatrix
 };
 
 /// S [a], with the cross-product matrix [a]: [a] x = a x x.
-LITTORAL_INLINE Matrix TimesCross(const SymmetricMatrix& s, const Vector& a)
+template <typename Real>
+LITTORAL_INLINE Matrix3Of<Real> TimesCross(const SymmetricMatrix<Real>& s, const Vector3Of<Real>& a)
 {
   // Columns of [a] are a x e_k.
-  const SimdDouble4 none(0.0);
+  const Real none(0.0);
+  using Vector = Vector3Of<Real>;
   return { s * Vector(none, a.z, -a.y), s * Vector(-a.z, none, a.x), s * Vector(a.y, -a.x, none) };
 }
 
 /// [a] M.
-LITTORAL_INLINE Matrix CrossTimes(const Vector& a, const Matrix& m)
+template <typename Real>
+LITTORAL_INLINE Matrix3Of<Real> CrossTimes(const Vector3Of<Real>& a, const Matrix3Of<Real>& m)
 {
   return { glm::cross(a, m[0]), glm::cross(a, m[1]), glm::cross(a, m[2]) };
 }
 
 /// A unit vector rotated by a small rotation vector at a right angle to it.
-LITTORAL_INLINE Vector RotateUnit(const Vector& direction, const Vector& turn)
+template <typename Real>
+LITTORAL_INLINE Vector3Of<Real> RotateUnit(const Vector3Of<Real>& direction, const Vector3Of<Real>& turn)
 {
-  const SimdDouble4 square = glm::dot(turn, turn);
-  const Vector swung = CosineOfSmall(square) * direction + SineRatioOfSmall(square) * glm::cross(turn, direction);
+  const Real square = glm::dot(turn, turn);
+  const Vector3Of<Real> swung =
+    CosineOfSmall(square) * direction + SineRatioOfSmall(square) * glm::cross(turn, direction);
   return swung / Length(swung);
 }
 
 /// A link during a sub-step. The unknown is the correction of the velocity of its foot and of its spin in the middle of
 /// the sub-step. I^A is the quadratic form [InertiaLinear InertiaMixed; InertiaMixed^T InertiaAngular] in both.
+template <typename Real>
 struct LinkDynamics
 {
-  LinkStateOf<SimdDouble4> Start; // of the sub-step
-  LinkPoseOf<SimdDouble4> StartPose;
-  LinkStateOf<SimdDouble4> End;
-  LinkPoseOf<SimdDouble4> EndPose;
-  LinkStateOf<SimdDouble4> State; // in its middle, the current iterate
-  Vector MiddleRate;              // rate of State; Bending: tangent to the sphere at Start
-  LinkPoseOf<SimdDouble4> Pose;   // of State
-  LinkFaceOf<SimdDouble4> Face;
-  Quaternion ParentRotation;
+  using Vector = Vector3Of<Real>;
+  LinkStateOf<Real> Start; // of the sub-step
+  LinkPoseOf<Real> StartPose;
+  WaterOf<Real> Water; // in the middle of the step
+  LinkStateOf<Real> End;
+  LinkPoseOf<Real> EndPose;
+  LinkStateOf<Real> State; // in its middle, the current iterate
+  Vector MiddleRate;       // rate of State; Bending: tangent to the sphere at Start
+  LinkPoseOf<Real> Pose;   // of State
+  LinkFaceOf<Real> Face;
+  glm::qua<Real> ParentRotation;
   Vector Arm;                   // from the parent's foot to the link's, now [m]
   Vector VelocityProductLinear; // c, eq. 1
   Vector VelocityProductAngular;
-  Vector JointAxes[2];           // at right angles to the link
-  Vector MotionSubspace[2];      // S: spin for a unit rate about these axes, twist included; no linear part
-  Vector AxisRate;               // dS/dt q'
-  SimdDouble4 Rate[2];           // q', along the axes
-  SimdDouble4 RateChange[2];     // q' - q0', since the start
-  SimdDouble4 Deflection[2];     // q, along the axes
-  SimdDouble4 StopTorque;        // of the stop, for a deflection of 1 [N m/rad]
-  SimdDouble4 StopStiffness;     // [N m/rad]
-  SymmetricMatrix InertiaLinear; // I^A, eq. 2
-  Matrix InertiaMixed;
-  SymmetricMatrix InertiaAngular;
+  Vector JointAxes[2];                 // at right angles to the link
+  Vector MotionSubspace[2];            // S: spin for a unit rate about these axes, twist included; no linear part
+  Vector AxisRate;                     // dS/dt q'
+  Real Rate[2];                        // q', along the axes
+  Real RateChange[2];                  // q' - q0', since the start
+  Real Deflection[2];                  // q, along the axes
+  Real StopTorque;                     // of the stop, for a deflection of 1 [N m/rad]
+  Real StopStiffness;                  // [N m/rad]
+  SymmetricMatrix<Real> InertiaLinear; // I^A, eq. 2
+  Matrix3Of<Real> InertiaMixed;
+  SymmetricMatrix<Real> InertiaAngular;
   Vector BiasImpulseLinear; // -p^A, eq. 3; in the pass from the root: the correction dv, eq. 8
   Vector BiasImpulseAngular;
-  Vector Force;                 // of the water on the link and all that grows on it [N]
-  LinkLoadOf<SimdDouble4> Load; // of the water on the link [N, N m]
-  Vector WorkForce;             // Load of the last iteration that counted in a lane
+  Vector Force;          // of the water on the link and all that grows on it [N]
+  LinkLoadOf<Real> Load; // of the water on the link [N, N m]
+  Vector WorkForce;      // Load of the last iteration that counted in a lane
   Vector WorkMoment;
   Vector Spin;
-  SimdDouble4 Tension; // arms times pulls, which straighten the link [N m]
-  Vector ULinear[2];   // U, eq. 4
+  Real Tension;      // arms times pulls, which straighten the link [N m]
+  Vector ULinear[2]; // U, eq. 4
   Vector UAngular[2];
-  SimdDouble4 InverseJointInertia[3]; // D^-1: 00, 01, 11
-  SimdDouble4 JointImpulse[2];        // u, eq. 5
+  Real InverseJointInertia[3]; // D^-1: 00, 01, 11
+  Real JointImpulse[2];        // u, eq. 5
 };
 
 /// Lane by lane, the first where isFirst is 1, the second where it is 0.
-LITTORAL_INLINE Vector Select(const SimdDouble4& isFirst, const Vector& first, const Vector& second)
+template <typename Real>
+LITTORAL_INLINE Vector3Of<Real> Select(const Real& isFirst, const Vector3Of<Real>& first, const Vector3Of<Real>& second)
 {
-  const SimdDouble4 half(0.5);
+  const Real half(0.5);
   return { SelectLess(half, isFirst, first.x, second.x), SelectLess(half, isFirst, first.y, second.y),
     SelectLess(half, isFirst, first.z, second.z) };
 }
 
-LITTORAL_INLINE Quaternion Select(const SimdDouble4& isFirst, const Quaternion& first, const Quaternion& second)
+template <typename Real>
+LITTORAL_INLINE glm::qua<Real> Select(const Real& isFirst, const glm::qua<Real>& first, const glm::qua<Real>& second)
 {
-  const SimdDouble4 half(0.5);
+  const Real half(0.5);
   return { SelectLess(half, isFirst, first.w, second.w), SelectLess(half, isFirst, first.x, second.x),
     SelectLess(half, isFirst, first.y, second.y), SelectLess(half, isFirst, first.z, second.z) };
 }
 
-LITTORAL_INLINE SimdDouble4 Square(const SimdDouble4& x)
+template <typename Real>
+LITTORAL_INLINE Real Square(const Real& x)
 {
   return x * x;
 }
 
 /// Mean of (v + s t)^2 over 0 <= s <= 1: v^2 + v t + t^2 / 3.
-LITTORAL_INLINE SimdDouble4 MeanSquare(const SimdDouble4& v, const SimdDouble4& t)
+template <typename Real>
+LITTORAL_INLINE Real MeanSquare(const Real& v, const Real& t)
 {
-  return v * (v + t) + SimdDouble4(1.0 / 3.0) * t * t;
+  return v * (v + t) + Real(1.0 / 3.0) * t * t;
 }
 
 /// Parallel transport of a tangent vector of the unit sphere along the great circle from one direction to another.
-LITTORAL_INLINE Vector ParallelTransport(const Vector& tangent, const Vector& from, const Vector& to)
+template <typename Real>
+LITTORAL_INLINE Vector3Of<Real> ParallelTransport(
+  const Vector3Of<Real>& tangent, const Vector3Of<Real>& from, const Vector3Of<Real>& to)
 {
-  const SimdDouble4 open = Max(SimdDouble4(1.0) + glm::dot(from, to), SimdDouble4(0.05));
+  const Real open = Max(Real(1.0) + glm::dot(from, to), Real(0.05));
   return tangent - (glm::dot(tangent, to) / open) * (from + to);
 }
 
 /// The equations of a link in an iteration for the middle of a sub-step, whose length is each lane's own.
+template <typename Real>
 class BatchDynamics
 {
 public:
+  using Vector = Vector3Of<Real>;
+  using Matrix = Matrix3Of<Real>;
+  using Symmetric = SymmetricMatrix<Real>;
+  using Link = LinkDynamics<Real>;
+
   BatchDynamics(const SeaweedOptions& options)
     : Options(options)
     , IsImplicit(options.Integrator == SeaweedIntegrator::Implicit)
   {
   }
 
-  SimdDouble4 Half{ 0.0 }; // g: half of the sub-step [s]; explicit Euler: the step
+  Real Half{ 0.0 }; // g: half of the sub-step [s]; explicit Euler: the step
 
   /// Predicts the middle with the rates of the start.
-  LITTORAL_INLINE void StartLink(LinkDynamics& link) const
+  LITTORAL_INLINE void StartLink(Link& link) const
   {
     link.State.Shape = link.Start.Shape;
     link.State.Rate = link.Start.Rate;
@@ -240,19 +264,18 @@ public:
   }
 
   /// Pose, joint, velocity product (1), inertia (2), loads and bias (3) of the link alone, those of its parent known.
-  LITTORAL_INLINE void InitializeLink(const LinkBody<SimdDouble4>& body, const WaterOf<SimdDouble4>& water,
-    const LinkBody<SimdDouble4>* parentBody, const LinkDynamics* parent, LinkDynamics& link) const
+  LITTORAL_INLINE void InitializeLink(
+    const LinkBody<Real>& body, const LinkBody<Real>* parentBody, const Link* parent, Link& link) const
   {
-    const SimdDouble4 g = this->Half;
-    PoseLink<SimdDouble4>(
-      this->Options.Joint, body, link.State, parentBody, parent ? &parent->Pose : nullptr, link.Pose);
-    const LinkPoseOf<SimdDouble4>& pose = link.Pose;
-    link.Face = FaceOf<SimdDouble4>(body, pose);
-    link.ParentRotation = parent ? parent->Pose.Rotation : IdentityRotation<SimdDouble4>();
+    const Real g = this->Half;
+    PoseLink<Real>(this->Options.Joint, body, link.State, parentBody, parent ? &parent->Pose : nullptr, link.Pose);
+    const LinkPoseOf<Real>& pose = link.Pose;
+    link.Face = FaceOf<Real>(body, pose);
+    link.ParentRotation = parent ? parent->Pose.Rotation : IdentityRotation<Real>();
     const Vector relative = this->SetAxes(body, parentBody, link);
 
     // (1) c = X c_p + g (dS/dt q' + w_p x S q') + S (q' - q0'); on the arm r, g w_p x (w_p x r)
-    link.Arm = Vector(SimdDouble4(0.0));
+    link.Arm = Vector(Real(0.0));
     link.VelocityProductLinear = link.Arm;
     link.VelocityProductAngular =
       g * link.AxisRate + link.RateChange[0] * link.MotionSubspace[0] + link.RateChange[1] * link.MotionSubspace[1];
@@ -265,26 +288,26 @@ public:
         glm::cross(parent->VelocityProductAngular, link.Arm) + g * glm::cross(spin, glm::cross(spin, link.Arm));
     }
 
-    link.Load = LoadOn<SimdDouble4>(this->Options, body, pose, link.Face, water);
+    link.Load = LoadOn<Real>(this->Options, body, pose, link.Face, link.Water);
     link.Force = link.Load.Force;
     link.Tension = glm::dot(pose.Axis, link.Load.Moment);
     // With the water's velocity in it, a tension would depend on who observes
     link.Load.Force += link.Load.Turning;
-    link.Load.Moment += SimdDouble4(0.5) * body.Length * link.Load.Turning;
+    link.Load.Moment += Real(0.5) * body.Length * link.Load.Turning;
     // (3) -p^A = g f - g (v x* I v - f_A) - I c
     this->SetBias(body, link);
     // (2) I^A = I + g R: drag falls as the velocity is corrected
-    this->SetInertia(body, this->IsImplicit ? g : SimdDouble4(0.0), link);
+    this->SetInertia(body, this->IsImplicit ? g : Real(0.0), link);
   }
 
   /// Joint inertia (4) and joint impulse (5), I^A and p^A being complete.
-  LITTORAL_INLINE void SolveJoint(const LinkBody<SimdDouble4>& body, LinkDynamics& link) const
+  LITTORAL_INLINE void SolveJoint(const LinkBody<Real>& body, Link& link) const
   {
     const Vector& e = link.Pose.Axis;
-    const SimdDouble4 g = this->Half;
-    const SimdDouble4 implicit = this->IsImplicit ? g : SimdDouble4(0.0);
+    const Real g = this->Half;
+    const Real implicit = this->IsImplicit ? g : Real(0.0);
     // A tension T along a segment of length l is a spring T l against its rotation: I^A + g^2 T l (1 - e e^T)
-    const SimdDouble4 straightens = implicit * implicit * Max(link.Tension, SimdDouble4(0.0));
+    const Real straightens = implicit * implicit * Max(link.Tension, Real(0.0));
     link.InertiaAngular.AddDiagonal(straightens);
     link.InertiaAngular.AddOuterProduct(-straightens, e);
     // (4) U = I^A S
@@ -294,20 +317,19 @@ public:
       link.ULinear[k] = link.InertiaMixed * link.MotionSubspace[k];
     }
     // (4) S^T U
-    SimdDouble4 d00 = glm::dot(link.MotionSubspace[0], link.UAngular[0]);
-    const SimdDouble4 d01 = glm::dot(link.MotionSubspace[0], link.UAngular[1]);
-    SimdDouble4 d11 = glm::dot(link.MotionSubspace[1], link.UAngular[1]);
-    const SimdDouble4 stiffness = body.Stiffness + link.StopStiffness;
-    const SimdDouble4 damping =
-      body.Damping + SelectLess(SimdDouble4(0.0), link.StopTorque, body.StopDamping, SimdDouble4(0.0));
-    const SimdDouble4 bent = body.Stiffness + link.StopTorque;
+    Real d00 = glm::dot(link.MotionSubspace[0], link.UAngular[0]);
+    const Real d01 = glm::dot(link.MotionSubspace[0], link.UAngular[1]);
+    Real d11 = glm::dot(link.MotionSubspace[1], link.UAngular[1]);
+    const Real stiffness = body.Stiffness + link.StopStiffness;
+    const Real damping = body.Damping + SelectLess(Real(0.0), link.StopTorque, body.StopDamping, Real(0.0));
+    const Real bent = body.Stiffness + link.StopTorque;
     // Numerical damping of springs that the step does not resolve, by the rate at its end 2 q' - q0':
     // c_f = K g s / (1 + s), s = (g^2 K (D^-1)_kk)^2; it falls with the fifth power of the step.
-    const SimdDouble4 stiff = implicit * implicit * body.Stiffness;
-    const SimdDouble4 squared[2] = { Square(stiff * d11), Square(stiff * d00) };
-    const SimdDouble4 det = Square(d00 * d11 - d01 * d01);
-    const SimdDouble4 all = implicit * body.Stiffness;
-    const SimdDouble4 filter[2] = { all * squared[0] / (squared[0] + det), all * squared[1] / (squared[1] + det) };
+    const Real stiff = implicit * implicit * body.Stiffness;
+    const Real squared[2] = { Square(stiff * d11), Square(stiff * d00) };
+    const Real det = Square(d00 * d11 - d01 * d01);
+    const Real all = implicit * body.Stiffness;
+    const Real filter[2] = { all * squared[0] / (squared[0] + det), all * squared[1] / (squared[1] + det) };
     // (5) u = -S^T p^A - g (K q + d q' + c_f (2 q' - q0'))
     for (int k = 0; k < 2; ++k)
     {
@@ -315,17 +337,17 @@ public:
         g * (bent * link.Deflection[k] + damping * link.Rate[k] + filter[k] * (link.Rate[k] + link.RateChange[k]));
     }
     // (4) D = S^T U + g (g K + d + 2 c_f), inverted
-    const SimdDouble4 soft = implicit * (implicit * stiffness + damping);
-    d00 += soft + SimdDouble4(2.0) * implicit * filter[0];
-    d11 += soft + SimdDouble4(2.0) * implicit * filter[1];
-    const SimdDouble4 scale = SimdDouble4(1.0) / (d00 * d11 - d01 * d01);
+    const Real soft = implicit * (implicit * stiffness + damping);
+    d00 += soft + Real(2.0) * implicit * filter[0];
+    d11 += soft + Real(2.0) * implicit * filter[1];
+    const Real scale = Real(1.0) / (d00 * d11 - d01 * d01);
     link.InverseJointInertia[0] = scale * d11;
     link.InverseJointInertia[1] = -scale * d01;
     link.InverseJointInertia[2] = scale * d00;
   }
 
   /// Adds the articulated inertia and bias of a link, as felt through its joint, to its parent.
-  LITTORAL_INLINE void PropagateToParent(LinkDynamics& link, LinkDynamics& parent) const
+  LITTORAL_INLINE void PropagateToParent(Link& link, Link& parent) const
   {
     // (6) I^a = I^A - U D^-1 U^T,  -p^a = -p^A - U D^-1 u
     Vector linearByD[2]; // U D^-1
@@ -368,14 +390,13 @@ public:
 
   /// Corrects the middle of a link in lanes that are open, the correction of its parent being known. Returns the
   /// correction as a rotation in the step [rad].
-  LITTORAL_INLINE SimdDouble4 IntegrateLink(
-    const SimdDouble4& isOpen, const LinkDynamics* parent, LinkDynamics& link) const
+  LITTORAL_INLINE Real IntegrateLink(const Real& isOpen, const Link* parent, Link& link) const
   {
     link.WorkForce = Select(isOpen, link.Load.Force, link.WorkForce);
     link.WorkMoment = Select(isOpen, link.Load.Moment, link.WorkMoment);
     link.Spin = Select(isOpen, link.Pose.Spin, link.Spin);
-    Vector dv(SimdDouble4(0.0));
-    Vector dw(SimdDouble4(0.0));
+    Vector dv(Real(0.0));
+    Vector dw(Real(0.0));
     if (parent)
     {
       // X dv_p
@@ -383,39 +404,39 @@ public:
       dv = parent->BiasImpulseLinear + glm::cross(dw, link.Arm);
     }
     // (8) dq' = D^-1 (u - U^T X dv_p),  dv = X dv_p + S dq'
-    SimdDouble4 impulse[2];
+    Real impulse[2];
     for (int k = 0; k < 2; ++k)
     {
       impulse[k] = link.JointImpulse[k] - glm::dot(link.UAngular[k], dw) - glm::dot(link.ULinear[k], dv);
     }
-    SimdDouble4 change[2];
+    Real change[2];
     for (int k = 0; k < 2; ++k)
     {
-      change[k] = SelectLess(SimdDouble4(0.5), isOpen,
-        link.InverseJointInertia[k] * impulse[0] + link.InverseJointInertia[k + 1] * impulse[1], SimdDouble4(0.0));
+      change[k] = SelectLess(Real(0.5), isOpen,
+        link.InverseJointInertia[k] * impulse[0] + link.InverseJointInertia[k + 1] * impulse[1], Real(0.0));
       dw += change[k] * link.MotionSubspace[k];
     }
     link.BiasImpulseLinear = dv;
     link.BiasImpulseAngular = dw;
     this->CorrectRate(change, link);
-    return SimdDouble4(2.0) * this->Half * Sqrt(change[0] * change[0] + change[1] * change[1]);
+    return Real(2.0) * this->Half * Sqrt(change[0] * change[0] + change[1] * change[1]);
   }
 
   /// State and pose at the end of the sub-step: q1 = q0 + 2 g q', q1' = 2 q' - q0'; explicit Euler, eq. 10 of the
   /// paper: q1 = q0 + g q0', q1' = q'.
-  LITTORAL_INLINE void FinishLink(const LinkBody<SimdDouble4>& body, const LinkBody<SimdDouble4>* parentBody,
-    const LinkDynamics* parent, LinkDynamics& link) const
+  LITTORAL_INLINE void FinishLink(
+    const LinkBody<Real>& body, const LinkBody<Real>* parentBody, const Link* parent, Link& link) const
   {
-    Vector rate = SimdDouble4(2.0) * link.MiddleRate - link.Start.Rate;
-    Vector turn = SimdDouble4(2.0) * this->Half * link.MiddleRate;
+    Vector rate = Real(2.0) * link.MiddleRate - link.Start.Rate;
+    Vector turn = Real(2.0) * this->Half * link.MiddleRate;
     if (!this->IsImplicit)
     {
       rate = link.MiddleRate;
       turn = this->Half * link.Start.Rate;
     }
-    const SimdDouble4 most = Max(Length(turn), this->Half * Length(rate));
-    const SimdDouble4 factor = SelectLess(SimdDouble4(MaximumRotation), most,
-      SimdDouble4(MaximumRotation) / Max(most, SimdDouble4(1e-300)), SimdDouble4(1.0));
+    const Real most = Max(Length(turn), this->Half * Length(rate));
+    const Real factor =
+      SelectLess(Real(MaximumRotation), most, Real(MaximumRotation) / Max(most, Real(1e-300)), Real(1.0));
     turn *= factor;
     rate *= factor;
     link.End.Rate = rate;
@@ -429,51 +450,45 @@ public:
       link.End.Rate = ParallelTransport(rate, link.Start.Shape, link.End.Shape);
       link.End.Rate -= glm::dot(link.End.Rate, link.End.Shape) * link.End.Shape;
     }
-    PoseLink<SimdDouble4>(
-      this->Options.Joint, body, link.End, parentBody, parent ? &parent->EndPose : nullptr, link.EndPose);
+    PoseLink<Real>(this->Options.Joint, body, link.End, parentBody, parent ? &parent->EndPose : nullptr, link.EndPose);
   }
 
   /// Work of the loads on a link in the sub-step, F . dx + M . de [J]; exact for dead loads, which have a potential.
-  LITTORAL_INLINE SimdDouble4 LoadWork(const LinkDynamics& link) const
+  LITTORAL_INLINE Real LoadWork(const Link& link) const
   {
     return glm::dot(link.WorkForce, link.EndPose.Foot - link.StartPose.Foot) +
       glm::dot(link.WorkMoment, link.EndPose.Axis - link.StartPose.Axis);
   }
 
   /// T = 1/2 integral of (m v.v + m_n (v.n)^2 + m_b (v.b)^2) + J/2 (w.e)^2 [J]
-  LITTORAL_INLINE SimdDouble4 KineticEnergy(
-    const LinkBody<SimdDouble4>& body, const LinkPoseOf<SimdDouble4>& pose) const
+  LITTORAL_INLINE Real KineticEnergy(const LinkBody<Real>& body, const LinkPoseOf<Real>& pose) const
   {
-    const LinkFaceOf<SimdDouble4> face = FaceOf<SimdDouble4>(body, pose);
+    const LinkFaceOf<Real> face = FaceOf<Real>(body, pose);
     const Vector turning = body.Length * glm::cross(pose.Spin, pose.Axis);
-    const SimdDouble4 normal = MeanSquare(glm::dot(pose.Velocity, face.Normal), glm::dot(turning, face.Normal));
-    const SimdDouble4 edge = MeanSquare(glm::dot(pose.Velocity, face.Edge), glm::dot(turning, face.Edge));
-    const SimdDouble4 along = Square(glm::dot(pose.Velocity, pose.Axis));
-    const SimdDouble4 spin = Square(glm::dot(pose.Spin, pose.Axis));
-    return SimdDouble4(0.5) *
+    const Real normal = MeanSquare(glm::dot(pose.Velocity, face.Normal), glm::dot(turning, face.Normal));
+    const Real edge = MeanSquare(glm::dot(pose.Velocity, face.Edge), glm::dot(turning, face.Edge));
+    const Real along = Square(glm::dot(pose.Velocity, pose.Axis));
+    const Real spin = Square(glm::dot(pose.Spin, pose.Axis));
+    return Real(0.5) *
       ((body.Mass + body.FaceMass) * normal + (body.Mass + body.EdgeMass) * edge + body.Mass * along +
         body.AxialInertia * spin);
   }
 
   /// V = K/2 q^2 + K_s/2 x^2 / (1 - x/X) [J]; beyond StopLinearPart the stop's by its second order expansion.
-  LITTORAL_INLINE SimdDouble4 SpringEnergy(
-    const LinkBody<SimdDouble4>& body, const LinkStateOf<SimdDouble4>& state) const
+  LITTORAL_INLINE Real SpringEnergy(const LinkBody<Real>& body, const LinkStateOf<Real>& state) const
   {
     if (this->Options.Joint == SeaweedJoint::Tilting)
     {
-      return SimdDouble4(0.5) * body.Stiffness *
-        (Square(state.Shape.x - body.Theta) + Square(state.Shape.y - body.Phi));
+      return Real(0.5) * body.Stiffness * (Square(state.Shape.x - body.Theta) + Square(state.Shape.y - body.Phi));
     }
-    const SimdDouble4 angle = AngleOf(Length(glm::cross(body.Axis, state.Shape)), glm::dot(body.Axis, state.Shape));
-    const SimdDouble4 ratio = Max(SimdDouble4(0.0), angle - SimdDouble4(MaximumBend)) * SimdDouble4(1.0 / StopRange);
-    const SimdDouble4 y = Min(ratio, SimdDouble4(StopLinearPart));
-    const SimdDouble4 left = SimdDouble4(1.0) / (SimdDouble4(1.0) - y);
-    const SimdDouble4 beyond = ratio - y;
-    const SimdDouble4 stop = SimdDouble4(0.5) * y * y * left +
-      SimdDouble4(0.5) * y * (SimdDouble4(2.0) - y) * left * left * beyond +
-      SimdDouble4(0.5) * left * left * left * beyond * beyond;
-    return SimdDouble4(0.5) * body.Stiffness * angle * angle +
-      body.StopStiffness * SimdDouble4(StopRange * StopRange) * stop;
+    const Real angle = AngleOf(Length(glm::cross(body.Axis, state.Shape)), glm::dot(body.Axis, state.Shape));
+    const Real ratio = Max(Real(0.0), angle - Real(MaximumBend)) * Real(1.0 / StopRange);
+    const Real y = Min(ratio, Real(StopLinearPart));
+    const Real left = Real(1.0) / (Real(1.0) - y);
+    const Real beyond = ratio - y;
+    const Real stop = Real(0.5) * y * y * left + Real(0.5) * y * (Real(2.0) - y) * left * left * beyond +
+      Real(0.5) * left * left * left * beyond * beyond;
+    return Real(0.5) * body.Stiffness * angle * angle + body.StopStiffness * Real(StopRange * StopRange) * stop;
   }
 
 private:
@@ -481,24 +496,24 @@ private:
   bool IsImplicit;
 
   /// (2) I + time R of the link about its foot, in axes b (width), n (face normal) and e (axis).
-  LITTORAL_INLINE void SetInertia(const LinkBody<SimdDouble4>& body, const SimdDouble4& time, LinkDynamics& link) const
+  LITTORAL_INLINE void SetInertia(const LinkBody<Real>& body, const Real& time, Link& link) const
   {
-    const LinkLoadOf<SimdDouble4>& load = link.Load;
+    const LinkLoadOf<Real>& load = link.Load;
     const Vector& b = link.Face.Edge;
     const Vector& n = link.Face.Normal;
-    const SimdDouble4 half = SimdDouble4(0.5) * body.Length;
-    const SimdDouble4 third = SimdDouble4(1.0 / 3.0) * body.Length * body.Length;
-    const SimdDouble4 massB = body.Mass + body.EdgeMass;
-    const SimdDouble4 massN = body.Mass + body.FaceMass;
-    const SimdDouble4 linearB = massB + time * load.EdgeDrag.Sum;
-    const SimdDouble4 linearN = massN + time * load.FaceDrag.Sum;
-    const SimdDouble4 linearE = body.Mass + time * load.Friction;
-    const SimdDouble4 firstB = half * massB + time * load.EdgeDrag.First;
-    const SimdDouble4 firstN = half * massN + time * load.FaceDrag.First;
-    const SimdDouble4 secondB = third * massB + time * load.EdgeDrag.Second;
-    const SimdDouble4 secondN = third * massN + time * load.FaceDrag.Second;
+    const Real half = Real(0.5) * body.Length;
+    const Real third = Real(1.0 / 3.0) * body.Length * body.Length;
+    const Real massB = body.Mass + body.EdgeMass;
+    const Real massN = body.Mass + body.FaceMass;
+    const Real linearB = massB + time * load.EdgeDrag.Sum;
+    const Real linearN = massN + time * load.FaceDrag.Sum;
+    const Real linearE = body.Mass + time * load.Friction;
+    const Real firstB = half * massB + time * load.EdgeDrag.First;
+    const Real firstN = half * massN + time * load.FaceDrag.First;
+    const Real secondB = third * massB + time * load.EdgeDrag.Second;
+    const Real secondN = third * massN + time * load.FaceDrag.Second;
     // Linear = m_b b b^T + m_n n n^T + m_e e e^T
-    link.InertiaLinear = SymmetricMatrix(linearE);
+    link.InertiaLinear = Symmetric(linearE);
     link.InertiaLinear.AddOuterProduct(linearB - linearE, b);
     link.InertiaLinear.AddOuterProduct(linearN - linearE, n);
     // Mixed = first_b b n^T - first_n n b^T
@@ -506,21 +521,21 @@ private:
     const Vector fn = firstN * n;
     link.InertiaMixed = Matrix(fb * n.x - fn * b.x, fb * n.y - fn * b.y, fb * n.z - fn * b.z);
     // Angular = second_n b b^T + second_b n n^T + J e e^T
-    link.InertiaAngular = SymmetricMatrix(body.AxialInertia);
+    link.InertiaAngular = Symmetric(body.AxialInertia);
     link.InertiaAngular.AddOuterProduct(secondN - body.AxialInertia, b);
     link.InertiaAngular.AddOuterProduct(secondB - body.AxialInertia, n);
   }
 
   /// (3) -p^A = g f - g (v x* I v - f_A) - I c of the link alone, by strips: on the part at s from the foot acts
   /// M (a_0 + s a_1) - g (f_0 + s f_1), with the mass M of tissue and water.
-  LITTORAL_INLINE void SetBias(const LinkBody<SimdDouble4>& body, LinkDynamics& link) const
+  LITTORAL_INLINE void SetBias(const LinkBody<Real>& body, Link& link) const
   {
-    const SimdDouble4 g = this->Half;
+    const Real g = this->Half;
     const Vector& b = link.Face.Edge;
     const Vector& n = link.Face.Normal;
     const Vector& e = link.Pose.Axis;
-    const SimdDouble4 half = SimdDouble4(0.5) * body.Length;
-    const SimdDouble4 third = SimdDouble4(1.0 / 3.0) * body.Length * body.Length;
+    const Real half = Real(0.5) * body.Length;
+    const Real third = Real(1.0 / 3.0) * body.Length * body.Length;
     const Vector mass(body.Mass + body.EdgeMass, body.Mass + body.FaceMass, body.Mass);
     const Vector v = InAxes(link.Face, e, link.Pose.Velocity);
     const Vector w = InAxes(link.Face, e, link.Pose.Spin);
@@ -530,22 +545,22 @@ private:
     const Vector second(angular.y + g * w.x * w.z, g * w.y * w.z - angular.x, -g * (w.x * w.x + w.y * w.y));
     // f_0 = f_A(v), f_1 = f_A(w x e)
     const Vector atFoot = mass * first - g * StripForce(body, w, v);
-    const Vector along = mass * second - g * StripForce(body, w, Vector(w.y, -w.x, SimdDouble4(0.0)));
+    const Vector along = mass * second - g * StripForce(body, w, Vector(w.y, -w.x, Real(0.0)));
     const Vector force = atFoot + half * along;
     const Vector moment = half * atFoot + third * along;
     // e x moment, and J (c_w.e) e + g w x J (w.e) e
-    const SimdDouble4 axial = g * body.AxialInertia * w.z;
+    const Real axial = g * body.AxialInertia * w.z;
     const Vector torque(axial * w.y - moment.y, moment.x - axial * w.x, body.AxialInertia * angular.z);
     link.BiasImpulseLinear = g * link.Load.Force - (force.x * b + force.y * n + force.z * e);
     link.BiasImpulseAngular = g * glm::cross(e, link.Load.Moment) - (torque.x * b + torque.y * n + torque.z * e);
   }
 
   /// State in the middle: q = q0 + g q'.
-  LITTORAL_INLINE void MoveToMiddle(LinkDynamics& link) const
+  LITTORAL_INLINE void MoveToMiddle(Link& link) const
   {
-    const SimdDouble4 speed = this->Half * Length(link.MiddleRate);
-    const SimdDouble4 most(0.5 * MaximumRotation);
-    link.MiddleRate *= SelectLess(most, speed, most / Max(speed, SimdDouble4(1e-300)), SimdDouble4(1.0));
+    const Real speed = this->Half * Length(link.MiddleRate);
+    const Real most(0.5 * MaximumRotation);
+    link.MiddleRate *= SelectLess(most, speed, most / Max(speed, Real(1e-300)), Real(1.0));
     const Vector turn = this->Half * link.MiddleRate;
     link.State.Rate = link.MiddleRate; // the axis of the rotation, hence the same at both ends
     link.State.Shape =
@@ -554,25 +569,23 @@ private:
 
   /// Torque and stiffness of the stop, the derivatives of K_s/2 x^2 / (1 - x/X), y = x/X: K_s X y (2 - y) / (1 - y)^2 /
   /// 2 and K_s / (1 - y)^3. The paper has no stop.
-  LITTORAL_INLINE void SetStop(const LinkBody<SimdDouble4>& body, const SimdDouble4& angle, LinkDynamics& link) const
+  LITTORAL_INLINE void SetStop(const LinkBody<Real>& body, const Real& angle, Link& link) const
   {
-    const SimdDouble4 one(1.0);
-    const SimdDouble4 strength = this->IsImplicit ? body.StopStiffness : SimdDouble4(0.0);
-    const SimdDouble4 ratio = Max(SimdDouble4(0.0), angle - SimdDouble4(MaximumBend)) * SimdDouble4(1.0 / StopRange);
-    const SimdDouble4 y = Min(ratio, SimdDouble4(StopLinearPart));
-    const SimdDouble4 left = one / (one - y);
-    const SimdDouble4 stiffness = strength * left * left * left;
-    const SimdDouble4 torque =
-      strength * SimdDouble4(0.5) * y * (SimdDouble4(2.0) - y) * left * left + stiffness * (ratio - y);
-    link.StopTorque = SimdDouble4(StopRange) * torque / Max(angle, SimdDouble4(MaximumBend));
-    link.StopStiffness = SelectLess(SimdDouble4(0.0), ratio, stiffness, SimdDouble4(0.0));
+    const Real one(1.0);
+    const Real strength = this->IsImplicit ? body.StopStiffness : Real(0.0);
+    const Real ratio = Max(Real(0.0), angle - Real(MaximumBend)) * Real(1.0 / StopRange);
+    const Real y = Min(ratio, Real(StopLinearPart));
+    const Real left = one / (one - y);
+    const Real stiffness = strength * left * left * left;
+    const Real torque = strength * Real(0.5) * y * (Real(2.0) - y) * left * left + stiffness * (ratio - y);
+    link.StopTorque = Real(StopRange) * torque / Max(angle, Real(MaximumBend));
+    link.StopStiffness = SelectLess(Real(0.0), ratio, stiffness, Real(0.0));
   }
 
   /// Axes and motion subspace S of the joint, dS/dt q', and q, q', q' - q0' along the axes. Returns S q'.
-  LITTORAL_INLINE Vector SetAxes(
-    const LinkBody<SimdDouble4>& body, const LinkBody<SimdDouble4>* parentBody, LinkDynamics& link) const
+  LITTORAL_INLINE Vector SetAxes(const LinkBody<Real>& body, const LinkBody<Real>* parentBody, Link& link) const
   {
-    const LinkStateOf<SimdDouble4>& state = link.State;
+    const LinkStateOf<Real>& state = link.State;
     if (this->Options.Joint == SeaweedJoint::Bending)
     {
       const Vector& e = link.Pose.Axis;
@@ -587,8 +600,8 @@ private:
       {
         link.MotionSubspace[k] = link.JointAxes[k] + ArcTwist(a, e, link.JointAxes[k]);
       }
-      const SimdDouble4 open = ArcOpening(a, e);
-      const SimdDouble4 part = glm::dot(relative, a) / open;
+      const Real open = ArcOpening(a, e);
+      const Real part = glm::dot(relative, a) / open;
       const Vector swing = glm::cross(relative, e);
       link.AxisRate = (part * glm::dot(swing, a) / open) * e - part * swing;
       const Vector bend = Rotated(link.ParentRotation, ArcVector(body.Axis, state.Shape, body.Side));
@@ -601,11 +614,11 @@ private:
       this->SetStop(body, Length(bend), link);
       return relative + ArcTwist(a, e, relative);
     }
-    link.StopTorque = SimdDouble4(0.0);
-    link.StopStiffness = SimdDouble4(0.0);
-    const Quaternion frame = parentBody ? link.ParentRotation * parentBody->Base : GroundBase<SimdDouble4>();
-    const Vector y = Rotated(frame, Vector(SimdDouble4(0.0), SimdDouble4(1.0), SimdDouble4(0.0)));
-    const Vector x = Rotated(frame, Vector(Cos(state.Shape.x), SimdDouble4(0.0), -Sin(state.Shape.x)));
+    link.StopTorque = Real(0.0);
+    link.StopStiffness = Real(0.0);
+    const glm::qua<Real> frame = parentBody ? link.ParentRotation * parentBody->Base : GroundBase<Real>();
+    const Vector y = Rotated(frame, Vector(Real(0.0), Real(1.0), Real(0.0)));
+    const Vector x = Rotated(frame, Vector(Cos(state.Shape.x), Real(0.0), -Sin(state.Shape.x)));
     link.MotionSubspace[0] = y;
     link.MotionSubspace[1] = x;
     link.AxisRate = (state.Rate.x * state.Rate.y) * glm::cross(y, x); // the tilt's axis turns with the azimuth
@@ -620,11 +633,11 @@ private:
   }
 
   /// Adds dq' to the rates.
-  LITTORAL_INLINE void CorrectRate(const SimdDouble4 change[2], LinkDynamics& link) const
+  LITTORAL_INLINE void CorrectRate(const Real change[2], Link& link) const
   {
     if (this->Options.Joint == SeaweedJoint::Tilting)
     {
-      link.MiddleRate += Vector(change[0], change[1], SimdDouble4(0.0));
+      link.MiddleRate += Vector(change[0], change[1], Real(0.0));
     }
     else
     {
@@ -639,22 +652,16 @@ private:
   }
 };
 
-LITTORAL_INLINE WaterOf<SimdDouble4> WaterAt(const WaterAtLink* water)
-{
-  constexpr LaneIndices at{ 0, 1, 2, 3 };
-  WaterOf<SimdDouble4> all;
-  all.Velocity = GatherVector(water, at, &WaterAtLink::Velocity);
-  all.Acceleration = GatherVector(water, at, &WaterAtLink::Acceleration);
-  all.Displacement = GatherVector(water, at, &WaterAtLink::Displacement);
-  return all;
-}
-
 /// A batch in a step. Each lane has sub-steps and iterations of its own, a function of its own state alone.
+template <typename Real>
 class BatchMarch
 {
 public:
-  BatchMarch(const SeaweedOptions& options, double step, std::size_t count, LinkDynamics* links,
-    const LinkBody<SimdDouble4>* bodies, const int* parents, const WaterAtLink* water)
+  using Link = LinkDynamics<Real>;
+  static constexpr std::size_t Lanes = Real::Count;
+
+  BatchMarch(const SeaweedOptions& options, double step, std::size_t count, Link* links, const LinkBody<Real>* bodies,
+    const int* parents)
     : Dynamics(options)
     , IsImplicit(options.Integrator == SeaweedIntegrator::Implicit)
     , Step(step)
@@ -662,7 +669,6 @@ public:
     , Links(links)
     , Bodies(bodies)
     , Parents(parents)
-    , Water(water)
   {
   }
 
@@ -672,7 +678,7 @@ public:
     this->StartSubsteps();
     while (*std::min_element(this->Done.begin(), this->Done.end()) < TicksPerStep)
     {
-      for (int lane = 0; lane < LaneCount; ++lane)
+      for (std::size_t lane = 0; lane < Lanes; ++lane)
       {
         const double length = this->Step * this->Size[lane] / TicksPerStep;
         this->Dynamics.Half.Values[lane] = this->IsImplicit ? 0.5 * length : length;
@@ -684,29 +690,28 @@ public:
   }
 
 private:
-  BatchDynamics Dynamics;
+  BatchDynamics<Real> Dynamics;
   bool IsImplicit;
   double Step;
   std::size_t Count;
-  LinkDynamics* Links;
-  const LinkBody<SimdDouble4>* Bodies;
-  const int* Parents; // -1: the ground
-  const WaterAtLink* Water;
-  std::array<int, LaneCount> Done{}; // ticks of the step
-  std::array<int, LaneCount> Size{}; // ticks of the next sub-step
-  SimdDouble4 Energy{ 0.0 };         // at the start of the sub-step [J]
-  SimdDouble4 Kinetic{ 0.0 };        // the kinetic part of it [J]
-  SimdDouble4 EndKinetic{ 0.0 };
-  SimdDouble4 EndEnergy{ 0.0 };
-  SimdDouble4 Gain{ 0.0 };            // of energy beyond the loads' work [J]
-  SimdDouble4 Correction{ 0.0 };      // of the last iteration, the largest of the links [rad]
-  SimdDouble4 LargestRotation{ 0.0 }; // in the sub-step, the largest of the links [rad]
+  Link* Links;
+  const LinkBody<Real>* Bodies;
+  const int* Parents;            // -1: the ground
+  std::array<int, Lanes> Done{}; // ticks of the step
+  std::array<int, Lanes> Size{}; // ticks of the next sub-step
+  Real Energy{ 0.0 };            // at the start of the sub-step [J]
+  Real Kinetic{ 0.0 };           // the kinetic part of it [J]
+  Real EndKinetic{ 0.0 };
+  Real EndEnergy{ 0.0 };
+  Real Gain{ 0.0 };            // of energy beyond the loads' work [J]
+  Real Correction{ 0.0 };      // of the last iteration, the largest of the links [rad]
+  Real LargestRotation{ 0.0 }; // in the sub-step, the largest of the links [rad]
 
-  LITTORAL_INLINE const LinkBody<SimdDouble4>* ParentBody(std::size_t i) const
+  LITTORAL_INLINE const LinkBody<Real>* ParentBody(std::size_t i) const
   {
     return this->Parents[i] < 0 ? nullptr : &this->Bodies[this->Parents[i]];
   }
-  LITTORAL_INLINE LinkDynamics* ParentOf(std::size_t i) const
+  LITTORAL_INLINE Link* ParentOf(std::size_t i) const
   {
     return this->Parents[i] < 0 ? nullptr : &this->Links[this->Parents[i]];
   }
@@ -714,16 +719,16 @@ private:
   /// Energy at the start, and the first sub-steps by the fastest link.
   LITTORAL_INLINE void StartSubsteps()
   {
-    SimdDouble4 fastest(0.0);
+    Real fastest(0.0);
     for (std::size_t i = 0; this->IsImplicit && i < this->Count; ++i)
     {
-      const LinkDynamics& link = this->Links[i];
-      const SimdDouble4 kinetic = this->Dynamics.KineticEnergy(this->Bodies[i], link.StartPose);
+      const Link& link = this->Links[i];
+      const Real kinetic = this->Dynamics.KineticEnergy(this->Bodies[i], link.StartPose);
       this->Kinetic += kinetic;
       this->Energy += kinetic + this->Dynamics.SpringEnergy(this->Bodies[i], link.Start);
       fastest = Max(fastest, glm::dot(link.StartPose.Spin, link.StartPose.Spin));
     }
-    for (int lane = 0; lane < LaneCount; ++lane)
+    for (std::size_t lane = 0; lane < Lanes; ++lane)
     {
       this->Size[lane] = TicksPerStep;
       double turn = this->Step * std::sqrt(fastest.Values[lane]);
@@ -737,7 +742,7 @@ private:
   /// The middle of the sub-step, by iteration.
   LITTORAL_INLINE void FindMiddle()
   {
-    SimdDouble4 isOpen(1.0);
+    Real isOpen(1.0);
     bool isAnyOpen = true;
     for (std::size_t i = 0; i < this->Count; ++i)
     {
@@ -747,25 +752,24 @@ private:
     {
       for (std::size_t i = 0; i < this->Count; ++i)
       {
-        this->Dynamics.InitializeLink(this->Bodies[i], WaterAt(this->Water + LaneCount * i), this->ParentBody(i),
-          this->ParentOf(i), this->Links[i]);
+        this->Dynamics.InitializeLink(this->Bodies[i], this->ParentBody(i), this->ParentOf(i), this->Links[i]);
       }
       for (std::size_t i = this->Count; i-- > 0;)
       {
         this->Dynamics.SolveJoint(this->Bodies[i], this->Links[i]);
-        if (LinkDynamics* parent = this->ParentOf(i))
+        if (Link* parent = this->ParentOf(i))
         {
           this->Dynamics.PropagateToParent(this->Links[i], *parent);
         }
       }
-      SimdDouble4 worst(0.0);
+      Real worst(0.0);
       for (std::size_t i = 0; i < this->Count; ++i)
       {
         worst = Max(worst, this->Dynamics.IntegrateLink(isOpen, this->ParentOf(i), this->Links[i]));
       }
-      this->Correction = SelectLess(SimdDouble4(0.5), isOpen, worst, this->Correction);
+      this->Correction = SelectLess(Real(0.5), isOpen, worst, this->Correction);
       isAnyOpen = false;
-      for (int lane = 0; lane < LaneCount; ++lane)
+      for (std::size_t lane = 0; lane < Lanes; ++lane)
       {
         const bool isEnough = iteration >= MinimumIterations && this->Correction.Values[lane] <= ConvergedCorrection;
         isOpen.Values[lane] = isEnough ? 0.0 : isOpen.Values[lane];
@@ -777,13 +781,13 @@ private:
   /// States, poses and energy at the end of the sub-step.
   LITTORAL_INLINE void FindEnd()
   {
-    this->LargestRotation = SimdDouble4(0.0);
-    this->EndKinetic = SimdDouble4(0.0);
-    SimdDouble4 springs(0.0);
-    SimdDouble4 work(0.0);
+    this->LargestRotation = Real(0.0);
+    this->EndKinetic = Real(0.0);
+    Real springs(0.0);
+    Real work(0.0);
     for (std::size_t i = 0; i < this->Count; ++i)
     {
-      LinkDynamics& link = this->Links[i];
+      Link& link = this->Links[i];
       this->Dynamics.FinishLink(this->Bodies[i], this->ParentBody(i), this->ParentOf(i), link);
       if (this->IsImplicit)
       {
@@ -793,18 +797,18 @@ private:
         work += this->Dynamics.LoadWork(link);
       }
     }
-    this->LargestRotation = SimdDouble4(2.0) * this->Dynamics.Half * Sqrt(this->LargestRotation);
+    this->LargestRotation = Real(2.0) * this->Dynamics.Half * Sqrt(this->LargestRotation);
     this->EndEnergy = this->EndKinetic + springs;
-    const SimdDouble4 rounding = SimdDouble4(1e-11) * (this->EndEnergy + Abs(work));
+    const Real rounding = Real(1e-11) * (this->EndEnergy + Abs(work));
     this->Gain = this->EndEnergy - this->Energy - work - rounding;
   }
 
   /// Accepts the sub-step in lanes where it is good, and halves it in others.
   LITTORAL_INLINE void AcceptSubsteps()
   {
-    SimdDouble4 isTaken(0.0);
-    SimdDouble4 factor(1.0);
-    for (int lane = 0; lane < LaneCount; ++lane)
+    Real isTaken(0.0);
+    Real factor(1.0);
+    for (std::size_t lane = 0; lane < Lanes; ++lane)
     {
       int& size = this->Size[lane];
       int& done = this->Done[lane];
@@ -836,7 +840,7 @@ private:
     }
     for (std::size_t i = 0; i < this->Count; ++i)
     {
-      LinkDynamics& link = this->Links[i];
+      Link& link = this->Links[i];
       link.Start.Shape = Select(isTaken, link.End.Shape, link.Start.Shape);
       link.Start.Rate = Select(isTaken, factor * link.End.Rate, link.Start.Rate);
       link.StartPose.Foot = Select(isTaken, link.EndPose.Foot, link.StartPose.Foot);
@@ -845,22 +849,54 @@ private:
       link.StartPose.Spin = Select(isTaken, factor * link.EndPose.Spin, link.StartPose.Spin);
       link.StartPose.Rotation = Select(isTaken, link.EndPose.Rotation, link.StartPose.Rotation);
     }
-    const SimdDouble4 kinetic = factor * factor * this->EndKinetic;
-    this->Energy = SelectLess(SimdDouble4(0.5), isTaken, this->EndEnergy - this->EndKinetic + kinetic, this->Energy);
-    this->Kinetic = SelectLess(SimdDouble4(0.5), isTaken, kinetic, this->Kinetic);
+    const Real kinetic = factor * factor * this->EndKinetic;
+    this->Energy = SelectLess(Real(0.5), isTaken, this->EndEnergy - this->EndKinetic + kinetic, this->Energy);
+    this->Kinetic = SelectLess(Real(0.5), isTaken, kinetic, this->Kinetic);
   }
 };
 
+template <std::size_t... Lane>
+constexpr std::array<std::size_t, sizeof...(Lane)> Numbered(std::index_sequence<Lane...> /*lanes*/)
+{
+  return { Lane... };
 }
 
-//----------------------------------------------------------------------------
-LITTORAL_SIMD_CLONES void SeaweedMotion::Step(
-  double step, const LinkBatch& batch, const WaterAtLink* water, LinkState* states, LinkPose* poses) const
+/// The water at a link, a lane each.
+template <typename Real>
+LITTORAL_INLINE WaterOf<Real> WaterAt(const WaterAtLink* water)
 {
-  static thread_local std::vector<LinkDynamics> kept;
+  constexpr auto at = Numbered(std::make_index_sequence<Real::Count>());
+  WaterOf<Real> all;
+  all.Velocity = GatherVector(water, at, &WaterAtLink::Velocity);
+  all.Acceleration = GatherVector(water, at, &WaterAtLink::Acceleration);
+  all.Displacement = GatherVector(water, at, &WaterAtLink::Displacement);
+  return all;
+}
+
+/// A batch and what is known of it at the beginning of a step, which it then has at the end.
+struct StepTask
+{
+  const SeaweedOptions& Options;
+  double Step;
+  const LinkBatch& Batch;
+  const BatchBodies& Bodies;
+  const WaterAtLink* Water;
+  LinkState* States;
+  LinkPose* Poses;
+};
+
+template <std::size_t Lanes>
+LITTORAL_INLINE void StepLanes(const StepTask& task)
+{
+  using Real = SimdDoubles<Lanes>;
+  const LinkBatch& batch = task.Batch;
+  LinkState* states = task.States;
+  LinkPose* poses = task.Poses;
+  static thread_local std::vector<LinkDynamics<Real>> kept;
   kept.resize(std::max(kept.size(), batch.Links));
-  LinkDynamics* links = kept.data();
-  LaneIndices at = batch.First;
+  LinkDynamics<Real>* links = kept.data();
+  std::array<std::size_t, Lanes> at;
+  std::copy_n(batch.First.begin(), Lanes, at.begin());
   for (std::size_t i = 0; i < batch.Links; ++i)
   {
     links[i].Start.Shape = GatherVector(states, at, &LinkState::Shape);
@@ -870,17 +906,18 @@ LITTORAL_SIMD_CLONES void SeaweedMotion::Step(
     links[i].StartPose.Axis = GatherVector(poses, at, &LinkPose::Axis);
     links[i].StartPose.Velocity = GatherVector(poses, at, &LinkPose::Velocity);
     links[i].StartPose.Spin = GatherVector(poses, at, &LinkPose::Spin);
+    links[i].Water = WaterAt<Real>(task.Water + Lanes * i);
     for (std::size_t& one : at)
     {
       ++one;
     }
   }
-  BatchMarch march(this->Options, step, batch.Links, links, &this->Bodies->Bodies[batch.Bodies],
-    &this->Bodies->Parents[batch.Bodies], water);
-  march.Run();
+  const LinkBody<Real>* bodies = &std::get<std::vector<LinkBody<Real>>>(task.Bodies.Bodies)[batch.Bodies];
+  const int* parents = &task.Bodies.Parents[batch.Bodies];
+  BatchMarch<Real>(task.Options, task.Step, batch.Links, links, bodies, parents).Run();
   for (std::size_t i = 0; i < batch.Links; ++i)
   {
-    for (int lane = 0; lane < batch.Trees; ++lane)
+    for (std::size_t lane = 0; lane < batch.Trees; ++lane)
     {
       LinkState& state = states[batch.First[lane] + i];
       LinkPose& pose = poses[batch.First[lane] + i];
@@ -893,6 +930,54 @@ LITTORAL_SIMD_CLONES void SeaweedMotion::Step(
       pose.Spin = LaneOf(links[i].StartPose.Spin, lane);
     }
   }
+}
+
+// As many lanes as a register has: GCC splits wider packs less well than it keeps those of one register.
+#if LITTORAL_HAS_SIMD_VERSIONS
+LITTORAL_AVX512_VERSION std::size_t LanesHere()
+{
+  return 8;
+}
+
+LITTORAL_AVX512_VERSION void StepHere(const StepTask& task)
+{
+  StepLanes<8>(task);
+}
+
+LITTORAL_AVX2_VERSION std::size_t LanesHere()
+{
+  return 4;
+}
+
+LITTORAL_AVX2_VERSION void StepHere(const StepTask& task)
+{
+  StepLanes<4>(task);
+}
+#endif
+
+LITTORAL_ANY_VERSION std::size_t LanesHere()
+{
+  return 2;
+}
+
+LITTORAL_ANY_VERSION void StepHere(const StepTask& task)
+{
+  StepLanes<2>(task);
+}
+
+}
+
+//----------------------------------------------------------------------------
+std::size_t LanesOfStep()
+{
+  return LanesHere();
+}
+
+//----------------------------------------------------------------------------
+void SeaweedMotion::Step(
+  double step, const LinkBatch& batch, const WaterAtLink* water, LinkState* states, LinkPose* poses) const
+{
+  StepHere({ this->Options, step, batch, *this->Bodies, water, states, poses });
 }
 
 }

@@ -20,7 +20,9 @@ STANDARD = {
     "functional": "function greater", "initializer_list": "initializer_list", "iterator": "next prev",
     "limits": "numeric_limits", "map": "map", "memory": "shared_ptr unique_ptr", "numeric": "partial_sum",
     "optional": "optional", "set": "set", "sstream": "ostringstream", "stdexcept": "runtime_error",
-    "string": "string to_string", "string_view": "string_view", "type_traits": "conditional_t remove_reference_t", "utility": "move", "vector": "vector"}
+    "string": "string to_string", "string_view": "string_view",
+    "type_traits": "conditional_t enable_if_t remove_reference_t", "utility": "index_sequence make_index_sequence move",
+    "variant": "variant", "vector": "vector"}
 HEADER_OF = {name: header for header, names in STANDARD.items() for name in names.split()}
 TYPE = re.compile(r"^(?:struct|class|enum class|using) (?:alignas\(\d+\) )?(\w+)(?! *;)", re.M)
 OWN = re.compile(r"\b(?:struct|class|enum class|typename) (\w+)\b")  # declared in the header itself

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <vector>
 
@@ -57,7 +59,42 @@ TEST(SimdDouble4, LanesEqualScalars)
 namespace
 {
 
-/// Where five different plants of the same shape are after some steps; those from `first` to `last` alone.
+struct Numbered
+{
+  double Number;
+};
+
+/// Elements in a shuffled order, a lane each.
+template <std::size_t Lanes>
+void ExpectLanesInOrder()
+{
+  Numbered elements[16];
+  std::array<std::size_t, Lanes> at;
+  for (std::size_t i = 0; i < 16; ++i)
+  {
+    elements[i].Number = 0.1 * static_cast<double>(i);
+    at[i % Lanes] = (5 * (i % Lanes) + 3) % 16;
+  }
+  const SimdDoubles<Lanes> gathered = GatherNumber(elements, at, &Numbered::Number);
+  for (std::size_t lane = 0; lane < Lanes; ++lane)
+  {
+    EXPECT_EQ(gathered.Values[lane], elements[at[lane]].Number) << lane << " of " << Lanes;
+  }
+}
+
+}
+
+TEST(SimdDouble4, LanesAreFilledInOrder)
+{
+  ExpectLanesInOrder<2>();
+  ExpectLanesInOrder<4>();
+  ExpectLanesInOrder<8>();
+}
+
+namespace
+{
+
+/// Where nine different plants of the same shape are after some steps; those from `first` to `last` alone.
 std::vector<LinkPose> MovedPlants(int first, int last)
 {
   SeaweedOptions options;
@@ -91,11 +128,20 @@ std::vector<LinkPose> MovedPlants(int first, int last)
       for (std::size_t i = 0; i < middles.size(); ++i)
       {
         // Fast enough for some plants that they take sub-steps and iterations of their own.
-        const double fast = 1.0 + std::max(0.0, middles[i].x);
+        const double fast = 1.0 + 0.45 * std::max(0.0, middles[i].x);
         water[i].Velocity = { fast * std::sin(middles[i].x + 0.05 * step), 0.3 * middles[i].z / 10.0, 0.0 };
       }
       motion.Step(1.0 / 48.0, batch, water.data(), states.data(), poses.data());
     }
+  }
+  // The poses that come with the states are those of the states
+  std::vector<LinkPose> posed(states.size());
+  motion.Pose(states.data(), 0, states.size(), posed.data());
+  for (std::size_t link = 0; link < posed.size(); ++link)
+  {
+    EXPECT_EQ(posed[link].Foot, poses[link].Foot);
+    EXPECT_EQ(posed[link].Rotation, poses[link].Rotation);
+    EXPECT_EQ(posed[link].Axis, poses[link].Axis);
   }
   return poses;
 }
@@ -104,9 +150,9 @@ std::vector<LinkPose> MovedPlants(int first, int last)
 
 TEST(SimdDouble4, APlantMovesAsItWouldAlone)
 {
-  const std::vector<LinkPose> all = MovedPlants(0, 5);
-  ASSERT_EQ(all.size(), 25u);
-  for (int plant = 0; plant < 5; ++plant)
+  const std::vector<LinkPose> all = MovedPlants(0, 9);
+  ASSERT_EQ(all.size(), 45u);
+  for (int plant = 0; plant < 9; ++plant)
   {
     const std::vector<LinkPose> alone = MovedPlants(plant, plant + 1);
     EXPECT_EQ(std::memcmp(alone.data(), &all[5 * plant], 5 * sizeof(LinkPose)), 0) << plant;
