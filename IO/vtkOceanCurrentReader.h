@@ -12,8 +12,8 @@
  * nodes.
  * - Levels: heights or depths, sigma, s by ROMS's transforms 1 and 2 with their stretching 1 to 5; none for a surface
  * current, which holds for all heights.
- * - Times in any calendar of CF. Velocities in m/s, cm/s, mm/s, km/h and knots. Packed numbers and all marks of missing
- * ones.
+ * - Times in any calendar of CF. Velocities in m/s, cm/s, mm/s, km/h and knots; without a unit m/s. Packed numbers and
+ * all marks of missing ones.
  *
  * Output: a vtkStructuredGrid, or of a mesh a vtkUnstructuredGrid of triangles or wedges, with the float point array
  * `Velocity`[3] [m/s] in local axes, NaN on land, which vtkCurrentDriftFilter and vtkSeaweedDeformationFilter take as a

@@ -557,4 +557,23 @@ CurrentSnapshot ReadCurrent(vtkDataObject* data, const std::string& array, const
   return CurrentSnapshot(std::move(primitives), std::move(grids), layer);
 }
 
+std::vector<FlowSample> ReadSamples(vtkDataSet* data, const std::string& array)
+{
+  const Velocities velocities(FindVelocities(data, array));
+  const vtkIdType count = data->GetNumberOfPoints();
+  RequireMemoryOfList(static_cast<double>(count), sizeof(FlowSample));
+  std::vector<FlowSample> samples;
+  samples.reserve(static_cast<std::size_t>(count));
+  for (vtkIdType id = 0; id < count; ++id)
+  {
+    Vector3 place;
+    data->GetPoint(id, &place.x);
+    if (velocities.IsWater(id) && IsSensible(place))
+    {
+      samples.push_back({ place, velocities(id) });
+    }
+  }
+  return samples;
+}
+
 }

@@ -7,10 +7,14 @@
 
 #include "Currents/ColumnVelocity.h"
 #include "Currents/CurrentSnapshot.h"
+#include "Currents/FlowArrows.h"
 
 #include "vtkDataObject.h"
 
 #include <string>
+#include <vector>
+
+class vtkDataSet;
 
 namespace littoral
 {
@@ -31,6 +35,9 @@ enum class VelocityInterpolation
  */
 CurrentSnapshot ReadCurrent(vtkDataObject* data, const std::string& array, const WaterLayer& layer,
   VelocityInterpolation interpolation, CoastBehaviour coast = CoastBehaviour::Stop);
+
+/// Samples of the velocities of a data set that is no flow primitive, of water alone. Throws InvalidInput.
+std::vector<FlowSample> ReadSamples(vtkDataSet* data, const std::string& array);
 
 }
 

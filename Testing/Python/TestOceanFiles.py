@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Currents in files of ocean models, made here byte by byte: places, levels, velocities, drift, land, times, bad files."""
+"""Currents in files of ocean models, made here byte by byte: places, levels, velocities, drift, land, bad files."""
 import os
 import sys
 import tempfile
@@ -18,7 +18,7 @@ if not hasattr(littoral, "vtkOceanCurrentReader"):
     sys.exit(125)
 
 from classic_netcdf import Variable, write  # noqa: E402
-from ocean_files import EAST, NORTH, axis, inverse, levels_of, mesh, on_earth, regular, roms, times, to_map  # noqa: E402
+from ocean_files import EAST, NORTH, axis, inverse, mesh, on_earth, regular, roms, times, to_map  # noqa: E402
 
 ORIGIN = (12.5, 54.25)
 DAY = 86400.0
@@ -188,7 +188,8 @@ class TestKinds(Reading):
         level = lambda x, y, t: 0.4
         flow = lambda x, y, z, t: turning(x, y, 0.0, t)
         for drop in ((), ("Cs_r", "angle")):
-            _, _, z = roms(self.path, flow, ORIGIN, (-15e3, -15e3), 0.3, 2500.0, (13, 13), [0.0], flat, level, drop=drop)
+            _, _, z = roms(self.path, flow, ORIGIN, (-15e3, -15e3), 0.3, 2500.0, (13, 13), [0.0], flat, level,
+                           drop=drop)
             points, _ = self.check_flow(self.reader(), 0.0, flow)
             np.testing.assert_allclose(points[:, 2], z.ravel(), atol=1e-6)
 
@@ -213,11 +214,14 @@ class TestKinds(Reading):
         u, v = np.cos(angle) * east + np.sin(angle) * north, np.cos(angle) * north - np.sin(angle) * east
         write(self.path, {"rlat": 9, "rlon": 11}, {
             "rotated_pole": Variable("", np.array(0), "i4", grid_mapping_name="rotated_latitude_longitude",
-                                     grid_north_pole_latitude=np.array(pole[1]), grid_north_pole_longitude=np.array(pole[0])),
+                                     grid_north_pole_latitude=np.array(pole[1]),
+                                     grid_north_pole_longitude=np.array(pole[0])),
             "rlon": axis("rlon", rlon, units="degrees", standard_name="grid_longitude"),
             "rlat": axis("rlat", rlat, units="degrees", standard_name="grid_latitude"),
-            "u": Variable("rlat rlon", u, "f8", units="m/s", standard_name="sea_water_x_velocity", grid_mapping="rotated_pole"),
-            "v": Variable("rlat rlon", v, "f8", units="m/s", standard_name="sea_water_y_velocity", grid_mapping="rotated_pole")})
+            "u": Variable("rlat rlon", u, "f8", units="m/s", standard_name="sea_water_x_velocity",
+                          grid_mapping="rotated_pole"),
+            "v": Variable("rlat rlon", v, "f8", units="m/s", standard_name="sea_water_y_velocity",
+                          grid_mapping="rotated_pole")})
         points, _ = self.check_flow(self.reader(origin), 0.0, tolerance=1e-6)
         np.testing.assert_allclose(points[:, :2], to_map(lon, lat, origin).reshape(2, -1).T, atol=1e-3)
 
@@ -341,7 +345,8 @@ class TestLandAndNumbers(Reading):
         self.assertEqual(part.GetExtent(), (4, 9, 2, 7, 1, 2))
         cut = np.s_[1:3, 2:8, 4:10]
         np.testing.assert_array_equal(vtk_to_numpy(part.GetPoints().GetData()), points[cut].reshape(-1, 3))
-        np.testing.assert_array_equal(vtk_to_numpy(part.GetPointData().GetArray("Velocity")), velocity[cut].reshape(-1, 3))
+        own = vtk_to_numpy(part.GetPointData().GetArray("Velocity"))
+        np.testing.assert_array_equal(own, velocity[cut].reshape(-1, 3))
 
     def test_pieces_of_a_mesh(self):
         mesh(self.path, turning, ORIGIN, 20e3, [0.0], 12.0, 0.5)
@@ -401,7 +406,8 @@ class TestLandAndNumbers(Reading):
 
     def test_kelp_bends_as_in_a_uniform_flow(self):
         u = np.full((2, 2), 0.3)
-        write(self.path, *metres(u, 0 * u, x=axis("x", [-50.0, 50.0], units="m"), y=axis("y", [-50.0, 50.0], units="m")))
+        sides = {name: axis(name, [-50.0, 50.0], units="m") for name in "xy"}
+        write(self.path, *metres(u, 0 * u, **sides))
         uniform = littoral.vtkFlowPrimitiveSource()
         uniform.SetFlowTypeToUniform()
         uniform.SetAxis(1.0, 0.0, 0.0)
@@ -423,6 +429,43 @@ class TestLandAndNumbers(Reading):
             ends.append(vtk_to_numpy(leaves.GetCurrentDataObject().GetPoints().GetData()))
         np.testing.assert_allclose(ends[1], ends[2], atol=1e-5)
         self.assertGreater(np.abs(ends[1] - ends[0]).max(), 0.02)
+
+    def test_arrows(self):
+        land = np.zeros((21, 41), bool)
+        land[:, 30:] = True
+        write(self.path, *metres(np.full(land.shape, 0.3), np.full(land.shape, 0.4), land))
+        reader, arrows = self.reader(None), littoral.vtkFlowArrowFilter()
+        arrows.SetInputConnection(reader.GetOutputPort())
+        arrows.SetArrowsAlong(20)
+        arrows.Update()
+        drawn = arrows.GetOutput()
+        np.testing.assert_allclose(vtk_to_numpy(drawn.GetPointData().GetArray("Speed")), 0.5, rtol=1e-6)
+        one = littoral.vtkFlowArrowFilter()
+        one.SetInputConnection(reader.GetOutputPort())
+        one.SetArrowsAlong(1)
+        one.Update()
+        # the water is 2900 x 2000 m: cells of 145 m
+        self.assertEqual(drawn.GetNumberOfPoints() / one.GetOutput().GetNumberOfPoints(), 20 * 14)
+        points = vtk_to_numpy(drawn.GetPoints().GetData())
+        self.assertLess(points[:, 0].max(), 3000.0)
+
+    def test_vertical_velocities_and_coasts_of_c_grids(self):
+        # w lies between the levels; sides of a cell on the coast that are missing have no flow
+        up = np.broadcast_to(np.arange(7.0)[None, :, None, None], (1, 7, 7, 7))
+        land = np.zeros((7, 7), bool)
+        land[:, 4:] = True
+        east = np.ones((1, 6, 7, 6))
+        east[..., 3:] = np.nan
+        roms(self.path, lambda x, y, z, t: (0 * x, 0 * y), ORIGIN, (-15e3, -15e3), 0.0, 5000.0, (7, 7), [0.0],
+             lambda x, y: 60.0, lambda x, y, t: 0.0, land=land,
+             w=Variable("ocean_time s_w eta_rho xi_rho", up, "f8", units="m/s"),
+             u=Variable("ocean_time s_rho eta_u xi_u", east, "f8", units="m/s", _FillValue=np.array(np.nan)))
+        velocity = self.arrays(self.reader())[1].reshape(6, 5, 5, 3)
+        for k in range(6):
+            np.testing.assert_allclose(velocity[k, :, :3, 2], k + 0.5, rtol=1e-6)
+        np.testing.assert_allclose(velocity[:, :, :2, 0], 1.0, rtol=1e-3)
+        np.testing.assert_allclose(velocity[:, :, 2, 0], 0.5, rtol=1e-3)
+        self.assertTrue(np.isnan(velocity[:, :, 3:]).all())
 
 
 class TestBadFiles(Reading):
@@ -458,7 +501,8 @@ class TestBadFiles(Reading):
                 "is no unit of times": dict(time=times([0.0, 1.0], "fortnights since 2000-01-01")),
                 "has no length": dict(time=times([0.0, 1.0], "months since 2000-01-01")),
                 "its calendar 'mayan'": dict(time=times([0.0, 1.0], calendar="mayan")),
-                "the unit 'furlongs' of its levels depth is no length": dict(depth=axis("depth", [1.0, 5.0], units="furlongs")),
+                "the unit 'furlongs' of its levels depth is no length": dict(
+                    depth=axis("depth", [1.0, 5.0], units="furlongs")),
                 "the unit 'kg' of its u is none of velocities": dict(
                     u=Variable("time depth lat lon", np.zeros((2, 2, 3, 4)), "f4", units="kg")),
                 "two axes of its variable u are of the same kind": dict(
@@ -484,7 +528,8 @@ class TestBadFiles(Reading):
         with open(self.path, "rb") as file:
             whole = file.read()
         for words, content in {"it is cut off": whole[:-40], "it is cut off: 60 bytes": whole[:60],
-                               "netCDF says of it": b"CDF\x02" + whole[4:60][::-1] + whole[60:], "netCDF": b"text\n"}.items():
+                               "netCDF says of it": b"CDF\x02" + whole[4:60][::-1] + whole[60:],
+                               "netCDF": b"text\n"}.items():
             with open(self.path, "wb") as file:
                 file.write(content)
             self.refused(words)

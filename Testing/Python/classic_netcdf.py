@@ -48,8 +48,10 @@ class Variable:
 
 
 def write(path, dimensions, variables, unlimited="time", version=2, attributes=None):
-    """Writes a file of lengths of dimensions and variables by their names; the unlimited dimension counts records. Returns
-    where variables begin and how far their records are apart [bytes]."""
+    """
+    Writes a file of lengths of dimensions and variables by their names; the unlimited dimension counts records. Returns
+    where variables begin and how far their records are apart [bytes].
+    """
     order = list(dimensions)
     records = dimensions.get(unlimited, 0)
     is_record = {name: bool(one.dimensions) and one.dimensions[0] == unlimited for name, one in variables.items()}

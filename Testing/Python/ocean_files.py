@@ -20,7 +20,8 @@ def to_map(longitude, latitude, origin):
     lam = np.radians(longitude) - np.radians(origin[0])
     chi, chi1, phi1 = conformal(np.radians(latitude)), conformal(np.radians(origin[1])), np.radians(origin[1])
     m1 = np.cos(phi1) / np.sqrt(1 - E2 * np.sin(phi1) ** 2)
-    a = 2 * SEMI_MAJOR * m1 / (np.cos(chi1) * (1 + np.sin(chi1) * np.sin(chi) + np.cos(chi1) * np.cos(chi) * np.cos(lam)))
+    far = 1 + np.sin(chi1) * np.sin(chi) + np.cos(chi1) * np.cos(chi) * np.cos(lam)
+    a = 2 * SEMI_MAJOR * m1 / (np.cos(chi1) * far)
     return np.array([a * np.cos(chi) * np.sin(lam),
                      a * (np.cos(chi1) * np.sin(chi) - np.sin(chi1) * np.cos(chi) * np.cos(lam))])
 
@@ -56,10 +57,6 @@ def inverse(x, y, origin):
         miss = x - now[0], y - now[1]
         place = place + np.array([miss[0] * north[1] - miss[1] * north[0], east[0] * miss[1] - east[1] * miss[0]]) / det
     return place
-
-
-def lon_lat(values, isx, kind="f8", **more):
-    return dict(units="degrees_east" if isx else "degrees_north", standard_name="longitude" if isx else "latitude", **more)
 
 
 def axis(name, values, kind="f8", **attributes):
@@ -163,7 +160,8 @@ def roms(path, flow, origin, corner, turn, spacing, shape, seconds, h, zeta, tra
         "theta_s": Variable("", np.array(theta_s), "f8"), "theta_b": Variable("", np.array(theta_b), "f8"),
         "h": Variable("eta_rho xi_rho", depth, "f8", units="meter"),
         "zeta": Variable("ocean_time eta_rho xi_rho", surface, "f8", units="meter"),
-        "lon_rho": Variable("eta_rho xi_rho", lon, "f8", **EAST), "lat_rho": Variable("eta_rho xi_rho", lat, "f8", **NORTH),
+        "lon_rho": Variable("eta_rho xi_rho", lon, "f8", **EAST),
+        "lat_rho": Variable("eta_rho xi_rho", lat, "f8", **NORTH),
         "angle": Variable("eta_rho xi_rho", turn - scale(*rho)[1], "f8", units="radians"),
         "u": Variable("ocean_time s_rho eta_u xi_u", u, "f8", units="meter second-1"),
         "v": Variable("ocean_time s_rho eta_v xi_v", v, "f8", units="meter second-1"),
@@ -205,7 +203,8 @@ def mesh(path, flow, origin, size, seconds, depth, zeta, kind="fvcom", levels=4)
         days = np.asarray(seconds) // 86400
         dimensions = {"time": len(seconds), "siglay": levels, "node": x.size, "nele": len(faces), "three": 3}
         variables = {
-            "time": Variable("time", np.asarray(seconds) / 86400 + 58849.0, "f4", units="days since 1858-11-17 00:00:00"),
+            "time": Variable("time", np.asarray(seconds) / 86400 + 58849.0, "f4",
+                             units="days since 1858-11-17 00:00:00"),
             "Itime": Variable("time", days + 58849, "i4", units="days since 1858-11-17 00:00:00"),
             "Itime2": Variable("time", (np.asarray(seconds) - 86400 * days) * 1000, "i4", units="msec since 00:00:00"),
             "siglay": Variable("siglay node", np.repeat(sigma[:, None], x.size, 1), "f8",
@@ -213,7 +212,7 @@ def mesh(path, flow, origin, size, seconds, depth, zeta, kind="fvcom", levels=4)
                                formula_terms="sigma: siglay eta: zeta depth: h"),
             "h": Variable("node", np.full(x.size, depth), "f8", units="m"),
             "zeta": Variable("time node", np.full((len(seconds), x.size), zeta), "f8", units="meters"),
-            "lon": Variable("node", lon, "f8", units="degrees_east"), "lat": Variable("node", lat, "f8", units="degrees_north"),
+            "lon": Variable("node", lon, "f8", **EAST), "lat": Variable("node", lat, "f8", **NORTH),
             "nv": Variable("three nele", faces.T + 1, "i4"),
             "u": Variable("time siglay nele", u, "f8", units="meters s-1"),
             "v": Variable("time siglay nele", v, "f8", units="meters s-1")}
