@@ -192,6 +192,32 @@ TEST(ColumnVelocity, StopsOrSlidesAtACoast)
   EXPECT_EQ(slide.Velocity({ 200.0, 40.0, 0.0 }), Vector3(0.0));
 }
 
+TEST(ColumnVelocity, SlidesAlongACoastInAnyDirection)
+{
+  for (const double angle : { 0.5, 2.0, -1.1 })
+  {
+    const double cosine = std::cos(angle), sine = std::sin(angle);
+    const auto turned = [&](const Vector3& a) {
+      return Vector3(cosine * a.x - sine * a.y, sine * a.x + cosine * a.y, a.z);
+    };
+    Given strip = Strip(1);
+    for (Place& corner : strip.Corners)
+    {
+      const Vector3 place = turned({ corner[0], corner[1], 0.0 });
+      corner = { place.x, place.y };
+    }
+    strip.Water = [&](double x, double y) { return cosine * x + sine * y < 150.0; };
+    strip.Flow = [&](double, double, double) { return turned({ 0.3, 0.4, 0.0 }); };
+    const ColumnVelocity slide = VelocityOf(strip, CoastBehaviour::Slide);
+    const Vector3 here = slide.Velocity(turned({ 170.0, 40.0, 0.0 }));
+    EXPECT_LT(glm::length(here - turned({ 0.3 * 0.3, 0.4, 0.0 })), 1e-12);
+    // the land on another side of the cells
+    strip.Water = [&](double x, double y) { return cosine * y - sine * x < 50.0; };
+    const Vector3 beside = VelocityOf(strip, CoastBehaviour::Slide).Velocity(turned({ 170.0, 40.0, 0.0 }));
+    EXPECT_LT(glm::length(beside - turned({ 0.3, 0.6 * 0.4, 0.0 })), 1e-12);
+  }
+}
+
 TEST(FacesToNodes, AreExactForLinearValues)
 {
   const Given given(true);
