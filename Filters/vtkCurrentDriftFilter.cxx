@@ -143,6 +143,7 @@ vtkCurrentDriftFilter::vtkCurrentDriftFilter()
   , SeaLevel(0.0)
   , WaterDepth(0.0)
   , VelocityInterpolation(CubicSpline)
+  , Coast(Stop)
   , VelocityArray(nullptr)
   , GenerateCurrent(false)
   , TimeRange{ 0.0, 60.0 }
@@ -231,6 +232,7 @@ std::string vtkCurrentDriftFilter::WhyInvalid(double time) const
     check.NotNegative("WaterDepth", this->WaterDepth, "m"); // 0 for none
   }
   check.Choice("VelocityInterpolation", this->VelocityInterpolation, { "linear", "cubic spline" });
+  check.Choice("Coast", this->Coast, { "stop", "slide" });
   check.Increasing("TimeRange", this->TimeRange, "s");
   return check.Reason();
 }
@@ -253,7 +255,8 @@ void vtkCurrentDriftFilter::TakeInputs(vtkInformationVector** inputVector, doubl
   littoral::Require(this->WhyInvalid(time));
   littoral::DriftHistory& history = this->Internals->Scene;
   littoral::TakeSnapshots(history.Currents, history.GetGrid(), history.NextMoments(), inputVector[1],
-    this->VelocityArray, static_cast<littoral::VelocityInterpolation>(this->VelocityInterpolation));
+    this->VelocityArray, static_cast<littoral::VelocityInterpolation>(this->VelocityInterpolation),
+    static_cast<littoral::CoastBehaviour>(this->Coast));
   if (!history.IsBegun())
   {
     this->TakePoints(vtkDataObject::GetData(inputVector[0]));
@@ -488,6 +491,7 @@ void vtkCurrentDriftFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SeaLevel: " << this->SeaLevel << "\n";
   os << indent << "WaterDepth: " << this->WaterDepth << "\n";
   os << indent << "VelocityInterpolation: " << this->VelocityInterpolation << "\n";
+  os << indent << "Coast: " << this->Coast << "\n";
   os << indent << "VelocityArray: " << (this->VelocityArray ? this->VelocityArray : "(none)") << "\n";
   os << indent << "GenerateCurrent: " << this->GenerateCurrent << "\n";
   os << indent << "TimeRange: " << this->TimeRange[0] << " " << this->TimeRange[1] << "\n";

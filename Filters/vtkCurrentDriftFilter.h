@@ -122,6 +122,24 @@ public:
   void SetVelocityInterpolationToCubicSpline() { this->SetVelocityInterpolation(CubicSpline); }
   ///@}
 
+  enum CoastType
+  {
+    Stop = 0,
+    Slide = 1,
+  };
+
+  ///@{
+  /**
+   * Effect of land on the points beside it in the currents of vtkOceanCurrentReader, a CoastType; default Stop: the
+   * velocity falls to 0 towards points on land. Slide: only its part towards the land does, so that points go on along
+   * the coast. In other data sets points always stop.
+   */
+  vtkSetMacro(Coast, int);
+  vtkGetMacro(Coast, int);
+  void SetCoastToStop() { this->SetCoast(Stop); }
+  void SetCoastToSlide() { this->SetCoast(Slide); }
+  ///@}
+
   ///@{
   /**
    * Name of the point array of velocities in data sets that are no flow primitives; default null. If empty or null, it
@@ -170,6 +188,7 @@ protected:
   double SeaLevel;
   double WaterDepth;
   int VelocityInterpolation;
+  int Coast;
   char* VelocityArray;
   bool GenerateCurrent;
   double TimeRange[2];

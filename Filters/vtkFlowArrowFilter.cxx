@@ -5,6 +5,7 @@
 #include "Currents/FlowArrows.h"
 #include "Data/ArrayReader.h"
 #include "Data/Arrays.h"
+#include "Data/CurrentData.h"
 #include "Data/FlowPrimitiveData.h"
 #include "Data/Inputs.h"
 #include "Geometry/TextureImage.h"
@@ -20,6 +21,7 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -39,6 +41,7 @@ namespace
 {
 
 constexpr double LargestDrawing = 1e9; // [m], whose fourth power is a number in single precision
+constexpr int MostArrowsAlong = 300;
 constexpr int CornersOfRing = 72;
 constexpr double RingThickness = 0.008; ///< radius of its tube, of the drawing radius
 
@@ -164,15 +167,26 @@ int vtkFlowArrowFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVecto
 int vtkFlowArrowFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  auto* input = littoral::InputOf<vtkPolyData>(inputVector[0], "Input");
-  std::vector<littoral::FlowPrimitive> primitives;
-  if (input->GetNumberOfPoints() > 0)
+  auto* data = littoral::InputOf<vtkPointSet>(inputVector[0], "Input");
+  littoral::ParameterCheck check;
+  check.Count("ArrowsAlong", this->ArrowsAlong, 1, MostArrowsAlong);
+  littoral::Require(check.Reason());
+  if (data->GetNumberOfPoints() == 0)
   {
-    littoral::Require(littoral::HoldsFlowPrimitives(input)
-        ? ""
-        : "the input holds no flow primitives; it needs the point array FlowType.");
-    littoral::ReadFlowPrimitives(input, primitives);
+    return 1;
   }
+  auto* input = vtkPolyData::SafeDownCast(data);
+  if (!littoral::HoldsFlowPrimitives(data) && littoral::ArrayReader::OfPoints(data, "the input").Find("Velocity", 3))
+  {
+    return this->DrawSamples(data, outputVector);
+  }
+  littoral::Require(
+    input ? "" : "the input has no point array Velocity of three components, and holds no flow primitives.");
+  std::vector<littoral::FlowPrimitive> primitives;
+  littoral::Require(littoral::HoldsFlowPrimitives(input)
+      ? ""
+      : "the input holds no flow primitives; it needs the point array FlowType.");
+  littoral::ReadFlowPrimitives(input, primitives);
   for (const littoral::FlowPrimitive& primitive : primitives)
   {
     const double size = littoral::DrawingRadius(primitive);
@@ -207,6 +221,28 @@ int vtkFlowArrowFilter::RequestData(
 }
 
 //----------------------------------------------------------------------------
+int vtkFlowArrowFilter::DrawSamples(vtkPointSet* data, vtkInformationVector* outputVector)
+{
+  if (outputVector->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
+  {
+    return 1;
+  }
+  const std::vector<littoral::FlowArrow> arrows =
+    littoral::ArrowsAt(littoral::ReadSamples(data, "Velocity"), this->ArrowsAlong);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  output->ShallowCopy(DrawArrows(arrows));
+  Paint(output);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkFlowArrowFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  return 1;
+}
+
+//----------------------------------------------------------------------------
 int vtkFlowArrowFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -218,4 +254,5 @@ int vtkFlowArrowFilter::ProcessRequest(
 void vtkFlowArrowFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "ArrowsAlong: " << this->ArrowsAlong << "\n";
 }

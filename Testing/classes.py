@@ -471,6 +471,8 @@ ROWS = [
         shown={"CurrentDrift": lambda pv: dict(
                    Input=pv.SuspendedParticles(Bounds=[-4, 4, -2, 2, -5, 0], Density=30),
                    Currents=pv.FlowPrimitive(FlowType="Vortex", Center=[0, 0, -2.5], Axis=[0, 1, 0], Strength=0.5))}),
+    Row("vtkOceanCurrentReader", "Currents",
+        small={"SetFileName": (str(HERE / "Fuzz" / "current.nc"),)}),
     # Particles -------------------------------------------------------------------------------------------------------
     Row("vtkSuspendedParticleSource", "Particles",
         small={"SetDensity": (0.02,)},

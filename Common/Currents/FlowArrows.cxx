@@ -4,6 +4,8 @@
 
 #include "Numerics/Constants.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -103,6 +105,54 @@ std::vector<FlowArrow> ArrowsOf(const FlowPrimitive& primitive)
     {
       const Vector3 arm = longest / fastest * velocities[i];
       arrows.push_back({ places[i] - 0.5 * arm, arm, speed });
+    }
+  }
+  return arrows;
+}
+
+std::vector<FlowArrow> ArrowsAt(const std::vector<FlowSample>& samples, int cellsAlong)
+{
+  if (samples.empty())
+  {
+    return {};
+  }
+  Vector3 low = samples[0].Place, high = low;
+  for (const FlowSample& sample : samples)
+  {
+    low = glm::min(low, sample.Place);
+    high = glm::max(high, sample.Place);
+  }
+  const double longer = std::max(high.x - low.x, high.y - low.y);
+  const double side = longer > 0.0 ? longer / cellsAlong : 1.0;
+  const auto cellOf = [&](double from) { return std::clamp(static_cast<int>(from / side), 0, cellsAlong - 1); };
+  constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> chosen(static_cast<std::size_t>(cellsAlong) * cellsAlong, none);
+  const auto distanceOf = [&](const Vector3& place, int i, int j) {
+    return std::hypot(place.x - low.x - (i + 0.5) * side, place.y - low.y - (j + 0.5) * side);
+  };
+  double fastest = 0.0;
+  for (std::size_t n = 0; n < samples.size(); ++n)
+  {
+    const Vector3& place = samples[n].Place;
+    const int i = cellOf(place.x - low.x), j = cellOf(place.y - low.y);
+    std::size_t& best = chosen[static_cast<std::size_t>(j) * cellsAlong + i];
+    const double distance = distanceOf(place, i, j);
+    const double before = best == none ? distance : distanceOf(samples[best].Place, i, j);
+    const bool isBetter = best == none || distance < before || (distance == before && place.z > samples[best].Place.z);
+    best = isBetter ? n : best;
+  }
+  for (const std::size_t n : chosen)
+  {
+    fastest = n == none ? fastest : std::max(fastest, glm::length(samples[n].Velocity));
+  }
+  std::vector<FlowArrow> arrows;
+  for (const std::size_t n : chosen)
+  {
+    const double speed = n == none ? 0.0 : glm::length(samples[n].Velocity);
+    if (speed > ShortestArrow * fastest)
+    {
+      const Vector3 arm = side / fastest * samples[n].Velocity;
+      arrows.push_back({ samples[n].Place - 0.5 * arm, arm, speed });
     }
   }
   return arrows;

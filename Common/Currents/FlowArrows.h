@@ -36,6 +36,20 @@ double DrawingRadius(const FlowPrimitive& primitive);
  */
 std::vector<FlowArrow> ArrowsOf(const FlowPrimitive& primitive);
 
+/// Samples of a velocity field.
+struct FlowSample
+{
+  Vector3 Place;    ///< [m]
+  Vector3 Velocity; ///< [m/s]
+};
+
+/**
+ * Arrows at samples of a velocity field: plan view is divided into square cells, so many along its longer side, and in
+ * each the highest of the samples that are nearest to its middle gets an arrow about it. The fastest one is as long as
+ * a cell, others in proportion; those shorter than a twentieth of it are left out.
+ */
+std::vector<FlowArrow> ArrowsAt(const std::vector<FlowSample>& samples, int cellsAlong);
+
 /// Circles with the core radius and the influence radius of a primitive, where it has them: three about the center, of
 /// a vortex one about its axis.
 std::vector<FlowRing> RingsOf(const FlowPrimitive& primitive);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/CurrentData.h"
 
+#include "Currents/ColumnVelocity.h"
 #include "Currents/LinearVelocity.h"
 #include "Currents/SplineVelocity.h"
 #include "Data/ArrayReader.h"
@@ -18,8 +19,11 @@
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkGenericCell.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSmartPointer.h"
@@ -324,6 +328,134 @@ private:
   mutable vtkSMPThreadLocal<Tools> Scratch;
 };
 
+/// Velocities in upright columns, in layers of points one after the other, as vtkOceanCurrentReader has them.
+class ColumnData : public ColumnSamples
+{
+public:
+  ColumnData(vtkPointSet* data, vtkDataArray* velocities, vtkIdType columns)
+    : Places(data->GetPoints()->GetData())
+    , Values(velocities)
+    , Count(columns)
+    , Single(vtkFloatArray::SafeDownCast(this->Places))
+    , Double(vtkDoubleArray::SafeDownCast(this->Places))
+  {
+  }
+
+  std::size_t Columns() const override { return static_cast<std::size_t>(this->Count); }
+  int Layers() const override { return static_cast<int>(this->Places->GetNumberOfTuples() / this->Count); }
+  double Height(std::size_t column, int layer) const override
+  {
+    const vtkIdType place = 3 * this->PointOf(column, layer) + 2;
+    return this->Single ? this->Single->GetValue(place) : this->Double->GetValue(place);
+  }
+  Vector3 Sample(std::size_t column, int layer) const override { return this->Values(this->PointOf(column, layer)); }
+  bool IsWater(std::size_t column, int layer) const override
+  {
+    return this->Values.IsWater(this->PointOf(column, layer));
+  }
+
+private:
+  vtkIdType PointOf(std::size_t column, int layer) const
+  {
+    return layer * this->Count + static_cast<vtkIdType>(column);
+  }
+
+  vtkSmartPointer<vtkDataArray> Places;
+  Velocities Values;
+  vtkIdType Count;
+  vtkFloatArray* Single;
+  vtkDoubleArray* Double;
+};
+
+/// Number of the upright columns of points that a data set says to have layers of (field data `Layers`); 0 if it says
+/// no number, or its points are not so.
+vtkIdType ColumnsOf(vtkPointSet* data)
+{
+  vtkDataArray* layers = ArrayReader::OfFields(data, "a current", 1).Find("Layers", 1);
+  const double told = layers ? layers->GetComponent(0, 0) : 0.0;
+  const vtkIdType points = data->GetNumberOfPoints();
+  const auto count = told >= 1.0 && told <= static_cast<double>(points) ? static_cast<vtkIdType>(told) : 0;
+  vtkDataArray* places = data->GetPoints()->GetData();
+  const bool isPlain = vtkFloatArray::SafeDownCast(places) || vtkDoubleArray::SafeDownCast(places);
+  if (count == 0 || points % count != 0 || !isPlain)
+  {
+    return 0;
+  }
+  const vtkIdType columns = points / count;
+  double above[3], below[3];
+  for (vtkIdType point = columns; point < points; ++point)
+  {
+    data->GetPoint(point, above);
+    data->GetPoint(point - columns, below);
+    if (above[0] != below[0] || above[1] != below[1])
+    {
+      return 0;
+    }
+  }
+  return columns;
+}
+
+/// Corners of the cells of the lowest layer in plan view, the first ones; none if there are cells of other kinds.
+std::vector<FaceCorners> CornersOf(vtkPointSet* data, vtkIdType columns)
+{
+  std::vector<FaceCorners> corners;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    const int kind = data->GetCellType(cell);
+    const int count = kind == VTK_WEDGE || kind == VTK_TRIANGLE ? 3
+      : kind == VTK_HEXAHEDRON || kind == VTK_QUAD              ? 4
+                                                                : 0;
+    data->GetCellPoints(cell, ids);
+    if (count == 0)
+    {
+      return {};
+    }
+    if (ids->GetId(0) >= columns)
+    {
+      break;
+    }
+    FaceCorners face{ -1, -1, -1, -1 };
+    for (int c = 0; c < count; ++c)
+    {
+      if (ids->GetId(c) >= columns)
+      {
+        return {};
+      }
+      face[c] = static_cast<int>(ids->GetId(c));
+    }
+    corners.push_back(face);
+  }
+  return corners;
+}
+
+/// The velocity field of a data set in columns; null if it is not one.
+std::shared_ptr<const VelocityGrid> ColumnsAsGrid(vtkDataSet* data, vtkDataArray* velocities, CoastBehaviour coast)
+{
+  auto* points = vtkPointSet::SafeDownCast(data);
+  const vtkIdType columns = points && points->GetPoints() ? ColumnsOf(points) : 0;
+  if (columns == 0 || columns > VTK_INT_MAX)
+  {
+    return nullptr;
+  }
+  RequireMemory(ColumnVelocity::BytesOf(static_cast<std::size_t>(columns), 2 * static_cast<std::size_t>(columns)),
+    "The search in the columns of a current", "take a part of it");
+  std::vector<FaceCorners> corners = CornersOf(points, columns);
+  std::vector<std::array<double, 2>> places(static_cast<std::size_t>(columns));
+  for (vtkIdType column = 0; column < columns; ++column)
+  {
+    double place[3];
+    points->GetPoint(column, place);
+    places[static_cast<std::size_t>(column)] = { place[0], place[1] };
+  }
+  if (corners.empty())
+  {
+    return nullptr;
+  }
+  return std::make_shared<ColumnVelocity>(
+    std::make_shared<ColumnData>(points, velocities, columns), std::move(places), std::move(corners), coast);
+}
+
 /// Whether velocities can be interpolated: some cell is more than points and lines.
 bool HasCells(vtkDataSet* data)
 {
@@ -362,12 +494,12 @@ vtkDataArray* FindVelocities(vtkDataSet* data, const std::string& name)
 
 std::shared_ptr<const VelocityGrid> SplineOf(const std::shared_ptr<const SampledVelocity>& samples)
 {
-  RequireMemory(SplineVelocity::BytesOf(*samples, static_cast<int>(NumberOfThreads())),
-    "The spline of a current", "take a part of it, or Linear as VelocityInterpolation");
+  RequireMemory(SplineVelocity::BytesOf(*samples, static_cast<int>(NumberOfThreads())), "The spline of a current",
+    "take a part of it, or Linear as VelocityInterpolation");
   return std::make_shared<SplineVelocity>(samples, SmpFor);
 }
 
-void TakeDataSet(vtkDataSet* data, const std::string& name, VelocityInterpolation interpolation,
+void TakeDataSet(vtkDataSet* data, const std::string& name, VelocityInterpolation interpolation, CoastBehaviour coast,
   std::vector<FlowPrimitive>& primitives, std::vector<std::shared_ptr<const VelocityGrid>>& grids)
 {
   const auto add = [&](const std::shared_ptr<const SampledVelocity>& samples) {
@@ -393,6 +525,10 @@ void TakeDataSet(vtkDataSet* data, const std::string& name, VelocityInterpolatio
   {
     add(std::make_shared<RectilinearVelocity>(rectilinear, velocities));
   }
+  else if (const auto columns = ColumnsAsGrid(data, velocities, coast))
+  {
+    grids.push_back(columns);
+  }
   else if (HasCells(data))
   {
     grids.push_back(std::make_shared<CellVelocity>(data, velocities));
@@ -405,8 +541,8 @@ void TakeDataSet(vtkDataSet* data, const std::string& name, VelocityInterpolatio
 
 }
 
-CurrentSnapshot ReadCurrent(
-  vtkDataObject* data, const std::string& array, const WaterLayer& layer, VelocityInterpolation interpolation)
+CurrentSnapshot ReadCurrent(vtkDataObject* data, const std::string& array, const WaterLayer& layer,
+  VelocityInterpolation interpolation, CoastBehaviour coast)
 {
   std::vector<FlowPrimitive> primitives;
   std::vector<std::shared_ptr<const VelocityGrid>> grids;
@@ -416,9 +552,28 @@ CurrentSnapshot ReadCurrent(
     Require(leafData ? "" : WhyOtherType(leaf, "Currents", "points or a grid (vtkDataSet)"));
     RequireFit(leaf, "Currents");
     RequireLengths(leafData, "A current", HoldsFlowPrimitives(leafData) ? FarForPoints : FarForGrid);
-    TakeDataSet(leafData, array, interpolation, primitives, grids);
+    TakeDataSet(leafData, array, interpolation, coast, primitives, grids);
   }
   return CurrentSnapshot(std::move(primitives), std::move(grids), layer);
+}
+
+std::vector<FlowSample> ReadSamples(vtkDataSet* data, const std::string& array)
+{
+  const Velocities velocities(FindVelocities(data, array));
+  const vtkIdType count = data->GetNumberOfPoints();
+  RequireMemoryOfList(static_cast<double>(count), sizeof(FlowSample));
+  std::vector<FlowSample> samples;
+  samples.reserve(static_cast<std::size_t>(count));
+  for (vtkIdType id = 0; id < count; ++id)
+  {
+    Vector3 place;
+    data->GetPoint(id, &place.x);
+    if (velocities.IsWater(id) && IsSensible(place))
+    {
+      samples.push_back({ place, velocities(id) });
+    }
+  }
+  return samples;
 }
 
 }

@@ -65,7 +65,7 @@ void AskForSnapshots(
 
 //----------------------------------------------------------------------------
 void TakeSnapshots(CurrentSet& currents, const TimeGrid& grid, const std::vector<StepMoment>& moments,
-  vtkInformationVector* inputs, const char* velocityArray, VelocityInterpolation interpolation)
+  vtkInformationVector* inputs, const char* velocityArray, VelocityInterpolation interpolation, CoastBehaviour coast)
 {
   for (std::size_t connection = 0; connection < currents.Series.size(); ++connection)
   {
@@ -76,7 +76,7 @@ void TakeSnapshots(CurrentSet& currents, const TimeGrid& grid, const std::vector
     }
     current.Keep(current.Asked,
       std::make_shared<CurrentSnapshot>(ReadCurrent(vtkDataObject::GetData(inputs, static_cast<int>(connection)),
-        velocityArray ? velocityArray : "", currents.Layer, interpolation)));
+        velocityArray ? velocityArray : "", currents.Layer, interpolation, coast)));
   }
 }
 

@@ -29,7 +29,8 @@ void AskForSnapshots(
 
 /// Keeps the snapshots that were requested. Throws InvalidInput if one cannot be read.
 void TakeSnapshots(CurrentSet& currents, const TimeGrid& grid, const std::vector<StepMoment>& moments,
-  vtkInformationVector* inputs, const char* velocityArray, VelocityInterpolation interpolation);
+  vtkInformationVector* inputs, const char* velocityArray, VelocityInterpolation interpolation,
+  CoastBehaviour coast = CoastBehaviour::Stop);
 
 }
 

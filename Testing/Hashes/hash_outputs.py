@@ -239,6 +239,11 @@ def print_forest():
                 print("vtkForestDensityWriter", extension, hashlib.sha256(file.read()).hexdigest()[:16])
 
 
+def print_currents():
+    """Hashes of what the reader reads of a file of an ocean model."""
+    print_outputs(make("vtkOceanCurrentReader", **classes.BY_NAME["vtkOceanCurrentReader"].small), "vtkOceanCurrentReader")
+
+
 def print_table():
     """Hashes of a table that the reader reads."""
     for reader in ("vtkTextTableReader", "vtkWaveSpectrumReader"):
@@ -260,6 +265,7 @@ def main(wanted):
         print_scene()
         print_wind()
         print_forest()
+        print_currents()
         print_raster()
         print_table()
 

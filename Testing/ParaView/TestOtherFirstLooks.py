@@ -3,6 +3,8 @@
 # run-with: pvpython together=looks
 """TestFirstLooks.py for other grounds and seas, arrows, points, fog and images."""
 
+import os
+
 import numpy as np
 import quick
 from first_looks import SIZE, check
@@ -28,6 +30,8 @@ def check_arrows_and_points():
           "land", 0.05)
     arrows = check("Flow Primitive Uniform", simple.FlowPrimitive(FlowType="Uniform"), "Flow Arrows", "RGB", "water", 0.02)
     assert arrows.mean(axis=0)[0] > 100, "arrows are not bright"
+    file = os.path.join(os.environ["LITTORAL_SOURCE_DIR"], "Testing", "Fuzz", "current.nc")
+    check("Ocean Current File", simple.OceanCurrentFile(FileName=file), "Surface", "Velocity", "land", 0.05, spread=5.0)
     check("Quadrat Points", simple.QuadratPoints(), "Points", None, "paper", 0.005, spread=0.0,
           seen_from="above")
 

@@ -18,6 +18,7 @@ class Littoral(CMakePackage):
     variant("openvdb", default=True, description="Build the writer of OpenVDB volumes")
     variant("tinygltf", default=True, description="Build the writer of glTF scenes")
     variant("gdal", default=True, description="Build the reader and the writer of rasters of heights")
+    variant("netcdf", default=True, description="Build the reader of ocean models' currents")
     variant("python", default=True, description="Build the Python package")
 
     depends_on("c", type="build")
@@ -38,6 +39,7 @@ class Littoral(CMakePackage):
     depends_on("openvdb", when="+openvdb")
     depends_on("tinygltf", when="+tinygltf")
     depends_on("gdal@3.4:", when="+gdal")
+    depends_on("netcdf-c", when="+netcdf")
     extends("python", when="+python")
     depends_on("py-numpy", type="run", when="+python")
 
@@ -49,6 +51,7 @@ class Littoral(CMakePackage):
             self.define_from_variant("LITTORAL_WITH_OPENVDB", "openvdb"),
             self.define_from_variant("LITTORAL_WITH_TINYGLTF", "tinygltf"),
             self.define_from_variant("LITTORAL_WITH_GDAL", "gdal"),
+            self.define_from_variant("LITTORAL_WITH_NETCDF", "netcdf"),
             self.define_from_variant("LITTORAL_WITH_PYTHON", "python"),
             self.define("LITTORAL_BUILD_TESTING", self.run_tests),
             self.define("LITTORAL_BUILD_BENCHMARKS", False),

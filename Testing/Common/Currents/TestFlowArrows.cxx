@@ -108,3 +108,33 @@ TEST(FlowArrows, NoFlowNoArrows)
   flow.Strength = 0.0;
   EXPECT_TRUE(ArrowsOf(flow).empty());
 }
+
+TEST(FlowArrows, OfSamplesAreOneACell)
+{
+  // 40 x 20 samples 10 m apart in two layers, of a current that grows eastwards and sinks below
+  std::vector<FlowSample> samples;
+  for (const double z : { -8.0, -1.0 })
+  {
+    for (int j = 0; j < 20; ++j)
+    {
+      for (int i = 0; i < 40; ++i)
+      {
+        samples.push_back({ { 10.0 * i, 10.0 * j, z }, { 0.01 * i, 0.0, z + 1.0 } });
+      }
+    }
+  }
+  const std::vector<FlowArrow> arrows = ArrowsAt(samples, 10);
+  // cells of 39 m, ten by five
+  EXPECT_EQ(arrows.size(), 50u);
+  double longest = 0.0;
+  for (const FlowArrow& arrow : arrows)
+  {
+    const Vector3 middle = arrow.Tail + 0.5 * arrow.Arm;
+    EXPECT_EQ(middle.z, -1.0); // the upper layer
+    EXPECT_NEAR(arrow.Speed, 1e-3 * middle.x, 1e-12);
+    EXPECT_NEAR(arrow.Arm.y, 0.0, 1e-12);
+    longest = std::max(longest, arrow.Arm.x);
+  }
+  EXPECT_NEAR(longest, 39.0, 1e-9);
+  EXPECT_TRUE(ArrowsAt({}, 10).empty());
+}

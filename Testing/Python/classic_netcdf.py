@@ -1,0 +1,100 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files in netCDF's classic formats, written byte by byte from the specification of the format."""
+import struct
+
+import numpy as np
+
+CODES = {"i1": 1, "S1": 2, "i2": 3, "i4": 4, "f4": 5, "f8": 6}
+
+
+def _pad(data):
+    return data + b"\0" * (-len(data) % 4)
+
+
+def _name(text):
+    data = text.encode()
+    return struct.pack(">i", len(data)) + _pad(data)
+
+
+def _values(value):
+    """Code, number and bytes of an attribute's values."""
+    if isinstance(value, str):
+        data = value.encode()
+        return 2, len(data), _pad(data)
+    array = np.atleast_1d(value)
+    kind = {"f": array.dtype.str[1:], "i": "i4" if array.dtype.itemsize == 8 else array.dtype.str[1:]}[array.dtype.kind]
+    return CODES[kind], array.size, _pad(array.astype(">" + kind).tobytes())
+
+
+def _attributes(attributes):
+    if not attributes:
+        return struct.pack(">ii", 0, 0)
+    parts = [struct.pack(">ii", 0x0C, len(attributes))]
+    for name, value in attributes.items():
+        code, count, data = _values(value)
+        parts.append(_name(name) + struct.pack(">ii", code, count) + data)
+    return b"".join(parts)
+
+
+class Variable:
+    """An array with its dimensions, its type and its attributes; without an array its values are zeros on no disk."""
+
+    def __init__(self, dimensions, values, kind=None, **attributes):
+        self.dimensions = dimensions.split()
+        self.values = None if values is None else np.asarray(values)
+        self.kind = kind or {"f": "f8", "i": "i4", "u": "i4"}[self.values.dtype.kind]
+        self.attributes = attributes
+
+
+def write(path, dimensions, variables, unlimited="time", version=2, attributes=None):
+    """
+    Writes a file of lengths of dimensions and variables by their names; the unlimited dimension counts records. Returns
+    where variables begin and how far their records are apart [bytes].
+    """
+    order = list(dimensions)
+    records = dimensions.get(unlimited, 0)
+    is_record = {name: bool(one.dimensions) and one.dimensions[0] == unlimited for name, one in variables.items()}
+
+    def size_of(one, record):
+        lengths = [dimensions[name] for name in one.dimensions[1 if record else 0:]]
+        return int(np.prod(lengths, dtype=np.int64)) * int(one.kind[1])
+
+    def header(begins):
+        parts = [b"CDF" + bytes([version]), struct.pack(">i", records)]
+        parts.append(struct.pack(">ii", 0x0A if order else 0, len(order)))
+        for name in order:
+            parts.append(_name(name) + struct.pack(">i", 0 if name == unlimited else dimensions[name]))
+        parts.append(_attributes(attributes))
+        parts.append(struct.pack(">ii", 0x0B, len(variables)))
+        for name, one in variables.items():
+            parts.append(_name(name) + struct.pack(">i", len(one.dimensions)))
+            parts.append(b"".join(struct.pack(">i", order.index(d)) for d in one.dimensions))
+            parts.append(_attributes(one.attributes))
+            size = size_of(one, is_record[name])
+            parts.append(struct.pack(">ii", CODES[one.kind], size + -size % 4))
+            parts.append(struct.pack(">q" if version == 2 else ">i", begins.get(name, 0)))
+        return b"".join(parts)
+
+    place = len(header({}))
+    begins, strides = {}, {}
+    for wanted in (False, True):
+        for name, one in variables.items():
+            if is_record[name] == wanted:
+                begins[name] = place
+                strides[name] = size_of(one, wanted)
+                place += strides[name] + -strides[name] % 4
+    alone = sum(is_record.values()) == 1
+    record = sum(strides[n] + (0 if alone else -strides[n] % 4) for n in variables if is_record[n])
+    fixed = min([begins[n] for n in variables if is_record[n]], default=place)
+    with open(path, "wb") as file:
+        file.write(header(begins))
+        for name, one in variables.items():
+            if one.values is None:
+                continue
+            values = np.broadcast_to(one.values, [dimensions[d] for d in one.dimensions]).astype(">" + one.kind)
+            for n in range(records if is_record[name] else 1):
+                file.seek(begins[name] + n * record)
+                file.write((values[n:n + 1] if is_record[name] else values).tobytes())
+        file.truncate(fixed + record * records)
+    return begins, record
