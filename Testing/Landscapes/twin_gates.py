@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Are grown twins places? Gates of all measures, and a classifier, for six places of different relief.
+"""Are grown twins places? Gates of all measures, and a classifier, for places of different relief.
 
     ./littoral run python3 Testing/Landscapes/twin_gates.py [--seeds N] [--keep FOLDER] [--brief] [PLACE]...
 
-PLACE: of places.py; default, all. Twins by seeds 1 to N, default 10, are fitted and grown as by a user, with all
+PLACE: of places.py; default, all that are not held back. Twins by seeds 1 to N, default 10, are fitted and grown as by a user, with all
 properties as they are. A row has the place's number, the medians of Gaussian and of grown twins, the grown twin that is
 furthest off, how far off it is and may be, and how many of the N are within that. --keep: a folder of twins that are
 not grown again. --brief: rows that are not met alone.
@@ -16,6 +16,7 @@ import os
 import numpy as np
 from ground_gates import gates
 from ground_measures import ground_measures
+from patch_features import RIM, SIDE
 from places import NAMES, place
 
 from littoral import vtkDrainageFilter
@@ -92,7 +93,9 @@ for name in arguments.places:
     counts = show_gates(heights, spacing, *zip(*twins), arguments.brief)
     print(f"  {counts[1]} of {counts[0]} gates are met by all twins, {counts[2]} by the median")
     sums += counts
-    for kind, grounds in zip(("Gaussian", "grown"), zip(*twins)) if accuracy and arguments.seeds > 1 else ():
+    has_patches = max(heights.shape) // 2 >= SIDE + 2 * RIM and min(heights.shape) >= SIDE + 2 * RIM
+    asked = accuracy and arguments.seeds > 1 and has_patches
+    for kind, grounds in zip(("Gaussian", "grown"), zip(*twins)) if asked else ():
         told, betrayals = accuracy(heights, grounds, spacing)
         words = ", ".join(f"{feature} {much:+.2f}" for feature, much, _ in betrayals)
         print(f"  classifier, {kind}: " + ", ".join(f"{by} {share:.2f}" for by, share in told.items()) + f" ({words})",
