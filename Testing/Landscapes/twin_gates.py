@@ -4,10 +4,10 @@
 
     ./littoral run python3 Testing/Landscapes/twin_gates.py [--seeds N] [--keep FOLDER] [--brief] [PLACE]...
 
-PLACE: of places.py; default, all that are not held back. Twins by seeds 1 to N, default 10, are fitted and grown as by a user, with all
-properties as they are. A row has the place's number, the medians of Gaussian and of grown twins, the grown twin that is
-furthest off, how far off it is and may be, and how many of the N are within that. --keep: a folder of twins that are
-not grown again. --brief: rows that are not met alone.
+PLACE: of places.py; default, all that are not held back. Twins by seeds 1 to N, default 10, are fitted and grown as by
+a user, with all properties as they are. A row has the place's number, the medians of Gaussian and of grown twins, the
+grown twin that is furthest off, how far off it is and may be, and how many of the N are within that. --keep: a folder
+of twins that are not grown again. --brief: rows that are not met alone.
 """
 
 import argparse
