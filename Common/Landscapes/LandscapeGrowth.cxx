@@ -7,6 +7,7 @@
 #include "Drainage/ValleySpreading.h"
 #include "Landscapes/CourseWaves.h"
 #include "Landscapes/GridCourses.h"
+#include "Landscapes/GroundRoughness.h"
 #include "Landscapes/HeightCorrection.h"
 #include "Landscapes/HeightMatching.h"
 #include "Landscapes/LandscapeMeasures.h"
@@ -191,11 +192,14 @@ public:
     , Wanted(MeasureLandscape(place, parallel))
     , PlaceHeights(ShapeOf(place.Values))
     , SlopeProfile(SlopesByHeight(place, RockCells, parallel))
+    , Roughness(RoughnessOf(place, parallel))
     , Waves(terrain, this->Target, this->ShortestWave(), parameters.Seed, parallel)
   {
     this->Target.Measures.Concavity = this->Wanted.Concavity;
     this->SetMargins();
     this->SetFactors(parameters.Rock);
+    // rivers and creep make what is left of curvature without the roughness that is added
+    this->Wanted.CurvatureDeviation *= this->HasRock() ? 1.0 : std::sqrt(1.0 - this->Roughness.CurvaturePart);
     this->SetGiven(parameters.Given);
     this->SetLaw();
     this->SetLongWaves();
@@ -231,6 +235,7 @@ public:
       }
     }
     BreachDepressions(best, BorderOutlets(best.Width, best.Height), BreachPath::LeastCost);
+    this->Roughen(best);
     const bool isGiven = this->Given.HasLines() || !this->GivenHeights.empty();
     for (int round = 0; round < LastRounds && isGiven; ++round)
     {
@@ -259,6 +264,8 @@ private:
     this->LogErodibility = this->LogFactors(rock.Erodibility);
     this->LogUplift = this->LogFactors(rock.UpliftFactor);
   }
+
+  bool HasRock() const { return !this->LogErodibility.Values.empty() || !this->LogUplift.Values.empty(); }
 
   GridSamples LogFactors(const std::vector<double>& factors) const
   {
@@ -317,8 +324,7 @@ private:
   /// Factors and ln(f / e) at the points of a level.
   void SetFactorsOfLevel()
   {
-    this->LogSteepness.assign(
-      this->LogErodibility.Values.empty() && this->LogUplift.Values.empty() ? 0 : this->Mesh.Count(), 0.0);
+    this->LogSteepness.assign(this->HasRock() ? this->Mesh.Count() : 0, 0.0);
     const auto factors = [&](const GridSamples& logs, double sign) {
       std::vector<double> values = logs.Values.empty() ? std::vector<double>() : BlockMeans(logs, this->Factor).Values;
       for (std::size_t n = 0; n < values.size(); ++n)
@@ -473,19 +479,26 @@ private:
     return ground;
   }
 
+  /// Maps heights by the straight line to the place's mean and deviation.
+  void ScaleToPlace(GridSamples& ground) const
+  {
+    const SampleShape is = ShapeOf(ground.Values);
+    for (double& height : ground.Values)
+    {
+      height =
+        this->PlaceHeights.Mean + this->PlaceHeights.StandardDeviation / is.StandardDeviation * (height - is.Mean);
+    }
+  }
+
   /// Maps heights from a straight line through mean and deviation as far to the place's ranks as its hypsometry needs,
   /// then scales them about the mean. The full map would stretch lowlands, whose slopes are the rock's.
   void MatchPlace(GridSamples& ground) const
   {
     std::vector<double> matched = ground.Values;
     MatchHeights(matched, this->Target.Heights);
-    const SampleShape is = ShapeOf(ground.Values);
     const double mean = this->PlaceHeights.Mean;
-    std::vector<double> line = ground.Values;
-    for (double& height : line)
-    {
-      height = mean + this->PlaceHeights.StandardDeviation / is.StandardDeviation * (height - is.Mean);
-    }
+    this->ScaleToPlace(ground);
+    const std::vector<double> line = ground.Values;
     // ranks of a place of other rocks would take the contrast of slopes back
     const double most = this->LogSteepness.empty() ? 1.0 : 0.0;
     for (double part = most * PartStep; part <= 1.0; part += PartStep)
@@ -500,6 +513,18 @@ private:
     for (double& height : ground.Values)
     {
       height = mean + scale * (height - mean);
+    }
+  }
+
+  /// Adds the roughness that the ground lacks, and matches it again. How rough other rocks are the place does not tell.
+  void Roughen(GridSamples& ground) const
+  {
+    if (!this->HasRock())
+    {
+      AddRoughness(ground, this->Roughness, this->Law.MinimumSlope, this->Seed, this->Parallel);
+      this->MatchPlace(ground);
+      CorrectHeights(ground, this->GivenHeights, 1.0, this->Parallel);
+      BreachDepressions(ground, BorderOutlets(ground.Width, ground.Height), BreachPath::LeastCost);
     }
   }
 
@@ -592,6 +617,7 @@ private:
   LandscapeMeasures Wanted;
   SampleShape PlaceHeights;
   std::vector<double> SlopeProfile; ///< of the place, by height
+  GroundRoughness Roughness;        ///< of the place
   LongWaves Waves;
   int Before = 0;
   std::array<int, 2> After{ 0, 0 };

@@ -54,7 +54,8 @@ double GrowthMemory(int width, int height);
  * 3. Each iteration measures slopes, curvature, concavity and spectrum, corrects diffusivity, exponent, contrast of
  *    rocks and waves by what is missing, and goes on from where it is.
  * 4. The first that is within its tolerances, or else the best, is brought to the grid, its heights are matched, and
- *    it is breached where the grid lost its way.
+ *    it is breached where the grid lost its way. The roughness of the place that it lacks is added (AddRoughness),
+ *    unless rock by place is given.
  * 5. Faults lift it by their throws, and it is breached where they dam rivers.
  *
  * Given rivers, ridges and heights are held in each step: points of the mesh stand on the lines, water runs along the
