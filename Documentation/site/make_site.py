@@ -30,7 +30,7 @@ import classes as rows  # noqa: E402
 # Pages in the order of the menu, below Documentation.
 GUIDE = ("installing", "first-steps", "scenes", "entries", "classes", "terrain", "kriging", "drainage", "patterns", "plants", "forests",
          "stands", "wind", "sway", "sea", "currents", "particles", "seaweed", "underwater", "light", "python", "volumes",
-         "saving", "blender", "speed", "troubleshooting", "glossary")
+         "saving", "blender", "speed", "clusters", "troubleshooting", "glossary")
 DESIGN = ("numerics", "geometry", "terrain", "kriging", "drainage", "patterns", "plants", "wind", "sway", "sea", "currents",
           "particles", "seaweed", "light", "paraview", "requests", "volumes", "scenes", "measurements")
 

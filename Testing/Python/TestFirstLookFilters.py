@@ -81,9 +81,16 @@ surface.SetSpacing(0.6)
 surface.SetChoppiness(1.5)
 assert [("Choppiness is 1.5" in text) for text in errors_of(surface)] == [True]
 
-# Other pieces than the first are empty.
+# Pieces are sectors; those beyond them are empty.
 surface.SetChoppiness(1.0)
-surface.UpdatePiece(1, 2, 0)
+surface.UpdatePiece(0, 1, 0)
+whole = surface.GetOutput().GetNumberOfPolys()
+halves = []
+for piece in range(2):
+    surface.UpdatePiece(piece, 2, 0)
+    halves.append(surface.GetOutput().GetNumberOfPolys())
+assert halves == [whole / 2, whole / 2]
+surface.UpdatePiece(3, 2, 0)
 assert surface.GetOutput().GetNumberOfPoints() == 0
 
 # Flows: no arrow is where none flows, and another input is refused in one sentence.
