@@ -31,7 +31,13 @@ def check_arrows_and_points():
     arrows = check("Flow Primitive Uniform", simple.FlowPrimitive(FlowType="Uniform"), "Flow Arrows", "RGB", "water", 0.02)
     assert arrows.mean(axis=0)[0] > 100, "arrows are not bright"
     file = os.path.join(os.environ["LITTORAL_SOURCE_DIR"], "Testing", "Fuzz", "current.nc")
-    check("Ocean Current File", simple.OceanCurrentFile(FileName=file), "Surface", "Velocity", "land", 0.05, spread=5.0)
+
+    def has_dry_land(shown):
+        red, green, blue = shown.LookupTable.NanColor
+        assert red > green > blue > 0.3, "land is no earth"
+
+    check("Ocean Current File", simple.OceanCurrentFile(FileName=file), "Surface", "Velocity", "land", 0.05, spread=5.0,
+          display=has_dry_land)
     check("Quadrat Points", simple.QuadratPoints(), "Points", None, "paper", 0.005, spread=0.0,
           seen_from="above")
 

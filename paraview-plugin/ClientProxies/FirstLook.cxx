@@ -103,6 +103,8 @@ void ColorByArray(vtkSMProxy* representation, const char* array, const char* pre
   if (preset && MarkOnce(map))
   {
     vtkSMTransferFunctionProxy::ApplyPreset(map, preset, true);
+    const double dryEarth[3] = { 0.57, 0.53, 0.45 }; // land in currents, holes of rasters
+    vtkSMPropertyHelper(map, "NanColor").Set(dryEarth, 3);
   }
   ColorHelper::RescaleTransferFunctionToDataRange(representation, array, vtkDataObject::POINT);
 }
