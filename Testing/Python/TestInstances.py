@@ -158,6 +158,21 @@ for piece in range(3):
     assert forest.GetOutputDataObject(0).GetNumberOfBlocks() == 10
 assert min(len(piece) for piece in pieces) > 0 and (np.sort(np.concatenate(pieces)) == np.sort(whole)).all()
 
+# A site of the last piece that can have no plant is said by the first one, too.
+sizes = np.ones(points.GetNumberOfPoints())
+sizes[vtk_to_numpy(points.GetPoints().GetData())[:, 1].argmax()] = -1.0
+bad = vtkPolyData()
+bad.ShallowCopy(points)
+bad.GetPointData().AddArray(numpy_to_vtk(sizes, deep=True))
+bad.GetPointData().GetArray(bad.GetPointData().GetNumberOfArrays() - 1).SetName("Scale")
+for piece, fails in ((0, True), (1, False), (2, True)):
+    messages = []
+    part = scattered(bad, vtkPlantScatterFilter.Instances)
+    for said in (part, part.GetExecutive()):
+        said.AddObserver("ErrorEvent", lambda *given, to=messages: to.append("error"))
+    part.UpdatePiece(piece, 3, 0)
+    assert bool(messages) == fails, f"piece {piece} of sites, of which the last is bad"
+
 # No plant in sight: the block is there, without points.
 forest.SetViewDirection(0.0, -1.0, 0.0)
 forest.UpdatePiece(0, 1, 0)
