@@ -87,9 +87,9 @@ std::vector<MapAxes> OceanMap::Axes(const std::vector<EarthPlace>& places) const
     for (std::size_t n = 0; n < places.size(); ++n)
     {
       const double metres = 2.0 * Step * MetresPerRadian(std::clamp(places[n][1], -NearestToPole, NearestToPole))[axis];
+      std::array<double, 2>& along = axis == 0 ? axes[n].East : axes[n].North;
       // dx/ds and dy/ds by central differences
-      (axis == 0 ? axes[n].East : axes[n].North) = { (to[n][0] - from[n][0]) / metres,
-        (to[n][1] - from[n][1]) / metres };
+      along = { (to[n][0] - from[n][0]) / metres, (to[n][1] - from[n][1]) / metres };
     }
   }
   return axes;
