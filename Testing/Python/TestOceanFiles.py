@@ -146,7 +146,8 @@ class TestKinds(Reading):
         self.assertGreater(data.GetCell(0).GetBounds()[5], points[0, 2])
         corner = points.reshape(3, 11, 13, 3)
         self.assertGreater(corner[1, 0, 0, 2], corner[0, 0, 0, 2])
-        turn = np.cross(corner[0, 0, 1, :2] - corner[0, 0, 0, :2], corner[0, 1, 0, :2] - corner[0, 0, 0, :2])
+        along, across = corner[0, 0, 1] - corner[0, 0, 0], corner[0, 1, 0] - corner[0, 0, 0]
+        turn = along[0] * across[1] - along[1] * across[0]
         self.assertGreater(turn, 0.0)
 
     def test_surface_alone_holds_at_all_depths(self):
