@@ -5,13 +5,13 @@
 #include "Geometry/PlaceUnits.h"
 #include "Numerics/Constants.h"
 #include "Numerics/InvalidInput.h"
+#include "Numerics/Words.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <initializer_list>
 #include <map>
-#include <sstream>
 
 namespace littoral
 {
@@ -24,23 +24,6 @@ using Names = std::initializer_list<const char*>;
 bool IsOneOf(const std::string& text, const Names& names)
 {
   return std::find(names.begin(), names.end(), text) != names.end();
-}
-
-std::string Lower(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
-std::vector<std::string> WordsOf(const std::string& text)
-{
-  std::istringstream stream(text);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;)
-  {
-    words.push_back(word);
-  }
-  return words;
 }
 
 enum class Axis

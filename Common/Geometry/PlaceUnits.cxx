@@ -4,6 +4,7 @@
 
 #include "Numerics/Constants.h"
 #include "Numerics/InvalidInput.h"
+#include "Numerics/Words.h"
 
 #include <algorithm>
 #include <cctype>
@@ -15,12 +16,6 @@ namespace littoral
 
 namespace
 {
-
-std::string Lower(std::string word)
-{
-  std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
-  return word;
-}
 
 bool IsAmong(const std::string& word, std::initializer_list<const char*> words)
 {

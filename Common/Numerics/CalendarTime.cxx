@@ -3,13 +3,13 @@
 #include "Numerics/CalendarTime.h"
 
 #include "Numerics/InvalidInput.h"
+#include "Numerics/Words.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
-#include <sstream>
 #include <vector>
 
 namespace littoral
@@ -81,24 +81,6 @@ long long NumberOf(Calendar calendar, const CalendarDate& date)
       break;
   }
   return IsGregorian(date) ? DaysSinceMarch(date, false) - EpochGregorian : DaysSinceMarch(date, true) - EpochJulian;
-}
-
-std::string Lower(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
-/// The words of a text that are apart by blanks.
-std::vector<std::string> WordsOf(const std::string& text)
-{
-  std::istringstream stream(text);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;)
-  {
-    words.push_back(word);
-  }
-  return words;
 }
 
 /// Reads "6", "6:30" or "6:30:15.5" as seconds; false if it is none.

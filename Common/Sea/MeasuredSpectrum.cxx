@@ -5,6 +5,7 @@
 #include "Numerics/Constants.h"
 #include "Numerics/InvalidInput.h"
 #include "Numerics/TextTable.h"
+#include "Numerics/Words.h"
 #include "Sea/SpectrumText.h"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 
 #include "Numerics/InvalidInput.h"
 #include "Numerics/TextTable.h"
+#include "Numerics/Words.h"
 
 #include <algorithm>
 #include <cctype>
@@ -145,17 +146,6 @@ std::string LineReader::Next()
   std::string line = this->Peek();
   this->Place = std::min(this->Text->find('\n', this->Place), this->Text->size() - 1) + 1;
   return line;
-}
-
-std::vector<std::string> WordsOf(const std::string& line)
-{
-  std::istringstream stream(line);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;)
-  {
-    words.push_back(word);
-  }
-  return words;
 }
 
 std::string FirstWord(const std::string& line)

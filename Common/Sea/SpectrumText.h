@@ -29,9 +29,6 @@ private:
   std::size_t Place = 0;
 };
 
-/// Words of a line, between spaces.
-std::vector<std::string> WordsOf(const std::string& line);
-
 /// The first word of a line; empty if there is none.
 std::string FirstWord(const std::string& line);
 

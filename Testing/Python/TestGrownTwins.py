@@ -13,12 +13,16 @@ gentle slopes, means of blocks, curvature at two cells, semivariance, heights.
 """
 
 import sys
+from pathlib import Path
 
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkTable
 
 from littoral import vtkCovarianceFitFilter, vtkDrainageFilter, vtkTurningBandsTerrainSource
 from littoral.elevation import array_from_image, image_from_array, read_elevation
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "Landscapes"))
+from ground_measures import aspect_share, block_variation, distance, slopes_of  # noqa: E402
 
 WINDOW = sys.argv[1:] == ["window"]
 SEEDS = [1] if WINDOW else [int(seed) for seed in sys.argv[1:]] or [1, 2, 3]
@@ -33,32 +37,6 @@ def rounded(table):
         for row in range(copy.GetNumberOfRows() if column.IsA("vtkDoubleArray") else 0):
             column.SetValue(row, float(f"{column.GetValue(row):.4g}"))
     return copy
-
-
-def slopes_of(heights, spacing):
-    x = (heights[1:-1, 2:] - heights[1:-1, :-2]) / (2 * spacing[0])
-    y = (heights[2:, 1:-1] - heights[:-2, 1:-1]) / (2 * spacing[1])
-    return x + 1j * y
-
-
-def aspect_share(slopes, folds):
-    """|sum s exp(i n a)| / sum s."""
-    sizes = np.abs(slopes)
-    return abs((sizes * np.exp(1j * folds * np.angle(slopes))).sum()) / sizes.sum()
-
-
-def distance(one, two):
-    """Kolmogorov's, of two samples."""
-    both = np.concatenate([one, two])
-    shares = [np.searchsorted(np.sort(sample), both, "right") / sample.size for sample in (one, two)]
-    return np.abs(shares[0] - shares[1]).max()
-
-
-def block_variation(sizes):
-    side = min(sizes.shape) // 10
-    rows, columns = sizes.shape[0] // side, sizes.shape[1] // side
-    means = sizes[:rows * side, :columns * side].reshape(rows, side, columns, side).mean((1, 3))
-    return means.std() / means.mean()
 
 
 def curvature_deviation(heights, spacing):
