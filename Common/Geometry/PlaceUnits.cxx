@@ -7,7 +7,6 @@
 #include "Numerics/Words.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <initializer_list>
 
