@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Limits of the machine, beside which limits.py sets the other benchmarks: memory, sines with cosines and exponentials
-// in single precision by SLEEF, each with one thread and with two.
+// Limits of the machine, beside which limits.py sets the other benchmarks: memory, its first use, sines with cosines
+// and exponentials in single precision by SLEEF, each with one thread and with two.
 #include "Numerics/SimdClones.h"
 
 #include <benchmark/benchmark.h>
@@ -13,6 +13,9 @@
 #include <cstring>
 #include <string>
 #include <vector>
+
+#include <sys/mman.h>
+#include <unistd.h>
 
 #ifdef LITTORAL_WITH_SLEEF
 #include <immintrin.h>
@@ -44,6 +47,29 @@ void CopyMemory(benchmark::State& state)
   Measure(state, 2, [&] { std::memcpy(to.data(), from.data(), Words * sizeof(std::uint64_t)); });
 }
 BENCHMARK(CopyMemory)->Threads(1)->Threads(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// Memory that a process has not used before: 16 MiB, of which one byte a page is written.
+void NewMemory(benchmark::State& state)
+{
+  constexpr std::size_t Bytes = 1 << 24;
+  const std::size_t page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  for (auto _ : state)
+  {
+    void* memory = mmap(nullptr, Bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED)
+    {
+      state.SkipWithError("no memory");
+      break;
+    }
+    for (std::size_t byte = 0; byte < Bytes; byte += page)
+    {
+      static_cast<volatile char*>(memory)[byte] = 1;
+    }
+    munmap(memory, Bytes);
+  }
+  state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(Bytes));
+}
+BENCHMARK(NewMemory)->Threads(1)->Threads(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 LITTORAL_WIDE_SIMD_CLONES std::uint64_t SumOf(const std::uint64_t* values)
 {

@@ -62,7 +62,9 @@ def of_machine(results):
             for result in results if result.program == "bench_machine"]
     if not rows:
         return ["bench_machine was not run, so shares of its limits are not known.", ""]
-    lines = table(("limit", "rate", ""), rows)
+    lines = [*table(("limit", "rate", ""), rows),
+             "Programs keep the memory that they give back, as those that run for long do, and each benchmark is run before "
+             "it is timed: what the first use of memory costs on this machine is NewMemory.", ""]
     if not any(name.startswith("Exponentials") for name, *_ in rows):
         lines += ["Functions of vectors were not measured: the benchmarks were built without SLEEF.", ""]
     return lines

@@ -46,6 +46,10 @@ SLOW = ("Abort", "SwayForest", "AllInFull", "FirstViewOfForest", "in full:1000",
 QUICK_SCENES, ALL_SCENES = ("SwayingForest", "Underwater"), ("forest", "underwater")
 QUICK_FRAMES, ALL_FRAMES = 4, 12
 QUICK_TIME = 0.05  # that each benchmark has at least, unless it has a number of iterations [s]
+#: A heap that keeps what is given back, as that of a program that runs for long: bench_machine, NewMemory, tells what the
+#: first use of a page costs, which would be most of the time of a filter that takes arrays anew where a page is dear.
+KEPT_HEAP = {"GLIBC_TUNABLES": "glibc.malloc.mmap_max=0:glibc.malloc.trim_threshold=17179869184"}
+WARM_UP = "--benchmark_min_warmup_time=0.001"  # once, at least, before it is timed [s]
 
 
 @dataclasses.dataclass
@@ -103,8 +107,8 @@ def measure(program, arguments, settings=()):
     name = os.path.basename(program)
     with tempfile.TemporaryDirectory() as folder:
         out = os.path.join(folder, "results.json")
-        ran = subprocess.run([program, f"--benchmark_out={out}", "--benchmark_out_format=json", *arguments], check=False,
-                             env={**os.environ, **dict(settings)})
+        ran = subprocess.run([program, f"--benchmark_out={out}", "--benchmark_out_format=json", WARM_UP, *arguments],
+                             check=False, env={**os.environ, **KEPT_HEAP, **dict(settings)})
         if ran.returncode:
             raise ValueError(f"{name}: ended with {ran.returncode}")
         with open(out) as file:
