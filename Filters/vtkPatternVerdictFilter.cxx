@@ -8,6 +8,7 @@
 #include "Numerics/ParameterCheck.h"
 #include "Patterns/PatternVerdict.h"
 #include "Pipeline/Pipeline.h"
+#include "Pipeline/RankTeam.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -173,10 +174,18 @@ int vtkPatternVerdictFilter::RequestUpdateExtent(
 int vtkPatternVerdictFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (littoral::AsksForLaterPiece(request, outputVector))
+  littoral::RankTeam team(request, outputVector);
+  if (!team.IsAlone() || !littoral::AsksForLaterPiece(request, outputVector))
   {
-    return 1;
+    team.Run([&] { this->Judge(inputVector, team, outputVector); });
   }
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+void vtkPatternVerdictFilter::Judge(
+  vtkInformationVector** inputVector, littoral::RankTeam& team, vtkInformationVector* outputVector)
+{
   littoral::VerdictOptions options;
   options.Contrast.Function = static_cast<littoral::ContrastFunction>(this->Contrast);
   options.Contrast.TrendDegree = this->TrendDegree;
@@ -196,6 +205,10 @@ int vtkPatternVerdictFilter::RequestData(
   littoral::Require(littoral::WhyInvalid(points, window, littoral::FewestPatternPoints, this->AllowCoincidentPoints));
   littoral::RequireMemory(
     BytesOfPoint * static_cast<double>(points.size()), "The verdict on this pattern", "take a part of it");
+  if (!team.Agree(littoral::KeyOf(points)))
+  {
+    return;
+  }
   this->SetProgressText("Simulating patterns");
   const littoral::Poll heard = littoral::PollOf(this);
   int polls = 0;
@@ -204,14 +217,17 @@ int vtkPatternVerdictFilter::RequestData(
     heard();
   };
   const littoral::PatternJudgement judgement =
-    littoral::JudgePattern(points, window, options, poll, littoral::AbortableFor(this));
+    littoral::JudgePattern(points, window, options, poll, littoral::AbortableFor(this), team.Share());
+  if (!team.IsFirst())
+  {
+    return;
+  }
   vtkTable* laws = vtkTable::GetData(outputVector, 0);
   WriteLaws(judgement.Laws, laws);
   AddPlace(window, judgement.Grid, this->Level, laws);
   AddTrend(judgement.Laws, laws);
   WriteEnvelope(judgement, this->Function == BesagL, vtkTable::GetData(outputVector, 1));
   this->UpdateProgress(1.0);
-  return 1;
 }
 
 //----------------------------------------------------------------------------

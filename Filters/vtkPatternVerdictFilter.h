@@ -26,7 +26,7 @@
  * by minimum contrast, with a trend of the K or g of points weighted by 1 / intensity; Strauss by pseudo-likelihood,
  * soft core and laws by maximum likelihood. g and L have the translation correction. Fewer than five points, points
  * outside of the window, two at one place unless AllowCoincidentPoints is on, and properties out of range are reported
- * as one error.
+ * as one error. Piece 0 holds the whole tables; ranks that have the same input share the simulations.
  *
  * @sa vtkPointProcessSource vtkQuadratAnalysisFilter
  */
@@ -35,6 +35,11 @@
 
 #include "LittoralFiltersModule.h" // for export macro
 #include "vtkTableAlgorithm.h"
+
+namespace littoral
+{
+class RankTeam;
+}
 
 class LITTORALFILTERS_EXPORT vtkPatternVerdictFilter : public vtkTableAlgorithm
 {
@@ -184,6 +189,8 @@ protected:
 private:
   vtkPatternVerdictFilter(const vtkPatternVerdictFilter&) = delete;
   void operator=(const vtkPatternVerdictFilter&) = delete;
+
+  void Judge(vtkInformationVector** inputVector, littoral::RankTeam& team, vtkInformationVector* outputVector);
 };
 
 #endif

@@ -10,6 +10,7 @@
 #include "Patterns/PatternLaw.h"
 #include "Patterns/PatternStatistics.h"
 #include "Pipeline/Pipeline.h"
+#include "Pipeline/RankTeam.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -326,16 +327,29 @@ void vtkPointPatternStatisticsFilter::ReadPattern(vtkInformationVector** inputs,
 int vtkPointPatternStatisticsFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (littoral::AsksForLaterPiece(request, outputVector))
+  littoral::RankTeam team(request, outputVector);
+  if (!team.IsAlone() || !littoral::AsksForLaterPiece(request, outputVector))
   {
-    return 1;
+    team.Run([&] { this->Measure(inputVector, team, outputVector); });
   }
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+void vtkPointPatternStatisticsFilter::Measure(
+  vtkInformationVector** inputVector, littoral::RankTeam& team, vtkInformationVector* outputVector)
+{
   Pattern pattern;
   this->ReadPattern(inputVector, pattern);
+  if (!team.Agree(littoral::KeyOf(pattern.Points)))
+  {
+    return;
+  }
   const littoral::StatisticsOptions options = this->Options();
+  const littoral::WorkShare share = team.Share();
   this->SetProgressText("Measuring the pattern");
   const littoral::PatternStatistics statistics(pattern, options, littoral::AbortableFor(this));
-  const littoral::FunctionCurves functions = statistics.Measure(littoral::AbortableFor(this));
+  const littoral::FunctionCurves functions = statistics.Measure(littoral::AbortableFor(this), share);
   this->UpdateProgress(0.2);
   const std::vector<double>& measured = functions[this->Function];
   littoral::CurveEnvelope envelope;
@@ -344,7 +358,12 @@ int vtkPointPatternStatisticsFilter::RequestData(
     this->SetProgressText("Simulating patterns");
     int polls = 0;
     const auto poll = [&] { this->UpdateProgress(0.2 + 0.8 * ++polls / littoral::PollsOfCurves); };
-    envelope = statistics.Compare(measured, pattern.Fits ? &pattern.Law : nullptr, poll, littoral::AbortableFor(this));
+    envelope =
+      statistics.Compare(measured, pattern.Fits ? &pattern.Law : nullptr, poll, littoral::AbortableFor(this), share);
+  }
+  if (!team.IsFirst())
+  {
+    return;
   }
   const bool isRandomTested =
     !pattern.Fits && !littoral::IsCross(options.Function) && this->Function != MarkCorrelation;
@@ -363,7 +382,6 @@ int vtkPointPatternStatisticsFilter::RequestData(
     littoral::AddField(table, "WindowArea", { pattern.Window.GetArea() });
   }
   this->UpdateProgress(1.0);
-  return 1;
 }
 
 //----------------------------------------------------------------------------

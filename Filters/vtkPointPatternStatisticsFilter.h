@@ -32,7 +32,7 @@
  * Fewer points, two at one place unless AllowCoincidentPoints is on, one outside the window, a window whose polygon
  * crosses itself, missing or not positive marks, unknown species or a property out of range are reported as one error.
  * Baddeley, Rubak and Turner (2015), Spatial Point Patterns, chapters 7, 8, 10 and 14. Piece 0 holds the whole tables,
- * other pieces are empty.
+ * other pieces are empty; ranks that have the same input share the pairs and the simulations.
  *
  * @sa vtkQuadratAnalysisFilter, vtkPatternVerdictFilter
  */
@@ -48,6 +48,7 @@ class vtkAlgorithmOutput;
 
 namespace littoral
 {
+class RankTeam;
 struct StatisticsOptions;
 }
 
@@ -285,6 +286,7 @@ private:
   struct Pattern;
 
   littoral::StatisticsOptions Options() const;
+  void Measure(vtkInformationVector** inputVector, littoral::RankTeam& team, vtkInformationVector* outputVector);
   void ReadPattern(vtkInformationVector** inputs, Pattern& pattern) const;
   void ReadKinds(Pattern& pattern) const;
   static void ReadLaw(Pattern& pattern);

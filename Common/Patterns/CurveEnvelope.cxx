@@ -172,40 +172,45 @@ CurveEnvelope FindCurveEnvelope(
   return envelope;
 }
 
-std::vector<std::vector<double>> SimulateCurves(
-  const CurveOfNumber& curve, int simulations, const Poll& poll, const ParallelFor& parallel)
+NumberRows SimulateCurves(
+  const CurveOfNumber& curve, int simulations, const Poll& poll, const ParallelFor& parallel, const WorkShare& share)
 {
   using Clock = std::chrono::steady_clock;
-  std::vector<std::vector<double>> curves(static_cast<std::size_t>(simulations));
+  NumberRows curves(static_cast<std::size_t>(simulations));
+  const std::size_t own = share.OwnOf(curves.size());
+  const auto simulate = [&](std::size_t n, const ParallelFor& inner) {
+    const std::size_t number = share.RowOf(n);
+    curves[number] = curve(static_cast<int>(number), inner);
+  };
   const Clock::time_point begin = Clock::now();
   bool isSlow = true; // until the first is known
-  int done = 0;
-  for (int part = 1; part <= PollsOfCurves; ++part)
+  std::size_t done = 0;
+  for (std::size_t part = 1; part <= PollsOfCurves; ++part)
   {
-    const int end = simulations * part / PollsOfCurves;
+    const std::size_t end = own * part / PollsOfCurves;
     for (; done < end && isSlow; ++done)
     {
-      curves[static_cast<std::size_t>(done)] = curve(done, parallel);
+      simulate(done, parallel);
       isSlow = done > 0 || Clock::now() - begin > LongestCurve;
     }
-    const auto first = static_cast<std::size_t>(done);
-    ForRanges(parallel, static_cast<std::size_t>(end - done), 1, [&](std::size_t from, std::size_t to) {
-      for (std::size_t n = first + from; n < first + to; ++n)
+    ForRanges(parallel, end - done, 1, [&](std::size_t from, std::size_t to) {
+      for (std::size_t n = done + from; n < done + to; ++n)
       {
-        curves[n] = curve(static_cast<int>(n), SerialFor);
+        simulate(n, SerialFor);
       }
     });
     done = end;
     poll();
   }
+  share.Complete(curves);
   return curves;
 }
 
-std::vector<std::vector<double>> SimulateCurves(const PatternOfNumber& law, const CurveOfPattern& curve,
-  int simulations, const Poll& poll, const ParallelFor& parallel)
+NumberRows SimulateCurves(const PatternOfNumber& law, const CurveOfPattern& curve, int simulations, const Poll& poll,
+  const ParallelFor& parallel, const WorkShare& share)
 {
   const auto one = [&](int number, const ParallelFor& inner) { return curve(law(number, inner), inner); };
-  return SimulateCurves(one, simulations, poll, parallel);
+  return SimulateCurves(one, simulations, poll, parallel, share);
 }
 
 std::vector<PlanePosition> UniformPattern(const ObservationWindow& window, std::size_t points, int seed, int number)

@@ -4,6 +4,7 @@
 #define LittoralCurveEnvelope_h
 
 #include "Numerics/Parallel.h"
+#include "Numerics/WorkShare.h"
 #include "Patterns/ObservationWindow.h"
 
 #include <cstddef>
@@ -62,13 +63,14 @@ using CurveOfNumber = std::function<std::vector<double>(int number, const Parall
 inline constexpr int PollsOfCurves = 4;
 
 /// Curves of so many simulations, side by side on all threads of the loop; or, where the first takes longer than a
-/// batch of a loop should, one by one, each on all threads, so that the loop can be ended within one.
-std::vector<std::vector<double>> SimulateCurves(
-  const CurveOfNumber& curve, int simulations, const Poll& poll = NoPoll, const ParallelFor& parallel = SerialFor);
+/// batch of a loop should, one by one, each on all threads, so that the loop can be ended within one. Processes share
+/// them.
+NumberRows SimulateCurves(const CurveOfNumber& curve, int simulations, const Poll& poll = NoPoll,
+  const ParallelFor& parallel = SerialFor, const WorkShare& share = {});
 
 /// Curves of so many patterns of a null model.
-std::vector<std::vector<double>> SimulateCurves(const PatternOfNumber& law, const CurveOfPattern& curve,
-  int simulations, const Poll& poll = NoPoll, const ParallelFor& parallel = SerialFor);
+NumberRows SimulateCurves(const PatternOfNumber& law, const CurveOfPattern& curve, int simulations,
+  const Poll& poll = NoPoll, const ParallelFor& parallel = SerialFor, const WorkShare& share = {});
 
 /// Binomial point process of so many points in a window: pattern `number` of a seed.
 std::vector<PlanePosition> UniformPattern(const ObservationWindow& window, std::size_t points, int seed, int number);

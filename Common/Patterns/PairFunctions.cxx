@@ -64,6 +64,37 @@ struct PairSums
     add(this->Weights, other.Weights);
     add(this->Products, other.Products);
   }
+
+  /// All sums, one after the other.
+  std::vector<double> Row() const
+  {
+    std::vector<double> row;
+    for (const std::array<double, 3>& moments : this->Moments)
+    {
+      row.insert(row.end(), moments.begin(), moments.end());
+    }
+    for (const std::vector<double>* sums : { &this->Counts, &this->Weights, &this->Products })
+    {
+      row.insert(row.end(), sums->begin(), sums->end());
+    }
+    return row;
+  }
+
+  /// Takes the sums of a row of the same sizes.
+  void Take(const std::vector<double>& row)
+  {
+    const double* next = row.data();
+    for (std::array<double, 3>& moments : this->Moments)
+    {
+      std::copy_n(next, 3, moments.begin());
+      next += 3;
+    }
+    for (std::vector<double>* sums : { &this->Counts, &this->Weights, &this->Products })
+    {
+      std::copy_n(next, sums->size(), sums->begin());
+      next += sums->size();
+    }
+  }
 };
 
 /// Some pairs of one point.
@@ -176,18 +207,21 @@ public:
     const std::size_t most = std::clamp<std::size_t>(MaximumParts / (PartsOfStep * this->Bins), 1, MaximumBlocks);
     const std::size_t length = std::max(PointsOfBlock, points / most + 1);
     std::vector<PairSums> blocks((points + length - 1) / length, this->NoSums());
+    const WorkShare& share = this->Options.Share;
     // A part of each block after the other, in the order of its points: a loop can be ended between its ranges.
     for (std::size_t part = 0; part < length; part += PointsAtOnce)
     {
-      ForRanges(parallel, blocks.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t block = begin; block < end; ++block)
+      ForRanges(parallel, share.OwnOf(blocks.size()), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t own = begin; own < end; ++own)
         {
+          const std::size_t block = share.RowOf(own);
           const std::size_t last = std::min(points, (block + 1) * length);
           const std::size_t first = std::min(last, block * length + part);
           this->AddPairs(first, std::min(last, first + std::min(PointsAtOnce, length - part)), blocks[block]);
         }
       });
     }
+    this->CompleteBlocks(blocks);
     PairSums sums = this->NoSums();
     for (const PairSums& block : blocks)
     {
@@ -254,6 +288,22 @@ public:
   bool HasMarks() const { return this->WantsMarks; }
 
 private:
+  /// Brings the blocks of other processes in.
+  void CompleteBlocks(std::vector<PairSums>& blocks) const
+  {
+    if (this->Options.Share.Ranks < 2)
+    {
+      return;
+    }
+    NumberRows rows(blocks.size());
+    std::transform(blocks.begin(), blocks.end(), rows.begin(), [](const PairSums& block) { return block.Row(); });
+    this->Options.Share.Complete(rows);
+    for (std::size_t block = 0; block < blocks.size(); ++block)
+    {
+      blocks[block].Take(rows[block]);
+    }
+  }
+
   /// Ends within a step of kernels that are so many steps wide on each side.
   static std::array<double, PartsOfStep + 1> CutsOf(double width)
   {

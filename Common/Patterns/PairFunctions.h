@@ -4,6 +4,7 @@
 #define LittoralPairFunctions_h
 
 #include "Numerics/Parallel.h"
+#include "Numerics/WorkShare.h"
 #include "Patterns/ObservationWindow.h"
 
 #include <cstddef>
@@ -65,6 +66,7 @@ struct PairOptions
   std::vector<double> Weights;
   /// Areas up to Maximum and the half width, for many patterns in one window; null: found anew for each pattern.
   std::shared_ptr<const CommonAreaTable> Areas;
+  WorkShare Share; ///< blocks of points that processes share
 };
 
 /// Why the options cannot be, in words for a user; empty when they can.

@@ -153,9 +153,11 @@ PairOptions PatternStatistics::OtherPairs() const
 
 /// K and other functions of pairs by `find`, at once where they have the same correction.
 template <typename FindOfOptions>
-PairFunctions PatternStatistics::FindPairs(bool wantsK, bool wantsG, bool wantsMarks, const FindOfOptions& find) const
+PairFunctions PatternStatistics::FindPairs(
+  bool wantsK, bool wantsG, bool wantsMarks, const WorkShare& share, const FindOfOptions& find) const
 {
   PairOptions others = this->OtherPairs();
+  others.Share = share;
   const bool isOne = others.Correction == this->Pairs.Correction;
   others.WantsK = wantsK && isOne;
   others.WantsG = wantsG;
@@ -163,19 +165,21 @@ PairFunctions PatternStatistics::FindPairs(bool wantsK, bool wantsG, bool wantsM
   PairFunctions pairs = wantsOthers ? find(others) : PairFunctions();
   if (wantsK && !isOne)
   {
-    pairs.K = find(this->Pairs).K;
+    PairOptions own = this->Pairs;
+    own.Share = share;
+    pairs.K = find(own).K;
   }
   return pairs;
 }
 
 /// One of the functions of points, or all of them, each pair and each nearest point being looked for once.
 FunctionCurves PatternStatistics::Find(std::optional<PatternFunction> function, const Positions& points,
-  const std::vector<double>& marks, const ParallelFor& parallel) const
+  const std::vector<double>& marks, const ParallelFor& parallel, const WorkShare& share) const
 {
   using Function = PatternFunction;
   const auto wants = [&](Function one) { return function.value_or(one) == one; };
   const PairFunctions pairs = this->FindPairs(wants(Function::K) || wants(Function::L),
-    wants(Function::PairCorrelation), wants(Function::MarkCorrelation), [&](const PairOptions& options) {
+    wants(Function::PairCorrelation), wants(Function::MarkCorrelation), share, [&](const PairOptions& options) {
       return FindPairFunctions(points, marks, this->Pattern.Window, options, parallel);
     });
   FunctionCurves found;
@@ -195,11 +199,11 @@ FunctionCurves PatternStatistics::Find(std::optional<PatternFunction> function, 
 }
 
 /// One of the functions of two species, or both.
-FunctionCurves PatternStatistics::FindCross(
-  std::optional<PatternFunction> function, const std::array<Positions, 2>& species, const ParallelFor& parallel) const
+FunctionCurves PatternStatistics::FindCross(std::optional<PatternFunction> function,
+  const std::array<Positions, 2>& species, const ParallelFor& parallel, const WorkShare& share) const
 {
   const PairFunctions pairs = this->FindPairs(function != PatternFunction::CrossPairCorrelation,
-    function != PatternFunction::CrossK, false, [&](const PairOptions& options) {
+    function != PatternFunction::CrossK, false, share, [&](const PairOptions& options) {
       return FindCrossFunctions(species[0], species[1], this->Pattern.Window, options, parallel);
     });
   FunctionCurves found;
@@ -224,12 +228,12 @@ std::array<std::vector<PlanePosition>, 2> PatternStatistics::Split(const std::ve
   return both;
 }
 
-FunctionCurves PatternStatistics::Measure(const ParallelFor& parallel) const
+FunctionCurves PatternStatistics::Measure(const ParallelFor& parallel, const WorkShare& share) const
 {
-  FunctionCurves functions = this->Find(std::nullopt, this->Pattern.Points, this->Pattern.Marks, parallel);
+  FunctionCurves functions = this->Find(std::nullopt, this->Pattern.Points, this->Pattern.Marks, parallel, share);
   if (!this->Pattern.Species.empty())
   {
-    FunctionCurves crossed = this->FindCross(std::nullopt, this->Split({}), parallel);
+    FunctionCurves crossed = this->FindCross(std::nullopt, this->Split({}), parallel, share);
     for (const PatternFunction function : { PatternFunction::CrossK, PatternFunction::CrossPairCorrelation })
     {
       functions[IndexOf(function)] = crossed[IndexOf(function)];
@@ -263,13 +267,13 @@ std::vector<double> PatternStatistics::Simulate(const PatternLaw* law, int numbe
                               : this->Find(function, simulated, {}, parallel)[IndexOf(function)];
 }
 
-CurveEnvelope PatternStatistics::Compare(
-  const std::vector<double>& measured, const PatternLaw* law, const Poll& poll, const ParallelFor& parallel) const
+CurveEnvelope PatternStatistics::Compare(const std::vector<double>& measured, const PatternLaw* law, const Poll& poll,
+  const ParallelFor& parallel, const WorkShare& share) const
 {
   const CurveOfNumber simulate = [&](
                                    int number, const ParallelFor& inner) { return this->Simulate(law, number, inner); };
   return FindCurveEnvelope(
-    measured, SimulateCurves(simulate, this->Options.Simulations, poll, parallel), this->Options.Level);
+    measured, SimulateCurves(simulate, this->Options.Simulations, poll, parallel, share), this->Options.Level);
 }
 
 }

@@ -92,27 +92,28 @@ public:
   /// The distances of all curves [m].
   std::vector<double> GetDistances() const;
 
-  /// All functions that the pattern admits.
-  FunctionCurves Measure(const ParallelFor& parallel = SerialFor) const;
+  /// All functions that the pattern admits. Processes share the pairs.
+  FunctionCurves Measure(const ParallelFor& parallel = SerialFor, const WorkShare& share = {}) const;
 
   /**
    * The measured curve of the chosen function beside those of simulations: of patterns of a law, without one of as many
    * points, uniform in the window; for the mark correlation the same points with marks in a random order, for cross
-   * functions with species in a random order. The poll comes PollsOfCurves times.
+   * functions with species in a random order. The poll comes PollsOfCurves times. Processes share the simulations.
    */
   CurveEnvelope Compare(const std::vector<double>& measured, const PatternLaw* law, const Poll& poll = NoPoll,
-    const ParallelFor& parallel = SerialFor) const;
+    const ParallelFor& parallel = SerialFor, const WorkShare& share = {}) const;
 
 private:
   using Positions = std::vector<PlanePosition>;
 
   PairOptions OtherPairs() const;
   template <typename FindOfOptions>
-  PairFunctions FindPairs(bool wantsK, bool wantsG, bool wantsMarks, const FindOfOptions& find) const;
+  PairFunctions FindPairs(
+    bool wantsK, bool wantsG, bool wantsMarks, const WorkShare& share, const FindOfOptions& find) const;
   FunctionCurves Find(std::optional<PatternFunction> function, const Positions& points,
-    const std::vector<double>& marks, const ParallelFor& parallel) const;
+    const std::vector<double>& marks, const ParallelFor& parallel, const WorkShare& share = {}) const;
   FunctionCurves FindCross(std::optional<PatternFunction> function, const std::array<Positions, 2>& species,
-    const ParallelFor& parallel) const;
+    const ParallelFor& parallel, const WorkShare& share = {}) const;
   std::array<Positions, 2> Split(const std::vector<std::size_t>& order) const;
   std::vector<double> Simulate(const PatternLaw* law, int number, const ParallelFor& parallel) const;
 

@@ -71,7 +71,7 @@ public:
     return distances;
   }
 
-  CurveEnvelope Test(const PatternLaw& law, const Poll& poll, const ParallelFor& parallel) const
+  CurveEnvelope Test(const PatternLaw& law, const Poll& poll, const ParallelFor& parallel, const WorkShare& share) const
   {
     const auto pattern = [&](int number, const ParallelFor& inner) {
       return DrawPattern(law, this->Window, SeedOfSimulation(this->Options.Seed, number), inner);
@@ -79,7 +79,7 @@ public:
     const auto curve = [&](const std::vector<PlanePosition>& points, const ParallelFor& inner) {
       return this->CurveOf(points, inner);
     };
-    const auto curves = SimulateCurves(pattern, curve, this->Options.Simulations, poll, parallel);
+    const auto curves = SimulateCurves(pattern, curve, this->Options.Simulations, poll, parallel, share);
     return FindCurveEnvelope(this->Measured, curves, this->Options.Level);
   }
 
@@ -179,7 +179,7 @@ const char* JudgedLaw::Name() const
 }
 
 PatternJudgement JudgePattern(const std::vector<PlanePosition>& points, const ObservationWindow& window,
-  const VerdictOptions& options, const Poll& poll, const ParallelFor& parallel)
+  const VerdictOptions& options, const Poll& poll, const ParallelFor& parallel, const WorkShare& share)
 {
   const Judge judge(points, window, options, parallel);
   PatternJudgement judgement;
@@ -198,7 +198,7 @@ PatternJudgement JudgePattern(const std::vector<PlanePosition>& points, const Ob
     law.Process.Exists = law.Process.Exists && WhyInvalid(drawn, window).empty();
     if (law.Process.Exists)
     {
-      law.Envelope = judge.Test(drawn, poll, parallel);
+      law.Envelope = judge.Test(drawn, poll, parallel, share);
     }
     judgement.Laws.push_back(law);
   }
@@ -215,7 +215,7 @@ PatternJudgement JudgePattern(const std::vector<PlanePosition>& points, const Ob
         drawn.IsProcess = false;
         drawn.Counts = fit.Law;
         drawn.Grid = judgement.Grid;
-        law.Envelope = judge.Test(drawn, poll, parallel);
+        law.Envelope = judge.Test(drawn, poll, parallel, share);
       }
       judgement.Laws.push_back(law);
     }

@@ -82,13 +82,14 @@ struct PatternJudgement
  * lengths (CurveEnvelope), the same for all. g has the same kernel in all of them, and both have the translation
  * correction, whatever the fits have. What is best has the largest p, of equal ones the fewest parameters.
  *
- * The poll comes PollsOfCurves times in the simulations of each.
+ * The poll comes PollsOfCurves times in the simulations of each. Processes share the simulations, and each fits all.
  *
  * As parameters were fitted to the same pattern, the test rejects less often than its level says (Baddeley et al.
  * 2017).
  */
 PatternJudgement JudgePattern(const std::vector<PlanePosition>& points, const ObservationWindow& window,
-  const VerdictOptions& options, const Poll& poll = NoPoll, const ParallelFor& parallel = SerialFor);
+  const VerdictOptions& options, const Poll& poll = NoPoll, const ParallelFor& parallel = SerialFor,
+  const WorkShare& share = {});
 
 }
 

@@ -35,6 +35,12 @@ std::vector<PlanePosition> PlanePositionsOf(vtkPointSet* points)
   return positions;
 }
 
+std::uint64_t KeyOf(const std::vector<PlanePosition>& points)
+{
+  const std::string_view bytes(reinterpret_cast<const char*>(points.data()), points.size() * sizeof(PlanePosition));
+  return std::hash<std::string_view>()(bytes) | 1u;
+}
+
 ObservationWindow ReadWindow(vtkPointSet* points, const double origin[2], const double size[2])
 {
   ObservationWindow window;

@@ -7,6 +7,7 @@
 
 #include "Patterns/ObservationWindow.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ namespace littoral
 
 /// x and y of all points.
 std::vector<PlanePosition> PlanePositionsOf(vtkPointSet* points);
+
+/// A number other than 0 that tells patterns apart, by the bytes of their points.
+std::uint64_t KeyOf(const std::vector<PlanePosition>& points);
 
 // Each of these throws InvalidInput.
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
@@ -389,6 +390,40 @@ TEST(PairFunctions, HaveTheSameBytesOnAnyThreads)
       EXPECT_TRUE(isSame(serial.MarkCorrelation, other.MarkCorrelation));
     }
   }
+}
+
+// Each process makes its rows alone, and with those of the others it has the bytes of one that makes them all.
+TEST(PairFunctions, HaveTheSameBytesOnAnyProcesses)
+{
+  const ObservationWindow window;
+  const std::vector<PlanePosition> points = UniformPattern(window, 1500, 3, 0);
+  std::vector<double> marks;
+  std::transform(
+    points.begin(), points.end(), std::back_inserter(marks), [](const PlanePosition& p) { return 1.0 + p[0]; });
+  PairOptions options = Options(0.1, EdgeCorrection::Translation);
+  const PairFunctions alone = FindPairFunctions(points, marks, window, options);
+  NumberRows all;
+  options.Share.Ranks = 4;
+  for (std::size_t rank = 0; rank < 4; ++rank)
+  {
+    options.Share.Rank = rank;
+    options.Share.Exchange = [&](NumberRows& rows) {
+      all.resize(rows.size());
+      for (std::size_t n = rank; n < rows.size(); n += 4)
+      {
+        EXPECT_TRUE(all[n].empty());
+        all[n] = rows[n];
+      }
+    };
+    FindPairFunctions(points, marks, window, options);
+  }
+  EXPECT_EQ(all.size(), 6u); // blocks of 256 points
+  options.Share.Exchange = [&](NumberRows& rows) { rows = all; };
+  const PairFunctions shared = FindPairFunctions(points, marks, window, options);
+  EXPECT_EQ(shared.K, alone.K);
+  EXPECT_EQ(shared.MarkCorrelation, alone.MarkCorrelation);
+  EXPECT_TRUE(std::equal(shared.PairCorrelation.begin() + 1, shared.PairCorrelation.end(),
+    alone.PairCorrelation.begin() + 1, alone.PairCorrelation.end())); // g(0) is NaN
 }
 
 TEST(PairFunctions, ChooseDistancesThatCanBeTrusted)

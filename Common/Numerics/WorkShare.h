@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralWorkShare_h
+#define LittoralWorkShare_h
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace littoral
+{
+
+/// Rows of numbers, each of a length of its own.
+using NumberRows = std::vector<std::vector<double>>;
+
+/// Share of one of several processes in work that all of them are asked for, with the same input: every row whose
+/// number is its rank modulo their number.
+struct WorkShare
+{
+  std::size_t Rank = 0;
+  std::size_t Ranks = 1;
+  std::function<void(NumberRows& rows)> Exchange; ///< completes the rows by those of the others; called by all of them
+
+  /// Number of own rows of so many.
+  std::size_t OwnOf(std::size_t rows) const { return (rows + this->Ranks - 1 - this->Rank) / this->Ranks; }
+  /// Number of the own row n among those of all.
+  std::size_t RowOf(std::size_t own) const { return this->Rank + this->Ranks * own; }
+
+  void Complete(NumberRows& rows) const
+  {
+    if (this->Ranks > 1)
+    {
+      this->Exchange(rows);
+    }
+  }
+};
+
+}
+
+#endif

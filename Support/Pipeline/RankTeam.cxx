@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/RankTeam.h"
+
+#include "Numerics/InvalidInput.h"
+#include "Pipeline/Exceptions.h"
+
+#include "vtkExecutive.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <numeric>
+#include <vector>
+
+namespace littoral
+{
+
+namespace
+{
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+constexpr std::size_t LengthOfReason = 256; ///< with its end
+constexpr const char* WordOfAbort = "aborted";
+
+}
+
+RankTeam::RankTeam(vtkInformation* request, vtkInformationVector* outputs)
+  : Controller(vtkMultiProcessController::GetGlobalController())
+{
+  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  vtkInformation* output = outputs->GetInformationObject(port);
+  const int ranks = this->Controller ? this->Controller->GetNumberOfProcesses() : 1;
+  const int rank = this->Controller ? this->Controller->GetLocalProcessId() : 0;
+  if (output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) == ranks && output->Get(Pipeline::UPDATE_PIECE_NUMBER()) == rank)
+  {
+    this->Ranks = static_cast<std::size_t>(ranks);
+    this->Rank = static_cast<std::size_t>(rank);
+  }
+}
+
+/// The reason of the first rank that cannot go on, to each of them; empty where all can.
+std::string RankTeam::FirstReason(const std::string& own) const
+{
+  std::array<char, LengthOfReason> sent{};
+  std::copy_n(own.begin(), std::min(own.size(), LengthOfReason - 1), sent.begin());
+  std::vector<char> all(LengthOfReason * this->Ranks);
+  this->Controller->AllGather(sent.data(), all.data(), static_cast<vtkIdType>(LengthOfReason));
+  for (std::size_t rank = 0; rank < this->Ranks; ++rank)
+  {
+    if (all[rank * LengthOfReason] != '\0')
+    {
+      return &all[rank * LengthOfReason];
+    }
+  }
+  return {};
+}
+
+/// Ends the work of all where one cannot go on.
+void RankTeam::GoOn()
+{
+  const std::string reason = this->FirstReason({});
+  if (reason.empty())
+  {
+    return;
+  }
+  this->IsShared = false;
+  if (!this->IsFirst() || reason == WordOfAbort)
+  {
+    throw Aborted{};
+  }
+  throw InvalidInput(reason);
+}
+
+/// Lets the others know that this rank cannot go on, at the exchange that they are waiting in.
+void RankTeam::Leave(const std::string& reason)
+{
+  if (!this->HasAgreed)
+  {
+    this->Agree(0);
+  }
+  else if (this->IsShared)
+  {
+    this->FirstReason(reason);
+  }
+  if (!this->IsFirst())
+  {
+    throw Aborted{};
+  }
+  throw; // NOLINT(misc-throw-by-value-catch-by-reference): within a handler
+}
+
+void RankTeam::Run(const std::function<void()>& work)
+{
+  if (this->IsAlone())
+  {
+    work();
+    return;
+  }
+  try
+  {
+    work();
+  }
+  catch (const Aborted&)
+  {
+    this->Leave(WordOfAbort);
+  }
+  catch (const std::exception& error)
+  {
+    this->Leave(error.what());
+  }
+  if (this->IsShared)
+  {
+    this->GoOn();
+  }
+}
+
+bool RankTeam::Agree(std::uint64_t input)
+{
+  if (this->IsAlone())
+  {
+    return true;
+  }
+  std::vector<unsigned long long> all(this->Ranks);
+  const unsigned long long own = input;
+  this->Controller->AllGather(&own, all.data(), 1);
+  this->HasAgreed = true;
+  this->IsShared =
+    all[0] != 0 && std::count(all.begin(), all.end(), all[0]) == static_cast<std::ptrdiff_t>(this->Ranks);
+  return this->IsShared || this->IsFirst();
+}
+
+WorkShare RankTeam::Share()
+{
+  return this->IsShared ? WorkShare{ this->Rank, this->Ranks, [this](NumberRows& rows) { this->Exchange(rows); } }
+                        : WorkShare{};
+}
+
+/// Own rows, each after its length, to all; then those of all into their places.
+void RankTeam::Exchange(NumberRows& rows)
+{
+  this->GoOn();
+  const WorkShare share{ this->Rank, this->Ranks, {} };
+  std::vector<double> sent;
+  for (std::size_t own = 0; own < share.OwnOf(rows.size()); ++own)
+  {
+    const std::vector<double>& row = rows[share.RowOf(own)];
+    sent.push_back(static_cast<double>(row.size()));
+    sent.insert(sent.end(), row.begin(), row.end());
+  }
+  const auto length = static_cast<vtkIdType>(sent.size());
+  std::vector<vtkIdType> lengths(this->Ranks);
+  this->Controller->AllGather(&length, lengths.data(), 1);
+  std::vector<vtkIdType> offsets(this->Ranks, 0);
+  std::partial_sum(lengths.begin(), lengths.end() - 1, offsets.begin() + 1);
+  std::vector<double> all(static_cast<std::size_t>(offsets.back() + lengths.back()));
+  this->Controller->AllGatherV(sent.data(), all.data(), length, lengths.data(), offsets.data());
+  for (std::size_t rank = 0; rank < this->Ranks; ++rank)
+  {
+    const WorkShare other{ rank, this->Ranks, {} };
+    const double* next = &all[static_cast<std::size_t>(offsets[rank])];
+    for (std::size_t own = 0; own < other.OwnOf(rows.size()); ++own)
+    {
+      const auto count = static_cast<std::size_t>(*next++);
+      rows[other.RowOf(own)].assign(next, next + count);
+      next += count;
+    }
+  }
+}
+
+}

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralRankTeam_h
+#define LittoralRankTeam_h
+
+#include "Numerics/WorkShare.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+class vtkInformation;
+class vtkInformationVector;
+class vtkMultiProcessController;
+
+namespace littoral
+{
+
+/**
+ * The ranks that are asked for one update, each for its piece, and share its work where all have the same input. Only
+ * where there is one piece a rank of the global controller; else a rank is alone. On a team each rank answers each of
+ * the others' exchanges, also when it fails: then the first rank says why, and the others say nothing.
+ */
+class RankTeam
+{
+public:
+  /// The ranks that are asked for the output of a request.
+  RankTeam(vtkInformation* request, vtkInformationVector* outputs);
+
+  bool IsAlone() const { return this->Ranks < 2; }
+  bool IsFirst() const { return this->Rank == 0; }
+
+  /// Does the work of an update, which reads the input, agrees on it, once, and takes its share. Exceptions are thrown
+  /// on, on the first rank those of the others, too, and there alone; the others end as by an abort.
+  void Run(const std::function<void()>& work);
+
+  /// Whether this rank has work to do: on a team whether all have the same input, by a number other than 0 that tells
+  /// inputs apart, or it is the first.
+  bool Agree(std::uint64_t input);
+
+  /// Share of this rank; all of the work where they have not agreed.
+  WorkShare Share();
+
+private:
+  std::string FirstReason(const std::string& own) const;
+  void GoOn();
+  [[noreturn]] void Leave(const std::string& reason);
+  void Exchange(NumberRows& rows);
+
+  vtkMultiProcessController* Controller;
+  std::size_t Rank = 0;
+  std::size_t Ranks = 1;
+  bool HasAgreed = false;
+  bool IsShared = false;
+};
+
+}
+
+#endif

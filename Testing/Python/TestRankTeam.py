@@ -1,0 +1,158 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Ranks share the simulations and the pairs of statistics: the bytes of one rank, a fraction of its work; where ranks have
+other input the first works alone, and what one cannot do ends on all of them with one message.
+
+The file starts itself on two ranks; each writes what it has seen."""
+
+import hashlib
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+import littoral
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+RANKS = 2
+
+
+class Messages:
+    """Errors of an algorithm."""
+
+    def __init__(self, algorithm):
+        self.texts = []
+        self.CallDataType = "string0"  # what VTK's observers ask for
+        algorithm.AddObserver("ErrorEvent", self)
+
+    def __call__(self, caller, event, text):
+        self.texts.append(text.strip().splitlines()[-1].partition("): ")[2])
+
+
+
+
+def points(seed=3, count=None):
+    source = littoral.vtkQuadratPointSource()
+    source.SetQuadrats(20, 20)
+    source.SetMeanPerQuadrat(2.0)
+    source.SetSeed(seed)
+    source.Update()
+    whole = source.GetOutput()
+    if count is None:
+        return whole
+    part = vtkPolyData()
+    part.SetPoints(vtkPoints())
+    for n in range(count):
+        part.GetPoints().InsertNextPoint(whole.GetPoint(n))
+    return part
+
+
+def digest(algorithm):
+    """Of all columns of all tables."""
+    found = hashlib.sha256()
+    rows = 0
+    for port in range(algorithm.GetNumberOfOutputPorts()):
+        table = algorithm.GetOutputDataObject(port)
+        rows += table.GetNumberOfRows()
+        for n in range(table.GetNumberOfColumns()):
+            column = table.GetColumn(n)
+            found.update(vtk_to_numpy(column).tobytes() if hasattr(column, "GetRange") else
+                         repr([column.GetValue(k) for k in range(column.GetNumberOfValues())]).encode())
+    return f"{rows} {found.hexdigest()[:12]}"
+
+
+def statistics(pattern):
+    filter = littoral.vtkPointPatternStatisticsFilter()
+    filter.SetInputData(pattern)
+    filter.SetNumberOfSimulations(99)
+    return filter
+
+
+def verdict(pattern):
+    filter = littoral.vtkPatternVerdictFilter()
+    filter.SetInputData(pattern)
+    filter.SetNumberOfSimulations(19)
+    return filter
+
+
+def cases(rank):
+    """Names and filters of what each rank is asked for."""
+    yield "statistics", statistics(points())
+    yield "verdict", verdict(points(count=200))
+    yield "other input", statistics(points(seed=3 if rank != 1 else 4))
+    yield "input on one rank", statistics(points() if rank == 0 else vtkPolyData())
+    yield "bad input", statistics(points(count=3))
+    aborted = statistics(points())
+    if rank == 1:
+        aborted.AddObserver("ProgressEvent", lambda caller, event: caller.SetAbortExecute(1))
+    yield "aborted", aborted
+
+
+def run(folder, rank, ranks):
+    """Writes what a rank has of each case, its processor time and its messages."""
+    lines = []
+    for name, filter in cases(rank):
+        messages = Messages(filter)
+        begin = time.process_time()
+        filter.UpdatePiece(rank, ranks, 0)
+        lines.append([name, digest(filter), time.process_time() - begin, " ".join(messages.texts)])
+    with open(os.path.join(folder, str(rank)), "w") as file:
+        json.dump(lines, file)
+
+
+def on_ranks(folder):
+    from mpi4py import MPI  # noqa: F401, begins and ends MPI
+    from vtkmodules.vtkParallelCore import vtkMultiProcessController
+    from vtkmodules.vtkParallelMPI import vtkMPIController
+
+    controller = vtkMPIController()
+    controller.Initialize()
+    vtkMultiProcessController.SetGlobalController(controller)
+    run(folder, controller.GetLocalProcessId(), controller.GetNumberOfProcesses())
+
+
+def seen(ranks, launcher=()):
+    """What each of some ranks has, by cases."""
+    with tempfile.TemporaryDirectory() as folder:
+        command = [*launcher, sys.executable, os.path.abspath(__file__), folder, str(ranks)]
+        subprocess.run(command, check=True, timeout=300, capture_output=True)
+        found = {}
+        for rank in range(ranks):
+            with open(os.path.join(folder, str(rank))) as file:
+                for name, *rest in json.load(file):
+                    found.setdefault(name, []).append(rest)
+    return found
+
+
+def main():
+    try:
+        import mpi4py  # noqa: F401
+        import vtkmodules.vtkParallelMPI  # noqa: F401
+    except ImportError:
+        print("there is no MPI in this VTK or Python")
+        sys.exit(125)
+    if not shutil.which("mpirun"):
+        print("there is no mpirun")
+        sys.exit(125)
+    shared, alone = seen(RANKS, ("mpirun", "-np", str(RANKS))), seen(1)
+    for name, ((found, time_of_first, said), *later) in shared.items():
+        print(f"{name}: {time_of_first:.2f} s of {alone[name][0][1]:.2f} s; {said}")
+        for other, _, words in later:
+            assert other.startswith("0 ") and not words, f"{name}: a later rank has {other}, and says {words}"
+        wanted = [later[0][0], ""] if name == "aborted" else alone[name][0][::2]
+        assert [found, said] == wanted, f"{name}: {found}, {said} on ranks, {wanted} alone"
+    assert "at least 5" in shared["bad input"][0][2], shared["bad input"]
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 2:
+        main()
+    elif sys.argv[2] == "1":
+        run(sys.argv[1], 0, 1)
+    else:
+        on_ranks(sys.argv[1])
