@@ -5,6 +5,7 @@
 #include "Data/ArrayReader.h"
 #include "Data/Inputs.h"
 #include "Numerics/ParameterCheck.h"
+#include "PalmFile.h"
 #include "Pipeline/Pipeline.h"
 #include "Plants/CanopyDensity.h"
 #include "Plants/ForestFiles.h"
@@ -16,6 +17,7 @@
 #include "vtkPointSet.h"
 #include "vtksys/SystemTools.hxx"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -45,6 +47,25 @@ littoral::CanopyGrid GridOf(vtkImageData* image)
   return grid;
 }
 
+/// Checks densities of cells; the number of those that are not 0.
+std::size_t CheckDensities(vtkDataArray* array, const char* unit, const littoral::Poll& poll)
+{
+  std::size_t filled = 0;
+  littoral::SteppedPoll steps(poll);
+  for (vtkIdType cell = 0; cell < array->GetNumberOfTuples(); ++cell)
+  {
+    steps.Step();
+    const double density = array->GetComponent(cell, 0);
+    if (!(density >= 0.0 && littoral::IsSensible(density)))
+    {
+      littoral::Refuse(
+        array->GetName(), " of cell ", cell, " is ", density, " ", unit, "; it must be finite and not negative");
+    }
+    filled += density > 0.0 ? 1 : 0;
+  }
+  return filled;
+}
+
 /// A number of a tree that must be positive.
 double PositiveOf(vtkDataArray* array, vtkIdType tree)
 {
@@ -60,10 +81,14 @@ double PositiveOf(vtkDataArray* array, vtkIdType tree)
 vtkForestDensityWriter::vtkForestDensityWriter()
   : vtkSingleFileWriter("a forest")
 {
+  this->SetOriginTime("2000-06-21 12:00:00 +00");
 }
 
 //----------------------------------------------------------------------------
-vtkForestDensityWriter::~vtkForestDensityWriter() = default;
+vtkForestDensityWriter::~vtkForestDensityWriter()
+{
+  this->SetOriginTime(nullptr);
+}
 
 //----------------------------------------------------------------------------
 int vtkForestDensityWriter::FillInputPortInformation(int, vtkInformation* info)
@@ -96,19 +121,7 @@ void vtkForestDensityWriter::WriteImage(vtkImageData* image, const std::string& 
   littoral::RequireFit(image, "the image");
   const littoral::CanopyGrid grid = GridOf(image);
   vtkDataArray* array = littoral::ArrayReader::OfCells(image, "the image").Need("BulkDensity", 1);
-  std::size_t filled = 0;
-  const littoral::Poll poll = littoral::PollOf(this);
-  littoral::SteppedPoll steps(poll);
-  for (vtkIdType cell = 0; cell < array->GetNumberOfTuples(); ++cell)
-  {
-    steps.Step();
-    const double density = array->GetComponent(cell, 0);
-    if (!(density >= 0.0 && littoral::IsSensible(density)))
-    {
-      littoral::Refuse("BulkDensity of cell ", cell, " is ", density, " kg/m3; it must be finite and not negative");
-    }
-    filled += density > 0.0 ? 1 : 0;
-  }
+  const std::size_t filled = CheckDensities(array, "kg/m3", littoral::PollOf(this));
   const bool isFds = extension == ".bdf";
   littoral::Require(isFds ? littoral::WhyNoFds(filled) : littoral::WhyNoQuicFire(grid));
   const auto densityOf = [array](std::size_t cell) { return array->GetComponent(static_cast<vtkIdType>(cell), 0); };
@@ -118,6 +131,46 @@ void vtkForestDensityWriter::WriteImage(vtkImageData* image, const std::string& 
     };
     isFds ? littoral::WriteFdsDensity(grid, densityOf, take) : littoral::WriteQuicFireDensity(grid, densityOf, take);
   });
+}
+
+//----------------------------------------------------------------------------
+void vtkForestDensityWriter::WritePalm(vtkImageData* image)
+{
+  littoral::ParameterCheck check;
+  check.Range("Latitude", this->Latitude, -90.0, 90.0, "degrees");
+  check.Range("Longitude", this->Longitude, -180.0, 360.0, "degrees");
+  littoral::Require(check.Reason());
+  littoral::RequireFit(image, "the image");
+  const littoral::CanopyGrid grid = GridOf(image);
+  const littoral::ArrayReader cells = littoral::ArrayReader::OfCells(image, "the image");
+  vtkDataArray* leaves = cells.Need("LeafAreaDensity", 1);
+  vtkDataArray* plants = cells.Find("PlantAreaDensity", 1);
+  const littoral::Poll poll = littoral::PollOf(this);
+  CheckDensities(leaves, "m2/m3", poll);
+  if (plants)
+  {
+    CheckDensities(plants, "m2/m3", poll);
+  }
+  const vtkIdType size = static_cast<vtkIdType>(grid.Count[0]) * grid.Count[1];
+  const auto layerOf = [&](int layer, float* to, const auto& densityOf) {
+    if (littoral::IsAborted(this))
+    {
+      throw littoral::WriteStopped();
+    }
+    for (vtkIdType n = 0; n < size; ++n)
+    {
+      to[n] = static_cast<float>(densityOf(layer * size + n));
+    }
+  };
+  const auto leafOf = [&](vtkIdType cell) { return leaves->GetComponent(cell, 0); };
+  // what plants have more than leaves; rounding apart, never less
+  const auto woodOf = [&](vtkIdType cell) { return std::max(0.0, plants->GetComponent(cell, 0) - leafOf(cell)); };
+  const littoral::LayerOfCells leafLayer = [&](int layer, float* to) { layerOf(layer, to, leafOf); };
+  const littoral::LayerOfCells woodLayer = [&](int layer, float* to) { layerOf(layer, to, woodOf); };
+  const littoral::PalmPlace place{ this->Latitude, this->Longitude, this->OriginTime ? this->OriginTime : "" };
+  this->SetProgressText("Writing forest");
+  this->Conclude(
+    littoral::WritePalm(this->FileName, grid, place, leafLayer, plants ? woodLayer : littoral::LayerOfCells()));
 }
 
 //----------------------------------------------------------------------------
@@ -165,10 +218,15 @@ void vtkForestDensityWriter::WriteInput()
   auto* image = vtkImageData::SafeDownCast(this->GetInput());
   auto* trees = vtkPointSet::SafeDownCast(this->GetInput());
   littoral::Require(image || trees ? "" : "there is no input");
-  const bool isOfCells = extension == ".bdf" || extension == ".dat";
-  littoral::Require(isOfCells || extension == ".amrwind" ? "" : "the name must end in .bdf, .dat or .amrwind");
+  const bool isOfCells = extension == ".bdf" || extension == ".dat" || extension == ".nc";
+  littoral::Require(isOfCells || extension == ".amrwind" ? "" : "FileName must end in .bdf, .dat, .nc or .amrwind");
   littoral::Require(isOfCells && !image ? "a " + extension + " is written of the image of densities" : "");
   littoral::Require(!isOfCells && !trees ? "a .amrwind is written of trees, the last output of Forest Density" : "");
+  if (extension == ".nc")
+  {
+    this->WritePalm(image);
+    return;
+  }
   isOfCells ? this->WriteImage(image, extension) : this->WriteTrees(trees);
 }
 
@@ -177,4 +235,7 @@ void vtkForestDensityWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "DragCoefficient: " << this->DragCoefficient << "\n";
+  os << indent << "Latitude: " << this->Latitude << "\n";
+  os << indent << "Longitude: " << this->Longitude << "\n";
+  os << indent << "OriginTime: " << (this->OriginTime ? this->OriginTime : "(none)") << "\n";
 }

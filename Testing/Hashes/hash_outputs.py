@@ -230,7 +230,8 @@ def print_forest():
     """Hashes of a forest in files."""
     density = make("vtkForestDensityFilter", (tree(),), SetBounds=(-8.0, 8.0, -8.0, 8.0, 0.0, 16.0))
     with tempfile.TemporaryDirectory() as folder:
-        for extension, port in (("bdf", 0), ("dat", 0), ("amrwind", 3)):
+        palm = [("nc", 0)] if hasattr(littoral, "vtkOceanCurrentReader") else []
+        for extension, port in (("bdf", 0), ("dat", 0), *palm, ("amrwind", 3)):
             name = os.path.join(folder, "forest." + extension)
             writer = make("vtkForestDensityWriter", SetFileName=(name,))
             writer.SetInputConnection(density.GetOutputPort(port))

@@ -9,6 +9,7 @@ import unittest
 
 import littoral
 import numpy as np
+from classic_netcdf import read
 from littoral import errors
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -20,6 +21,7 @@ if not hasattr(littoral, "vtkForestDensityWriter"):
     sys.exit(125)
 
 FOLDER = tempfile.mkdtemp()
+HAS_NETCDF = hasattr(littoral, "vtkOceanCurrentReader")
 
 
 def trees():
@@ -43,9 +45,14 @@ def density():
     return one
 
 
-def bulk(image):
+def cells(image, name):
+    """Values by height, y and x."""
     nx, ny, nz = (n - 1 for n in image.GetDimensions())
-    return vtk_to_numpy(image.GetCellData().GetArray("BulkDensity")).reshape(nz, ny, nx)
+    return vtk_to_numpy(image.GetCellData().GetArray(name)).reshape(nz, ny, nx)
+
+
+def bulk(image):
+    return cells(image, "BulkDensity")
 
 
 def written(data, name, **settings):
@@ -95,6 +102,36 @@ class TestForestFiles(unittest.TestCase):
         values = np.frombuffer(one, "<f4").reshape(bulk(image).shape)  # z, y, x
         self.assertTrue((values == bulk(image)).all())
 
+    @unittest.skipUnless(HAS_NETCDF, "built without netCDF")
+    def test_palm(self):
+        """Axes, attributes and densities of lad and bad: levels from the ground, rows, columns."""
+        image = density().GetOutput()
+        for cell in (7, 31, 90):  # wood, of which these trees have none
+            image.GetCellData().GetArray("PlantAreaDensity").SetValue(cell, 0.125 * cell)
+        data = written(image, "a.nc", Latitude=52.5, Longitude=13.25, OriginTime="2026-07-01 06:00:00 +02")
+        self.assertEqual(data, written(image, "a.nc", Latitude=52.5, Longitude=13.25, OriginTime="2026-07-01 06:00:00 +02"))
+        lengths, place, variables = read(os.path.join(FOLDER, "a.nc"))
+        self.assertEqual(lengths, {"zlad": 9, "y": 4, "x": 5})
+        self.assertEqual([place["origin_" + name] for name in "x y z lat lon time".split()],
+                         [1.0, -1.0, 0.0, 52.5, 13.25, "2026-07-01 06:00:00 +02"])
+        self.assertEqual(place["rotation_angle"], 0.0)
+        np.testing.assert_array_equal(variables["zlad"].values, [0.0, *np.arange(0.75, 12.0, 1.5)])
+        np.testing.assert_array_equal(variables["y"].values, [1.5, 4.5, 7.5, 10.5])
+        np.testing.assert_array_equal(variables["x"].values, [1.0, 3.0, 5.0, 7.0, 9.0])
+        lad, bad = variables["lad"], variables["bad"]
+        for one in (lad, bad):
+            self.assertEqual((one.dimensions, one.kind), (["zlad", "y", "x"], "f4"))
+            self.assertEqual((one.attributes["units"], one.attributes["_FillValue"]), ("m2 m-3", -9999.0))
+            self.assertTrue((one.values[0] == 0.0).all())
+        self.assertTrue((lad.values[1:] == cells(image, "LeafAreaDensity")).all())
+        self.assertAlmostEqual(lad.values.sum(dtype=float) * 9.0, 100.0, delta=1e-4)
+        wood = cells(image, "PlantAreaDensity").astype(float) - cells(image, "LeafAreaDensity")
+        self.assertTrue((bad.values[1:] == np.maximum(wood, 0.0).astype("f4")).all())
+        self.assertGreater((bad.values > 0.0).sum(), 1)
+        image.GetCellData().RemoveArray("PlantAreaDensity")
+        written(image, "b.nc")
+        self.assertNotIn("bad", read(os.path.join(FOLDER, "b.nc"))[2])
+
     def test_forest_rows(self):
         text = written(density().GetOutputDataObject(3), "a.amrwind", DragCoefficient=0.3).decode("ascii")
         rows = [[float(word) for word in line.split()] for line in text.splitlines()]
@@ -139,17 +176,20 @@ class TestForestFiles(unittest.TestCase):
             with open(path, "rb") as file:
                 self.assertEqual(file.read(), b"old")
 
-        def changed(value, cell=7):
+        def changed(value, cell=7, name="BulkDensity"):
             image = vtkImageData()
             image.DeepCopy(density().GetOutput())
-            image.GetCellData().GetArray("BulkDensity").SetValue(cell, value)
+            image.GetCellData().GetArray(name).SetValue(cell, value)
             return image
 
         image = density().GetOutput()
         for value in (-1.0, float("nan"), float("inf")):
             refusal("BulkDensity of cell 7", changed(value), "b.bdf")
             refusal("BulkDensity of cell 7", changed(value), "b.dat")
-        refusal("must end in", image, "b.txt")
+            if HAS_NETCDF:
+                refusal("LeafAreaDensity of cell 7", changed(value, name="LeafAreaDensity"), "b.nc")
+                refusal("PlantAreaDensity of cell 7", changed(value, name="PlantAreaDensity"), "b.nc")
+        refusal("FileName must end in", image, "b.txt")
         refusal("image of densities", trees(), "b.bdf")
         refusal("written of trees", image, "b.amrwind")
         refusal("no point array LeafAreaIndex", trees(), "b.amrwind")
@@ -157,6 +197,8 @@ class TestForestFiles(unittest.TestCase):
         plain = vtkImageData()
         plain.SetDimensions(3, 3, 3)
         refusal("no cell array BulkDensity", plain, "b.bdf")
+        refusal("no cell array LeafAreaDensity", plain, "b.nc")
+        refusal("Latitude", image, "b.nc", Latitude=91.0)
         flat = vtkImageData()
         flat.SetDimensions(3, 3, 1)
         refusal("no cells", flat, "b.dat")

@@ -98,3 +98,87 @@ def write(path, dimensions, variables, unlimited="time", version=2, attributes=N
                 file.write((values[n:n + 1] if is_record[name] else values).tobytes())
         file.truncate(fixed + record * records)
     return begins, record
+
+
+class _Bytes:
+    """Numbers from bytes, one after the other."""
+
+    def __init__(self, data, wide):
+        self.data, self.place, self.wide = data, 0, wide
+
+    def take(self, form):
+        values = struct.unpack_from(">" + form, self.data, self.place)
+        self.place += struct.calcsize(">" + form)
+        return values[0] if len(values) == 1 else values
+
+    def count(self):
+        return self.take("q" if self.wide else "i")
+
+    def padded(self, size):
+        found = self.data[self.place:self.place + size]
+        self.place += size + -size % 4
+        return found
+
+    def name(self):
+        return self.padded(self.count()).decode()
+
+    def table(self, tag, entry):
+        """The entries of a list, which is absent or has its tag."""
+        found, size = self.take("i"), self.count()
+        assert found == (tag if size else 0), (found, tag, size)
+        return dict(entry() for _ in range(size))
+
+    def attribute(self):
+        name, code = self.name(), self.take("i")
+        kind = {number: kind for kind, number in CODES.items()}[code]
+        size = self.count()
+        data = self.padded(size * int(kind[1]))
+        values = data.decode() if kind == "S1" else np.frombuffer(data, ">" + kind)
+        return name, values if kind == "S1" or size != 1 else values[0]
+
+
+def read(path):
+    """
+    Lengths of dimensions, attributes, and variables (values as stored) by their names of a classic file, of which each
+    byte belongs to something.
+    """
+    with open(path, "rb") as file:
+        data = file.read()
+    assert data[:3] == b"CDF"
+    version = data[3]
+    source = _Bytes(data, version == 5)
+    source.place = 4
+    records, lengths = source.count(), []
+
+    def dimension():
+        lengths.append((source.name(), source.count()))
+        return lengths[-1]
+
+    def variable():
+        name, order = source.name(), [source.count() for _ in range(source.count())]
+        attributes = source.table(0x0C, source.attribute)
+        kind = {number: kind for kind, number in CODES.items()}[source.take("i")]
+        source.count()  # its size
+        return name, (order, attributes, kind, source.take("i" if version == 1 else "q"))
+
+    source.table(0x0A, dimension)
+    attributes = source.table(0x0C, source.attribute)
+    found = source.table(0x0B, variable)
+    is_record = {name: bool(one[0]) and lengths[one[0][0]][1] == 0 for name, one in found.items()}
+
+    def shape_of(name):
+        return [lengths[d][1] for d in found[name][0][is_record[name]:]]
+
+    sizes = {name: int(np.prod(shape_of(name), dtype=np.int64)) * int(found[name][2][1]) for name in found}
+    alone = sum(is_record.values()) == 1
+    strides = {name: size + (0 if alone and is_record[name] else -size % 4) for name, size in sizes.items()}
+    record = sum(strides[name] for name in found if is_record[name])
+    variables = {}
+    for name, (order, own, kind, begin) in found.items():
+        parts = [np.frombuffer(data, ">" + kind, sizes[name] // int(kind[1]), begin + n * record)
+                 for n in range(records if is_record[name] else 1)]
+        shape = ([records] if is_record[name] else []) + shape_of(name)
+        variables[name] = Variable(" ".join(lengths[d][0] for d in order), np.reshape(parts, shape), kind, **own)
+    used = source.place + sum(strides[name] for name in found if not is_record[name]) + records * record
+    assert used == len(data), (used, len(data))
+    return {name: size or records for name, size in lengths}, attributes, variables
