@@ -4,6 +4,7 @@
 
 #include "Data/ArrayReader.h"
 #include "Data/Blocks.h"
+#include "Data/Georeference.h"
 #include "Data/Inputs.h"
 #include "Data/PlantForm.h"
 #include "Data/ScatterInstances.h"
@@ -117,6 +118,35 @@ struct Plants
   std::vector<littoral::PlantPlace> MediumPlaces; ///< where sites have dimensions
   std::unique_ptr<littoral::SceneCells> Cells;
   littoral::MergedBlocks Merged; ///< as last shown
+  double PolygonsInAll = 0.0;    ///< of all plants in full
+  bool HaveGirths = false;
+
+  /// Notes what a view needs of all plants.
+  void AddUp(const Prototypes& species)
+  {
+    this->HaveGirths = littoral::HasGirths(this->Places);
+    for (const littoral::PlantPlace& place : this->Places)
+    {
+      this->PolygonsInAll += species.HighPolygons(place.Species);
+    }
+  }
+
+  /// Feet and boxes, of both fits where there are two; they stay here, as the extents of the prototypes do.
+  littoral::SceneObjects Objects(const std::vector<littoral::PlantExtent>& extents) const
+  {
+    const auto foot = [this](std::size_t plant) { return this->Places[plant].Foot; };
+    const auto box = [this, &extents](std::size_t plant) {
+      const littoral::PlantPlace& place = this->Places[plant];
+      const littoral::Box high = littoral::BoxOf(place, extents[place.Species]);
+      if (this->MediumPlaces.empty())
+      {
+        return high;
+      }
+      const littoral::Box medium = littoral::BoxOf(this->MediumPlaces[plant], extents[place.Species]);
+      return littoral::Box{ glm::min(high.Low, medium.Low), glm::max(high.High, medium.High) };
+    };
+    return { this->Places.size(), foot, box };
+  }
 };
 
 }
@@ -138,6 +168,7 @@ struct vtkPlantScatterFilter::Request
   std::vector<littoral::ShownPlant> Shown;
   std::vector<littoral::PlantPlace> Places; ///< each in the level in which it is shown; none if levels are alike
   std::vector<char> CellsShown;
+  vtkDataObject* Ground = nullptr; ///< what tells the place on earth: the terrain, or the sites
 
   std::size_t NumberOf(littoral::PlantLevel level) const
   {
@@ -381,22 +412,8 @@ void vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs, vtkInf
   scene.Places =
     littoral::PlacePlants(sites, part, terrain, options, limits, dimensions, this->Internals->Species.Stems);
   scene.MediumPlaces = littoral::PlacesInLevel(sites, dimensions, this->Internals->Species.MediumStems, scene.Places);
-  std::vector<littoral::Vector3> feet;
-  std::vector<littoral::Box> boxes;
-  feet.reserve(scene.Places.size());
-  boxes.reserve(scene.Places.size());
-  for (const littoral::PlantPlace& place : scene.Places)
-  {
-    feet.push_back(place.Foot);
-    boxes.push_back(littoral::BoxOf(place, extents[place.Species]));
-  }
-  for (std::size_t index = 0; index < scene.MediumPlaces.size(); ++index)
-  {
-    const littoral::PlantPlace& place = scene.MediumPlaces[index];
-    const littoral::Box box = littoral::BoxOf(place, extents[place.Species]);
-    boxes[index] = { glm::min(boxes[index].Low, box.Low), glm::max(boxes[index].High, box.High) };
-  }
-  scene.Cells = std::make_unique<littoral::SceneCells>(part.Grid, part.Cells, feet, boxes);
+  scene.AddUp(this->Internals->Species);
+  scene.Cells = std::make_unique<littoral::SceneCells>(part.Grid, part.Cells, scene.Objects(extents));
   scene.Stamps = stamps;
   scene.Numbers = numbers;
   scene.Names = names;
@@ -419,6 +436,8 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
   options.VisibleDistance = this->VisibleDistance;
   Request request;
   request.Seen = view;
+  vtkDataObject* terrain = vtkDataObject::GetData(inputs[TerrainPort]);
+  request.Ground = terrain ? terrain : vtkDataObject::GetData(inputs[SitesPort]);
   request.CellsShown = scene.Cells->Show(littoral::ViewFrustum(view));
   request.Shown = littoral::ShownPlants(scene.Places, *scene.Cells, request.CellsShown, view, options);
   if (!scene.MediumPlaces.empty())
@@ -476,15 +495,18 @@ void vtkPlantScatterFilter::AddInstances(const Request& request, vtkMultiBlockDa
 {
   const std::vector<littoral::PlantPlace>& places =
     request.Places.empty() ? this->Internals->Scene.Places : request.Places;
-  const double bytes = littoral::InstanceBytes(request.Shown.size(), littoral::HasGirths(places));
+  const bool haveGirths =
+    request.Places.empty() ? this->Internals->Scene.HaveGirths : littoral::HasGirths(request.Places);
+  const double bytes = littoral::InstanceBytes(request.Shown.size(), haveGirths);
   littoral::RequireMemory(bytes, "A forest of " + std::to_string(request.Shown.size()) + " instances of plants",
     "switch on UseCulling, or set VisibleDistance");
   output->ShallowCopy(this->Internals->Species.Levels);
-  const auto instances = littoral::InstancesOf(places, request.Shown);
+  const auto instances = littoral::InstancesOf(places, request.Shown, haveGirths);
   if (this->UseLevels)
   {
     littoral::WriteCounter(instances->GetFieldData(), "FarDistance", this->FarDistance);
   }
+  littoral::PassGeoreference(request.Ground, instances);
   littoral::ReplaceBlock(output, InstancesBlock, instances);
   const double polygons = littoral::PolygonsOf(this->Internals->Species.Levels, places, request.Shown);
   this->WriteCounters(request, polygons, bytes, output->GetFieldData());
@@ -497,11 +519,6 @@ void vtkPlantScatterFilter::WriteCounters(
 {
   const Plants& scene = this->Internals->Scene;
   const auto write = [fields](const char* name, double value) { littoral::WriteCounter(fields, name, value); };
-  double polygonsInAll = 0.0;
-  for (const littoral::PlantPlace& place : scene.Places)
-  {
-    polygonsInAll += this->Internals->Species.HighPolygons(place.Species);
-  }
   const auto marks = std::count(request.CellsShown.begin(), request.CellsShown.end(), 1);
   write("PlantsInAll", static_cast<double>(scene.Places.size()));
   write("PlantsShown", static_cast<double>(request.Shown.size()));
@@ -511,7 +528,7 @@ void vtkPlantScatterFilter::WriteCounters(
   write("CellsInAll", scene.Cells->NumberOfFilled());
   write("CellsShown", this->UseCulling ? static_cast<double>(marks) : scene.Cells->NumberOfFilled());
   write("PolygonsShown", polygons);
-  write("PolygonsInAll", polygonsInAll);
+  write("PolygonsInAll", scene.PolygonsInAll);
   write("OutputBytes", bytes);
 }
 

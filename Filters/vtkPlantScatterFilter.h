@@ -39,8 +39,9 @@
  * the wood), `PlantId`, `SiteId`, `Species` and `Level`; and then a block for each level of each prototype, as it is
  * there: `0 High` {`Skin`, `Leaves`}, `0 Medium` {`Trunk`, `Crown`}, `0 Low` {`Low`}, `1 High` and so on. Their parts
  * have the field arrays `Prototype`, the same index, and `Tinted` and `Seaweed`, 0 or 1; with levels, the points have
- * the field array `FarDistance` [m]. A plant is its prototype
- * scaled, rotated and moved to the point, as vtkGlyph3DMapper does with SourceIndexing, this output as SourceTableTree,
+ * the field array `FarDistance` [m]; they have `CoordinateSystem`, `CoordinateUnit` and `CoordinateOffset` of the
+ * terrain, or else of the sites, where these have them (see vtkElevationReader). A plant is its prototype scaled,
+ * rotated and moved to the point, as vtkGlyph3DMapper does with SourceIndexing, this output as SourceTableTree,
  * quaternions, and three scales by components. The counters are field data, as of merged plants.
  *
  * Culling (Setas et al., section 4): the sites are sorted into a regular grid of cells; cells whose bounding box is

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace littoral
 {
@@ -106,27 +107,64 @@ SceneCells::SceneCells(const std::vector<Vector3>& feet, const std::vector<Box>&
 
 SceneCells::SceneCells(const CellGrid& grid, const std::array<int, 2>& cells, const std::vector<Vector3>& feet,
   const std::vector<Box>& boxes)
-  : Columns(grid.GetColumns())
+  : SceneCells(grid, cells,
+      SceneObjects{ feet.size(), [feet](std::size_t object) { return feet[object]; },
+        [boxes](std::size_t object) { return boxes[object]; } })
+{
+}
+
+SceneCells::SceneCells(const CellGrid& grid, const std::array<int, 2>& cells, SceneObjects objects)
+  : Objects(std::move(objects))
+  , Grid(grid)
+  , Columns(grid.GetColumns())
 {
   if (cells[0] >= cells[1])
   {
     return;
   }
   const int firstRow = cells[0] / this->Columns;
+  this->FirstCell = firstRow * this->Columns;
   this->Rows = (cells[1] - 1) / this->Columns + 1 - firstRow;
-  const std::size_t count = static_cast<std::size_t>(this->Columns) * this->Rows;
-  this->Cells.resize(feet.size());
-  this->Count.assign(count, 0);
-  this->Boxes.resize(count);
-  for (std::size_t object = 0; object < feet.size(); ++object)
-  {
-    const int cell = grid.CellAt(feet[object]) - firstRow * this->Columns;
-    this->Cells[object] = cell;
-    Unite(this->Boxes[cell], boxes[object], this->Count[cell] == 0);
-    this->Filled += this->Count[cell] == 0;
-    ++this->Count[cell];
-  }
+  this->SortObjects();
   this->BuildTiles();
+}
+
+int SceneCells::CellOf(std::size_t object) const
+{
+  return this->Grid.CellAt(this->Objects.FootOf(object)) - this->FirstCell;
+}
+
+void SceneCells::SortObjects()
+{
+  // Objects are counted two cells behind their own, so that filling leaves the starts.
+  const std::size_t count = static_cast<std::size_t>(this->Columns) * this->Rows;
+  this->Starts.assign(count + 2, 0);
+  for (std::size_t object = 0; object < this->Objects.Count; ++object)
+  {
+    ++this->Starts[this->CellOf(object) + 2];
+  }
+  this->Filled = static_cast<int>(
+    std::count_if(this->Starts.begin() + 2, this->Starts.end(), [](int objects) { return objects > 0; }));
+  std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
+  this->Order.resize(this->Objects.Count);
+  for (std::size_t object = 0; object < this->Objects.Count; ++object)
+  {
+    this->Order[this->Starts[this->CellOf(object) + 1]++] = static_cast<int>(object);
+  }
+  this->Starts.pop_back();
+}
+
+/// Calls a task with the first cell of each row of a tile, and the one behind the last.
+template <typename Task>
+void SceneCells::ForRowsOf(std::size_t tile, const Task& task) const
+{
+  const int firstRow = static_cast<int>(tile) / this->TileColumns * TileSide;
+  const int firstColumn = static_cast<int>(tile) % this->TileColumns * TileSide;
+  const int endColumn = std::min(firstColumn + TileSide, this->Columns);
+  for (int row = firstRow; row < std::min(firstRow + TileSide, this->Rows); ++row)
+  {
+    task(row * this->Columns + firstColumn, row * this->Columns + endColumn);
+  }
 }
 
 void SceneCells::BuildTiles()
@@ -135,43 +173,66 @@ void SceneCells::BuildTiles()
   const int tileRows = (this->Rows + TileSide - 1) / TileSide;
   this->Tiles.resize(static_cast<std::size_t>(this->TileColumns) * tileRows);
   this->TileIsFilled.assign(this->Tiles.size(), 0);
-  for (int row = 0; row < this->Rows; ++row)
+  for (std::size_t object = 0; object < this->Objects.Count; ++object)
   {
-    for (int column = 0; column < this->Columns; ++column)
-    {
-      const int cell = row * this->Columns + column;
-      const int tile = row / TileSide * this->TileColumns + column / TileSide;
-      if (this->Count[cell] > 0)
-      {
-        Unite(this->Tiles[tile], this->Boxes[cell], !this->TileIsFilled[tile]);
-        this->TileIsFilled[tile] = 1;
-      }
-    }
+    const int cell = this->CellOf(object);
+    const int tile = cell / this->Columns / TileSide * this->TileColumns + cell % this->Columns / TileSide;
+    Unite(this->Tiles[tile], this->Objects.BoxOf(object), !this->TileIsFilled[tile]);
+    this->TileIsFilled[tile] = 1;
   }
+}
+
+Box SceneCells::BoxOf(int cell) const
+{
+  Box box{};
+  for (int place = this->Starts[cell]; place < this->Starts[cell + 1]; ++place)
+  {
+    Unite(box, this->Objects.BoxOf(this->Order[place]), place == this->Starts[cell]);
+  }
+  return box;
 }
 
 std::vector<char> SceneCells::Show(const ViewFrustum& frustum) const
 {
-  // What is beyond a plane as a tile is so in all its cells, in floating point too: rounding keeps order.
-  std::vector<char> shown(this->Count.size(), 0);
+  // What is beyond a plane as a tile is so in all its cells, and what is within all is so too, in floating point as
+  // well: rounding keeps order.
+  std::vector<char> shown(static_cast<std::size_t>(this->Columns) * this->Rows, 0);
   for (std::size_t tile = 0; tile < this->Tiles.size(); ++tile)
   {
     if (!this->TileIsFilled[tile] || !frustum.MayShow(this->Tiles[tile]))
     {
       continue;
     }
-    const int firstRow = static_cast<int>(tile) / this->TileColumns * TileSide;
-    const int firstColumn = static_cast<int>(tile) % this->TileColumns * TileSide;
-    for (int row = firstRow; row < std::min(firstRow + TileSide, this->Rows); ++row)
-    {
-      for (int column = firstColumn; column < std::min(firstColumn + TileSide, this->Columns); ++column)
+    const bool isWithin = frustum.Holds(this->Tiles[tile], 0.0);
+    this->ForRowsOf(tile, [&](int first, int end) {
+      for (int cell = first; cell < end; ++cell)
       {
-        const int cell = row * this->Columns + column;
-        shown[cell] = this->Count[cell] > 0 && frustum.MayShow(this->Boxes[cell]);
+        shown[cell] = this->NumberIn(cell) > 0 && (isWithin || frustum.MayShow(this->BoxOf(cell)));
       }
-    }
+    });
   }
   return shown;
+}
+
+void SceneCells::ForObjects(const std::vector<char>& marks, const std::function<bool(const Box&)>& isWanted,
+  const std::function<void(const int* first, const int* end)>& task) const
+{
+  for (std::size_t tile = 0; tile < this->Tiles.size(); ++tile)
+  {
+    if (!this->TileIsFilled[tile] || !isWanted(this->Tiles[tile]))
+    {
+      continue;
+    }
+    this->ForRowsOf(tile, [&](int first, int end) {
+      for (int cell = first; cell < end; ++cell)
+      {
+        if (marks[cell])
+        {
+          task(this->Order.data() + this->Starts[cell], this->Order.data() + this->Starts[cell + 1]);
+        }
+      }
+    });
+  }
 }
 
 }

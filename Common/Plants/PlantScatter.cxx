@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <sstream>
 
@@ -55,6 +56,53 @@ Vector3 WideNormal(const Vector3& normal, double girth)
   const Vector3 across(normal.x, normal.y, girth * normal.z);
   const double length = glm::length(across);
   return length > 0.0 ? across * (glm::length(normal) / length) : normal;
+}
+
+/// Places by their indices.
+class PlaceSet
+{
+public:
+  explicit PlaceSet(std::size_t places)
+    : Words((places + Bits - 1) / Bits, 0)
+  {
+  }
+
+  void Add(std::size_t place) { this->Words[place / Bits] |= std::uint64_t{ 1 } << (place % Bits); }
+
+  /// Calls a task with each place that was added, in increasing order.
+  template <typename Task>
+  void ForEach(const Task& task) const
+  {
+    for (std::size_t word = 0; word < this->Words.size(); ++word)
+    {
+      std::size_t place = word * Bits;
+      for (std::uint64_t rest = this->Words[word]; rest != 0; rest >>= 1, ++place)
+      {
+        if ((rest & 1) != 0)
+        {
+          task(place);
+        }
+      }
+    }
+  }
+
+private:
+  static constexpr std::size_t Bits = 64;
+  std::vector<std::uint64_t> Words;
+};
+
+/// Whether a foot below a box of crowns may be as near as a limit of sight, where there is one: its distance is at
+/// least that over the ground, a little less for rounding.
+bool MayBeNear(const Box& box, const View& view, double limit)
+{
+  constexpr double rounding = 1e-6;
+  if (!(limit > 0.0) || view.IsParallel)
+  {
+    return true;
+  }
+  const double across = std::max({ 0.0, box.Low.x - view.Point.x, view.Point.x - box.High.x });
+  const double along = std::max({ 0.0, box.Low.y - view.Point.y, view.Point.y - box.High.y });
+  return std::hypot(across, along) * (1.0 - rounding) <= limit;
 }
 
 PlantLevel LevelAt(double distance, const PlantViewOptions& options)
@@ -208,18 +256,32 @@ std::vector<ShownPlant> ShownPlants(const std::vector<PlantPlace>& places, const
   const std::vector<char>& cellsShown, const View& view, const PlantViewOptions& options)
 {
   std::vector<ShownPlant> shown;
-  for (std::size_t index = 0; index < places.size(); ++index)
-  {
+  const auto add = [&](std::size_t index) {
     const PlantPlace& place = places[index];
-    if (options.UseCulling && !cellsShown[cells.CellOf(index)])
-    {
-      continue;
-    }
     if (!(options.VisibleDistance > 0.0 && SightDistance(view, place.Foot) > options.VisibleDistance))
     {
       shown.push_back({ static_cast<int>(index), LevelAt(LevelDistance(view, place.Foot), options) });
     }
+  };
+  if (!options.UseCulling)
+  {
+    shown.reserve(options.VisibleDistance > 0.0 ? 0 : places.size());
+    for (std::size_t index = 0; index < places.size(); ++index)
+    {
+      add(index);
+    }
+    return shown;
   }
+  // Cells put their plants into a set of bits, which has them in the order of the places.
+  PlaceSet seen(places.size());
+  std::size_t count = 0;
+  const auto isNear = [&](const Box& box) { return MayBeNear(box, view, options.VisibleDistance); };
+  cells.ForObjects(cellsShown, isNear, [&](const int* first, const int* end) {
+    std::for_each(first, end, [&](int place) { seen.Add(static_cast<std::size_t>(place)); });
+    count += static_cast<std::size_t>(end - first);
+  });
+  shown.reserve(count);
+  seen.ForEach(add);
   return shown;
 }
 

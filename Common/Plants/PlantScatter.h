@@ -50,9 +50,9 @@ private:
 /// A plant at its site.
 struct PlantPlace
 {
-  int Site = 0;         ///< index of the site
-  long long SiteId = 0; ///< the site's identity
+  int Site = 0; ///< index of the site
   int Species = 0;
+  long long SiteId = 0;          ///< the site's identity
   double Scale = 1.0;            ///< of heights
   double WidthScale = 1.0;       ///< of widths, beside Scale: a plant is Scale WidthScale times as thick and wide
   double Azimuth = 0.0;          ///< turn about the vertical [radians]

@@ -5,8 +5,9 @@
 #include "Data/Arrays.h"
 #include "Data/Blocks.h"
 #include "Data/PlantBlocks.h"
-#include "Data/ScatterTable.h"
 #include "Data/SeaweedBlocks.h"
+#include "Numerics/Parallel.h"
+#include "Pipeline/Threads.h"
 
 #include "vtkCellArray.h"
 #include "vtkFieldData.h"
@@ -28,6 +29,7 @@ namespace
 {
 
 constexpr int Levels = 3;
+constexpr std::size_t InstancesOfRange = 16384;
 constexpr const char* PrototypeName = "Prototype";
 constexpr const char* LevelNames[Levels] = { plant::High, plant::Medium, plant::Low };
 
@@ -43,27 +45,36 @@ void AddNumber(vtkDataObject* block, const char* name, int number)
   block->GetFieldData()->AddArray(ArrayOf<vtkIntArray>(name, 1, std::vector<std::array<int, 1>>{ { number } }));
 }
 
-/// Writes numbers of plants one after the other.
+/// Numbers of plants, so many for each.
 template <typename Array>
 class Column
 {
 public:
+  explicit Column(Array* values)
+    : Values(values)
+    , First(values->GetPointer(0))
+    , Components(static_cast<std::size_t>(values->GetNumberOfComponents()))
+  {
+  }
+
   Column(vtkPointData* arrays, const char* name, int components, std::size_t plants)
-    : Values(NewArray<Array>(name, components, static_cast<vtkIdType>(plants)))
-    , Next(this->Values->GetPointer(0))
+    : Column(NewArray<Array>(name, components, static_cast<vtkIdType>(plants)))
   {
     arrays->AddArray(this->Values);
   }
 
-  template <typename Number>
-  void Add(Number value)
+  /// Sets all components of a plant.
+  template <typename... Numbers>
+  void Set(std::size_t plant, Numbers... values) const
   {
-    *this->Next++ = static_cast<std::decay_t<decltype(*this->Next)>>(value);
+    auto* next = this->First + plant * this->Components;
+    ((*next++ = static_cast<std::decay_t<decltype(*next)>>(values)), ...);
   }
 
 private:
   vtkSmartPointer<Array> Values;
-  decltype(Values->GetPointer(0)) Next;
+  decltype(Values->GetPointer(0)) First;
+  std::size_t Components;
 };
 
 }
@@ -76,55 +87,60 @@ double InstanceBytes(std::size_t plants, bool hasGirths)
   return onePlant * static_cast<double>(plants);
 }
 
-vtkSmartPointer<vtkPolyData> InstancesOf(const std::vector<PlantPlace>& places, const std::vector<ShownPlant>& shown)
+vtkSmartPointer<vtkPolyData> InstancesOf(
+  const std::vector<PlantPlace>& places, const std::vector<ShownPlant>& shown, bool hasGirths)
 {
   auto instances = vtkSmartPointer<vtkPolyData>::New();
   vtkPointData* arrays = instances->GetPointData();
   const std::size_t count = shown.size();
-  std::vector<Vector3> feet;
-  feet.reserve(count);
-  Column<vtkIntArray> prototypes(arrays, PrototypeName, 1, count);
-  Column<vtkFloatArray> rotations(arrays, "Rotation", 4, count);
-  const bool hasGirths = HasGirths(places);
-  Column<vtkFloatArray> scales(arrays, "Scale", hasGirths ? 3 : 1, count);
-  Column<vtkFloatArray> tints(arrays, "Tint", 3, count);
-  Column<vtkIntArray> plants(arrays, plant::PlantId, 1, count);
-  Column<vtkTypeInt64Array> sites(arrays, "SiteId", 1, count);
-  Column<vtkIntArray> species(arrays, "Species", 1, count);
-  Column<vtkIntArray> levels(arrays, "Level", 1, count);
-  for (const ShownPlant& plant : shown)
-  {
-    const PlantPlace& place = places[plant.Place];
-    feet.push_back(place.Foot);
-    prototypes.Add(PrototypeOf(places, plant));
-    // Quaternion of a turn about the vertical: cos(a / 2) + k sin(a / 2).
-    rotations.Add(std::cos(0.5 * place.Azimuth));
-    rotations.Add(0.0);
-    rotations.Add(0.0);
-    rotations.Add(std::sin(0.5 * place.Azimuth));
-    if (hasGirths)
+  const auto feet = NewArray<vtkFloatArray>("Points", 3, static_cast<vtkIdType>(count));
+  const Column<vtkFloatArray> points(feet);
+  const Column<vtkIntArray> prototypes(arrays, PrototypeName, 1, count);
+  const Column<vtkFloatArray> rotations(arrays, "Rotation", 4, count);
+  const Column<vtkFloatArray> scales(arrays, "Scale", hasGirths ? 3 : 1, count);
+  const Column<vtkFloatArray> tints(arrays, "Tint", 3, count);
+  const Column<vtkIntArray> plants(arrays, plant::PlantId, 1, count);
+  const Column<vtkTypeInt64Array> sites(arrays, "SiteId", 1, count);
+  const Column<vtkIntArray> species(arrays, "Species", 1, count);
+  const Column<vtkIntArray> levels(arrays, "Level", 1, count);
+  const auto offsets = NewArray<vtkTypeInt64Array>("", 1, static_cast<vtkIdType>(count) + 1);
+  const auto connectivity = NewArray<vtkTypeInt64Array>("", 1, static_cast<vtkIdType>(count));
+  const Column<vtkTypeInt64Array> starts(offsets);
+  const Column<vtkTypeInt64Array> vertices(connectivity);
+  starts.Set(count, count);
+  ForRanges(SmpFor, count, InstancesOfRange, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t index = begin; index < end; ++index)
     {
-      scales.Add(place.Scale * place.WidthScale);
-      scales.Add(place.Scale * place.WidthScale);
+      const ShownPlant& plant = shown[index];
+      const PlantPlace& place = places[plant.Place];
+      points.Set(index, place.Foot.x, place.Foot.y, place.Foot.z);
+      prototypes.Set(index, PrototypeOf(places, plant));
+      // Quaternion of a turn about the vertical: cos(a / 2) + k sin(a / 2).
+      rotations.Set(index, std::cos(0.5 * place.Azimuth), 0.0, 0.0, std::sin(0.5 * place.Azimuth));
+      if (hasGirths)
+      {
+        const double width = place.Scale * place.WidthScale;
+        scales.Set(index, width, width, place.Scale);
+      }
+      else
+      {
+        scales.Set(index, place.Scale);
+      }
+      tints.Set(index, place.Tint[0], place.Tint[1], place.Tint[2]);
+      plants.Set(index, place.Site);
+      sites.Set(index, place.SiteId);
+      species.Set(index, place.Species);
+      levels.Set(index, static_cast<int>(plant.Level));
+      starts.Set(index, index);
+      vertices.Set(index, index);
     }
-    scales.Add(place.Scale);
-    for (const float factor : place.Tint)
-    {
-      tints.Add(factor);
-    }
-    plants.Add(place.Site);
-    sites.Add(place.SiteId);
-    species.Add(place.Species);
-    levels.Add(static_cast<int>(plant.Level));
-  }
-  instances->SetPoints(PointsOf(feet));
-  vtkNew<vtkCellArray> vertices;
-  vertices->AllocateExact(static_cast<vtkIdType>(count), static_cast<vtkIdType>(count));
-  for (vtkIdType point = 0; point < static_cast<vtkIdType>(count); ++point)
-  {
-    vertices->InsertNextCell(1, &point);
-  }
-  instances->SetVerts(vertices);
+  });
+  vtkNew<vtkPoints> all;
+  all->SetData(feet);
+  instances->SetPoints(all);
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, connectivity);
+  instances->SetVerts(cells);
   return instances;
 }
 

@@ -18,8 +18,9 @@ namespace littoral
 /// Memory of the points [bytes]; with girths they have scales along three axes.
 double InstanceBytes(std::size_t plants, bool hasGirths);
 
-/// A vertex for each shown plant, with the arrays that place its prototype.
-vtkSmartPointer<vtkPolyData> InstancesOf(const std::vector<PlantPlace>& places, const std::vector<ShownPlant>& shown);
+/// A vertex for each shown plant, with the arrays that place its prototype; with girths, if any plant has one.
+vtkSmartPointer<vtkPolyData> InstancesOf(
+  const std::vector<PlantPlace>& places, const std::vector<ShownPlant>& shown, bool hasGirths);
 
 /// The blocks of a prototype that are drawn, each level a block of its own. Those of the first species come first,
 /// behind the block of the instances.

@@ -179,7 +179,7 @@ SitePart MakeSitePart(vtkPointSet* sites, double sitesPerCell, int part, int par
     result.Cells = CellsOfPart(sitesInCells, part, parts);
   }
   const auto [first, end] = result.Cells;
-  const double bytes = sizeof(int) + sizeof(PlantPlace) + 2.0 * sizeof(Box);
+  const double bytes = 2.0 * sizeof(int) + sizeof(PlantPlace);
   RequireMemory(
     static_cast<double>(count) * bytes / parts, "A forest on " + std::to_string(count) + " sites", "take fewer");
   result.Indices.reserve(count / parts + 1);

@@ -12,6 +12,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include <fstream>
+#include <string>
+
 namespace
 {
 
@@ -73,6 +76,48 @@ void FirstViewOfForest(benchmark::State& state)
   forest.Report(state);
 }
 BENCHMARK(FirstViewOfForest)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// Memory of the process [MB].
+double MemoryNow()
+{
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  double kilobytes = 0.0;
+  while (status >> word && word != "VmRSS:")
+  {
+  }
+  status >> kilobytes;
+  return kilobytes / 1000.0;
+}
+
+/// Ten million trees as instances, of which 5 km are seen; from a hill, where the eye flies, or on a walk. The argument
+/// is its height [m]. `MBOfPlants` is what the filter takes beside the sites.
+void TenMillion(benchmark::State& state)
+{
+  constexpr int side = 3162;
+  const double height = static_cast<double>(state.range(0));
+  Forest forest(side, 10000);
+  forest.Sites->Update();
+  forest.Tree->Update();
+  const double before = MemoryNow();
+  forest.Filter->SetOutputFormToInstances();
+  forest.Filter->SetVisibleDistance(5000.0);
+  forest.Filter->SetViewDirection(1.0, 0.3, height > 10.0 ? -0.1 : 0.0);
+  double way = 0.0;
+  const auto look = [&] {
+    forest.Filter->SetViewPoint(5.0 * side + way, 5.0 * side + 0.4 * way, height);
+    forest.Filter->Update();
+  };
+  look();
+  for (auto _ : state)
+  {
+    way += height > 10.0 ? 50.0 : 2.0;
+    look();
+  }
+  forest.Report(state);
+  state.counters["MBOfPlants"] = MemoryNow() - before;
+}
+BENCHMARK(TenMillion)->Arg(300)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(20);
 
 /// Trees in full; the argument is the number of leaves of each.
 void AllInFull(benchmark::State& state)
