@@ -305,6 +305,32 @@ bool ReplacedFile::Commit()
 }
 
 //----------------------------------------------------------------------------
+std::string OwnNumber()
+{
+  return std::to_string(::getpid());
+}
+
+//----------------------------------------------------------------------------
+std::string WhyNotWritten(const std::string& path, const std::string& bytes)
+{
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  int error = file < 0 ? errno : 0;
+  std::size_t at = 0;
+  while (error == 0 && at < bytes.size())
+  {
+    const ssize_t written = ::write(file, bytes.data() + at, bytes.size() - at);
+    error = written > 0 ? 0 : written < 0 ? errno : EIO;
+    at += static_cast<std::size_t>(std::max<ssize_t>(written, 0));
+  }
+  error = error == 0 && ::fsync(file) != 0 ? errno : error;
+  if (file >= 0)
+  {
+    ::close(file);
+  }
+  return error == 0 ? std::string() : std::system_category().message(error);
+}
+
+//----------------------------------------------------------------------------
 FileOutcome WriteFile(const std::string& target, const std::function<bool(ReplacedFile&)>& write)
 {
   ReplacedFile file(target);

@@ -74,6 +74,12 @@ private:
   std::ostream Output;
 };
 
+/// Number of this process, for names of its own.
+std::string OwnNumber();
+
+/// Writes a new file to the disk. Why that failed, as the system says it; empty if it did not.
+std::string WhyNotWritten(const std::string& path, const std::string& bytes);
+
 /// The outcome of writing a file.
 struct FileOutcome
 {

@@ -74,6 +74,7 @@ struct SceneMesh
   };
   std::vector<Target> Targets;
   std::vector<SceneMesh> More; ///< further primitives, with vertices and materials of their own
+  bool SharesVertices = false; ///< whether it has none and draws those of the scene's first mesh
 
   std::size_t GetNumberOfVertices() const { return this->Positions.size() / 3; }
 };

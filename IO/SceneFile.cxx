@@ -192,6 +192,12 @@ void ModelMaker::AddPrimitives(const SceneMesh& from, tinygltf::Mesh& mesh)
   add("TEXCOORD_0", from.TextureCoordinates, 2);
   add("_VELOCITY", from.Velocities, 3);
   add("_RADIUS", from.Radii, 1);
+  const SceneMesh& vertices = from.SharesVertices ? this->From.Meshes[0] : from;
+  if (from.SharesVertices)
+  {
+    attributes =
+      this->Model.meshes.empty() ? mesh.primitives[0].attributes : this->Model.meshes[0].primitives[0].attributes;
+  }
   if (!from.Colors.empty())
   {
     attributes["COLOR_0"] = this->Buffer.AddColors(from.Colors, from.ColorParts);
@@ -218,7 +224,7 @@ void ModelMaker::AddPrimitives(const SceneMesh& from, tinygltf::Mesh& mesh)
     {
       tinygltf::Primitive primitive;
       primitive.attributes = attributes;
-      primitive.indices = this->Buffer.AddIndices(*indices, from.GetNumberOfVertices());
+      primitive.indices = this->Buffer.AddIndices(*indices, vertices.GetNumberOfVertices());
       primitive.material = from.Material;
       primitive.mode = mode;
       primitive.targets = targets;
@@ -481,6 +487,15 @@ FileOutcome WriteScene(const std::string& path, const Scene& scene, const SceneP
     tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, file.Stream(), false, true);
     return file.Close() && file.Commit();
   });
+}
+
+//----------------------------------------------------------------------------
+std::string SceneBytes(const Scene& scene)
+{
+  ModelMaker maker(scene);
+  std::ostringstream bytes;
+  tinygltf::TinyGLTF().WriteGltfSceneToStream(&maker.Make(), bytes, false, true);
+  return bytes.str();
 }
 
 }

@@ -27,6 +27,9 @@ void RequireExtras(const std::string& json);
  */
 FileOutcome WriteScene(const std::string& path, const Scene& scene, const SceneProgress& progress);
 
+/// The bytes of the file of a scene.
+std::string SceneBytes(const Scene& scene);
+
 }
 
 #endif

@@ -337,6 +337,20 @@ std::vector<SceneReader::Level> SceneReader::LevelsOf(vtkMultiBlockDataSet* bloc
 }
 
 //----------------------------------------------------------------------------
+std::map<int, std::array<std::vector<int>, 3>> SceneReader::AddPrototypes(vtkMultiBlockDataSet* blocks)
+{
+  std::map<int, std::array<std::vector<int>, Levels>> meshes;
+  for (const Level& level : this->LevelsOf(blocks, {}))
+  {
+    for (const Part& part : level.Parts)
+    {
+      meshes[SpeciesOf(level.Prototype)][LevelOf(level.Prototype)].push_back(part.Mesh);
+    }
+  }
+  return meshes;
+}
+
+//----------------------------------------------------------------------------
 int SceneReader::AddInstancedLevel(const Level& level, int instances)
 {
   std::vector<int> parts;

@@ -37,6 +37,9 @@ public:
   /// Notes where things are at a time [s] since the first one. Why that failed, in words for a user.
   void Follow(const std::vector<SceneSource>& sources, double time);
 
+  /// Adds the meshes of the prototypes of instances: those of each species by levels, High first.
+  std::map<int, std::array<std::vector<int>, 3>> AddPrototypes(vtkMultiBlockDataSet* blocks);
+
   /// Adds the animations to the scene.
   void Finish();
 

@@ -149,9 +149,12 @@ PARTICLES = "vtkSuspendedParticleSource"
 FLOW = "vtkFlowPrimitiveSource"
 SEAWEED = "vtkSeaweedSource"
 RIVERS = "rivers"
+INSTANCES = "instances"
 
-# Outputs that feed classes but are not the first of theirs: class and port.
-OTHER_OUTPUTS = {RIVERS: ("vtkDrainageFilter", 1)}
+# Outputs that feed classes but are not the first of theirs as it is by default: class, port, and settings.
+OTHER_OUTPUTS = {
+    RIVERS: ("vtkDrainageFilter", 1, {}),
+    INSTANCES: ("vtkPlantScatterFilter", 0, {"SetOutputForm": (1,), "SetUseCulling": (0,)})}
 
 def rivers_and_terrain(pv, drainage):
     """Inputs of River Surface, which is seen on its terrain."""
@@ -543,5 +546,9 @@ ROWS = [
         fed_by=[TREE],
         small={"SetFileName": ("tree.glb",), "SetWriteMotion": (True,), "SetEndTime": (0.1,),
                "SetWriteCamera": (True,), "SetWriteSun": (True,)}),
+    Row("vtkForestTilesWriter", "Scenes",
+        fed_by=[INSTANCES],
+        small={"SetFileName": ("forest.json",), "SetCoordinateSystem": ("EPSG:32632",),
+               "SetCoordinateOffset": (500000.0, 5400000.0)}),
 ]
 BY_NAME = {row.name: row for row in ROWS}

@@ -63,8 +63,10 @@ class Examples:
 
     def output(self, name, make):
         """What feeds a class: an object that is made by a row, or another output of it."""
-        other, port = classes.OTHER_OUTPUTS.get(name, (name, 0))
+        other, port, settings = classes.OTHER_OUTPUTS.get(name, (name, 0, {}))
         made = make(classes.BY_NAME[other])
+        for method, given in settings.items():
+            setattr(made, method[3:], given[0])
         return self.OutputPort(made, port) if port else made
 
     def shown_inputs(self, entry):

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Sizes of scene files and times to write them: 100 000 standing trees, and 1000 that sway.
+"""Sizes of scene files and times to write them: 100 000 standing trees, and 1000 that sway; or a million as 3D Tiles.
 
-    ./littoral run /usr/bin/python3 Testing/Benchmarks/bench_scene_files.py [NEAR [TOLERANCE...]]
+    ./littoral run /usr/bin/python3 Testing/Benchmarks/bench_scene_files.py [tiles | NEAR [TOLERANCE...]]
 
 NEAR: distance up to which trees sway in full [m], default 30, that of the filter; tolerances of the skins [m], default
 0.001. It fails where a file is larger than wanted, or where the skins of a sample of trees of both moving levels, as an
@@ -22,11 +22,14 @@ from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPolyData
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Python"))
 from glb import Glb  # noqa: E402
-from littoral import vtkBeamTreeDeformationFilter, vtkPlantScatterFilter, vtkReevesTreeSource, vtkWindFieldSource  # noqa: E402
+from littoral import (  # noqa: E402
+    vtkBeamTreeDeformationFilter, vtkForestTilesWriter, vtkPlantScatterFilter, vtkReevesTreeSource, vtkWindFieldSource)
 from littoral.glb import write_glb  # noqa: E402
 
 #: The largest files that are wanted [bytes], times at which skins are compared [s], and trees of a level.
 STANDING, SWAYING, COMPARED, SAMPLE = 50e6, 100e6, (0.5, 2.5, 4.25), 12
+#: The largest tileset of a million trees [bytes], and the longest time to write it [s].
+TILES, WRITTEN = 60e6, 30.0
 #: Parts of a plant in the order of its mesh.
 PARTS = {"High": ("Skin", "Leaves"), "Medium": ("Trunk", "Crown")}
 
@@ -96,6 +99,28 @@ def report(what, source, most, **settings):
         assert error <= settings["JointTolerance"] < 0.1 * moved, "skins are off"
 
 
+def tiles():
+    """A million trees on their place on earth, 10 km x 10 km."""
+    scattered = forest(1000000, 10000.0, species())
+    scattered.SetOutputFormToInstances()
+    writer = vtkForestTilesWriter()
+    writer.SetInputConnection(scattered.GetOutputPort())
+    writer.SetCoordinateSystem("EPSG:32632")
+    writer.SetCoordinateOffset(520000.0, 5400000.0)
+    scattered.Update()
+    with tempfile.TemporaryDirectory() as folder:
+        writer.SetFileName(os.path.join(folder, "forest.json"))
+        begin, work = time.perf_counter(), time.process_time()
+        assert writer.Write() == 1
+        seconds, work = time.perf_counter() - begin, time.process_time() - work
+        sizes = [os.path.getsize(os.path.join(place, name)) for place, _, names in os.walk(folder) for name in names]
+    memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
+    print(f"1 000 000 trees as 3D Tiles: {len(sizes)} files, {sum(sizes) / 1e6:.1f} MB, {seconds:.1f} s, {work:.1f} s of "
+          f"processor time, {memory:.2f} GB, load {os.getloadavg()[0]:.1f}", flush=True)
+    assert sum(sizes) <= TILES, f"the tileset is larger than {TILES / 1e6:.0f} MB"
+    assert seconds <= WRITTEN, f"it took longer than {WRITTEN:.0f} s"
+
+
 def main(near=30.0, *tolerances):
     trees = species()
     standing = forest(100000, 3000.0, trees)
@@ -119,4 +144,7 @@ def main(near=30.0, *tolerances):
 
 
 if __name__ == "__main__":
-    main(*(float(word) for word in sys.argv[1:]))
+    if sys.argv[1:] == ["tiles"]:
+        tiles()
+    else:
+        main(*(float(word) for word in sys.argv[1:]))

@@ -30,16 +30,24 @@ def settings(name):
 def source(name):
     """The working object of a class, or what hands on another output, one for all of a process."""
     if name in classes.OTHER_OUTPUTS and name not in MADE:
-        other, port = classes.OTHER_OUTPUTS[name]
+        other, port, changes = classes.OTHER_OUTPUTS[name]
+        made = working(other, changes) if changes else source(other)
+        made.Update()
         MADE[name] = vtkTrivialProducer()
-        MADE[name].SetOutput(results(other)[port])
+        MADE[name].SetOutput(made.GetOutputDataObject(port))
     if name not in MADE:
-        MADE[name] = made = getattr(littoral, name)()
-        for port, other in enumerate(inputs(name)):
-            made.SetInputConnection(port, source(other).GetOutputPort())
-        for method, values in settings(name).items():
-            getattr(made, method)(*values)
+        MADE[name] = working(name)
     return MADE[name]
+
+
+def working(name, changes=None):
+    """A working object of a class, with changes of its settings."""
+    made = getattr(littoral, name)()
+    for port, other in enumerate(inputs(name)):
+        made.SetInputConnection(port, source(other).GetOutputPort())
+    for method, values in {**settings(name), **(changes or {})}.items():
+        getattr(made, method)(*values)
+    return made
 
 
 def results(name):

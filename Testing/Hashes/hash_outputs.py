@@ -202,6 +202,18 @@ def print_scene():
                 print("vtkGLTFSceneWriter", form, hashlib.sha256(file.read()).hexdigest()[:16])
 
 
+def print_tiles():
+    """A hash of a forest as 3D Tiles: the name of the folder tells its content."""
+    with tempfile.TemporaryDirectory() as folder:
+        sites, prototype = make("vtkQuadratPointSource"), tree()
+        forest = make("vtkPlantScatterFilter", (sites, prototype), SetOutputForm=(1,), SetUseCulling=(False,))
+        name = os.path.join(folder, "forest.json")
+        make("vtkForestTilesWriter", (forest,), SetFileName=(name,), SetCoordinateSystem=("EPSG:32632",),
+             SetCoordinateOffset=(500000.0, 5400000.0), SetTreesPerTile=(10,)).Write()
+        with open(name, "rb") as file:
+            print("vtkForestTilesWriter", hashlib.sha256(file.read()).hexdigest()[:16])
+
+
 def print_raster():
     """Hashes of a raster that the writer writes, and of what the reader reads of it."""
     for compression in (0, 1):
@@ -264,6 +276,7 @@ def main(wanted):
     if not wanted:
         print_volume()
         print_scene()
+        print_tiles()
         print_wind()
         print_forest()
         print_currents()

@@ -32,7 +32,7 @@ versions.mend_calls(
 
 #: Readers and writers by the libraries that they need.
 _files = {"vtkElevationReader": "GDAL", "vtkElevationWriter": "GDAL", "vtkVDBVolumeWriter": "OpenVDB",
-          "vtkGLTFSceneWriter": "tinygltf"}
+          "vtkGLTFSceneWriter": "tinygltf", "vtkForestTilesWriter": "GDAL and tinygltf"}
 #: Missing classes by name, and the reasons.
 _absent = {name: f"this Littoral was built without {library}" for name, library in _files.items()}
 try:
