@@ -251,10 +251,14 @@ void vtkDrainageFilter::ReadGround(vtkInformationVector** inputVector, Ground& g
   check.Range("ValleyWidth", this->ValleyWidth, 0.5, 50.0, "cells");
   littoral::Require(check.Reason());
   auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Terrain");
+  auto* given = littoral::OptionalInputOf<vtkPolyData>(inputVector[3], "Given");
+  const bool grows = this->Carve && this->Grow;
+  const double cells = std::max(1.0, static_cast<double>(image->GetNumberOfPoints()));
+  const double more = (this->UseRock ? RockBytesACell : 0.0) + (given ? littoral::MemoryOfGiven(given) / cells : 0.0);
   ground.Heights = littoral::ReadHeights(image, this->GetInputArrayToProcess(0, inputVector),
     this->GetInputArrayInformation(0), "Terrain",
-    MemoryOf(image, this->Carve ? (this->Grow ? &littoral::GrowthMemory : &littoral::CarvingMemory) : nullptr,
-      this->Carve && this->Grow && this->UseRock ? RockBytesACell : 0.0));
+    MemoryOf(
+      image, grows ? &littoral::GrowthMemory : (this->Carve ? &littoral::CarvingMemory : nullptr), grows ? more : 0.0));
   ground.Outlets = OutletsOf(this->Outlets, this->SeaLevel, image, ground.Heights);
   littoral::Require(littoral::WhyUndrainable(ground.Heights, ground.Outlets.Of(ground.Heights)));
   littoral::RequireRelief(ground.Heights, "Terrain");

@@ -17,8 +17,10 @@ double ChannelLaw::SlopeAt(double cells) const
 }
 
 std::vector<double> GradeAlong(const GridSamples& heights, const FlowRouting& routing,
-  const std::vector<CellIndex>& accumulation, const ChannelLaw& law, double cut, const ParallelFor& parallel)
+  const std::vector<CellIndex>& accumulation, const ChannelLaw& law, double cut, const ParallelFor& parallel,
+  const Poll& poll)
 {
+  SteppedPoll stepped(poll);
   const CellLattice lattice(heights);
   std::vector<double> falls(heights.Values.size());
   parallel(falls.size(), [&](std::size_t begin, std::size_t end) {
@@ -36,6 +38,7 @@ std::vector<double> GradeAlong(const GridSamples& heights, const FlowRouting& ro
   std::vector<double> lowered = heights.Values;
   for (std::size_t n = routing.Order.size(); n-- > 0;)
   {
+    stepped.Step();
     const CellIndex cell = routing.Order[n];
     const CellIndex receiver = routing.Receiver[cell];
     if (receiver != cell)
@@ -47,6 +50,7 @@ std::vector<double> GradeAlong(const GridSamples& heights, const FlowRouting& ro
   std::vector<double> graded = heights.Values;
   for (const CellIndex cell : routing.Order)
   {
+    stepped.Step();
     const CellIndex receiver = routing.Receiver[cell];
     if (receiver != cell)
     {

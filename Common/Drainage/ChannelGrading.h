@@ -37,7 +37,7 @@ struct ChannelLaw
  */
 std::vector<double> GradeAlong(const GridSamples& heights, const FlowRouting& routing,
   const std::vector<CellIndex>& accumulation, const ChannelLaw& law, double cut,
-  const ParallelFor& parallel = SerialFor);
+  const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
 
 }
 

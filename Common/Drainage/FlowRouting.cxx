@@ -128,11 +128,13 @@ std::vector<CellIndex> StackOrder(const std::vector<CellIndex>& receivers)
   return order;
 }
 
-std::vector<CellIndex> FlowAccumulation(const FlowRouting& routing)
+std::vector<CellIndex> FlowAccumulation(const FlowRouting& routing, const Poll& poll)
 {
+  SteppedPoll stepped(poll);
   std::vector<CellIndex> cells(routing.Receiver.size(), 1);
   for (std::size_t n = routing.Order.size(); n-- > 0;)
   {
+    stepped.Step();
     // A_r += A, from the divides downstream
     const CellIndex cell = routing.Order[n];
     if (routing.Receiver[cell] != cell)

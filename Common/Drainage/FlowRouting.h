@@ -35,7 +35,7 @@ FlowRouting RouteFlow(const GridSamples& heights, const OutletMask& outlets, con
 std::vector<CellIndex> StackOrder(const std::vector<CellIndex>& receivers);
 
 /// Flow accumulation: the number of cells that drain through each cell, itself included.
-std::vector<CellIndex> FlowAccumulation(const FlowRouting& routing);
+std::vector<CellIndex> FlowAccumulation(const FlowRouting& routing, const Poll& poll = NoPoll);
 
 /// Drainage area of each cell [m^2], itself included: FlowAccumulation() times the area of a cell.
 std::vector<double> DrainageArea(const FlowRouting& routing, const CellLattice& lattice);

@@ -52,11 +52,12 @@ double LongerSpacing(const GridSamples& grid)
 }
 
 /// Squared slope of smoothed ground, by differences that are one-sided at the border, smoothed.
-std::vector<double> SlopePower(const GridSamples& smooth, const ParallelFor& parallel)
+std::vector<double> SlopePower(const GridSamples& smooth, const ParallelFor& parallel, const Poll& poll = NoPoll)
 {
   std::vector<double> power(smooth.Values.size());
   for (int j = 0; j < smooth.Height; ++j)
   {
+    poll();
     const int south = std::max(j - 1, 0);
     const int north = std::min(j + 1, smooth.Height - 1);
     for (int i = 0; i < smooth.Width; ++i)
@@ -73,12 +74,12 @@ std::vector<double> SlopePower(const GridSamples& smooth, const ParallelFor& par
 }
 
 /// Smoothed ground, which goes on by reflection in the points of its edge, so that slopes have no kink there.
-GridSamples Smoothed(const GridSamples& ground, const ParallelFor& parallel)
+GridSamples Smoothed(const GridSamples& ground, const ParallelFor& parallel, const Poll& poll = NoPoll)
 {
   const int margin = std::min({ MarginCells, ground.Width - 1, ground.Height - 1 });
-  GridSamples wide = WithMargins(ground, margin, margin, margin);
+  GridSamples wide = WithMargins(ground, margin, margin, margin, poll);
   SmoothGrid(wide.Values, wide.Width, wide.Height, SlopeCells, parallel);
-  return PartOf(wide, margin, margin, ground.Width, ground.Height);
+  return PartOf(wide, margin, margin, ground.Width, ground.Height, poll);
 }
 
 /// Exponent p of V ~ q^p, by the means of both in classes of as many cells by the rank of q; 0 where q has no range.
@@ -193,11 +194,11 @@ GroundRoughness RoughnessOf(const GridSamples& place, const ParallelFor& paralle
   return roughness;
 }
 
-void AddRoughness(
-  GridSamples& ground, const GroundRoughness& roughness, double minimumSlope, int seed, const ParallelFor& parallel)
+void AddRoughness(GridSamples& ground, const GroundRoughness& roughness, double minimumSlope, int seed,
+  const ParallelFor& parallel, const Poll& poll)
 {
   GridSamples field = ground;
-  RemovePlane(field);
+  RemovePlane(field, poll);
   CosineTransform(field, parallel);
   const RingSpectrum is = SpectrumOfCoefficients(field, parallel);
   const std::vector<double> sizes = MissingSizes(is, roughness, ground);
@@ -210,12 +211,14 @@ void AddRoughness(
   });
   MultiplyRings(field, is.Step, sizes, parallel);
   InverseCosineTransform(field, parallel);
-  std::vector<double> weights = SlopePower(Smoothed(ground, parallel), parallel);
-  const FlowRouting routing = RouteFlow(ground, BorderOutlets(ground.Width, ground.Height), parallel);
-  const std::vector<CellIndex> areas = FlowAccumulation(routing);
+  std::vector<double> weights = SlopePower(Smoothed(ground, parallel, poll), parallel, poll);
+  const FlowRouting routing = RouteFlow(ground, BorderOutlets(ground.Width, ground.Height), parallel, poll);
+  const std::vector<CellIndex> areas = FlowAccumulation(routing, poll);
   double sum = 0.0;
+  SteppedPoll stepped(poll);
   for (std::size_t n = 0; n < weights.size(); ++n)
   {
+    stepped.Step();
     // w = q^p / (1 + (A / A_r)^2)
     const double bed = static_cast<double>(areas[n]) / BedCells;
     weights[n] = std::pow(weights[n], roughness.SlopeExponent) / (1.0 + bed * bed);
@@ -229,7 +232,7 @@ void AddRoughness(
       ground.Values[n] += mean > 0.0 ? field.Values[n] * std::sqrt(weights[n] / mean) : 0.0;
     }
   });
-  ground.Values = GradeAlong(ground, routing, areas, EvenLaw(minimumSlope), 0.5, parallel);
+  ground.Values = GradeAlong(ground, routing, areas, EvenLaw(minimumSlope), 0.5, parallel, poll);
 }
 
 }

@@ -28,10 +28,10 @@ GroundRoughness RoughnessOf(const GridSamples& place, const ParallelFor& paralle
  * full under five: a field of the missing spectrum, times sqrt(w / w_mean), w = q^p / (1 + (A / A_r)^2), with the
  * squared slope q about each cell and its drainage area A: water smooths its bed, A_r = 50 cells. Ground that drained
  * does so along the same paths, which are graded to the least slope [m/m] where roughness dams them. Ground that has
- * the place's spectrum stays as it is.
+ * the place's spectrum stays as it is. The poll may end it by an exception.
  */
 void AddRoughness(GridSamples& ground, const GroundRoughness& roughness, double minimumSlope, int seed,
-  const ParallelFor& parallel = SerialFor);
+  const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
 
 }
 

@@ -234,14 +234,14 @@ public:
         best = std::move(ground);
       }
     }
-    BreachDepressions(best, BorderOutlets(best.Width, best.Height), BreachPath::LeastCost);
+    this->Breach(best);
     this->Roughen(best);
     const bool isGiven = this->Given.HasLines() || !this->GivenHeights.empty();
     for (int round = 0; round < LastRounds && isGiven; ++round)
     {
       CorrectHeights(best, this->GivenHeights, 1.0, this->Parallel);
       LeadGrid(best, this->GivenLines, this->Law.MinimumSlope);
-      BreachDepressions(best, BorderOutlets(best.Width, best.Height), BreachPath::LeastCost);
+      this->Breach(best);
     }
     return best;
   }
@@ -516,15 +516,26 @@ private:
     }
   }
 
+  /// A poll that reports no further progress.
+  Poll PollNow() const
+  {
+    return [this] { this->Progress(std::min(1.0, static_cast<double>(this->Steps) / this->AllSteps)); };
+  }
+
+  void Breach(GridSamples& ground) const
+  {
+    BreachDepressions(ground, BorderOutlets(ground.Width, ground.Height), BreachPath::LeastCost, this->PollNow());
+  }
+
   /// Adds the roughness that the ground lacks, and matches it again. How rough other rocks are the place does not tell.
   void Roughen(GridSamples& ground) const
   {
     if (!this->HasRock())
     {
-      AddRoughness(ground, this->Roughness, this->Law.MinimumSlope, this->Seed, this->Parallel);
+      AddRoughness(ground, this->Roughness, this->Law.MinimumSlope, this->Seed, this->Parallel, this->PollNow());
       this->MatchPlace(ground);
       CorrectHeights(ground, this->GivenHeights, 1.0, this->Parallel);
-      BreachDepressions(ground, BorderOutlets(ground.Width, ground.Height), BreachPath::LeastCost);
+      this->Breach(ground);
     }
   }
 

@@ -73,7 +73,8 @@ double Reflected(int n, int count, const At& at)
 
 /// A grid with margins, of which the value at column i and row j of the grid is at(i, j), also outside of it.
 template <typename At>
-GridSamples Widened(const GridSamples& grid, int before, int afterX, int afterY, const At& at)
+GridSamples Widened(
+  const GridSamples& grid, int before, int afterX, int afterY, const At& at, const Poll& poll = NoPoll)
 {
   GridSamples wide = grid;
   wide.Width = before + grid.Width + afterX;
@@ -81,6 +82,7 @@ GridSamples Widened(const GridSamples& grid, int before, int afterX, int afterY,
   wide.Values.clear();
   for (int j = 0; j < wide.Height; ++j)
   {
+    poll();
     for (int i = 0; i < wide.Width; ++i)
     {
       wide.Values.push_back(at(i - before, j - before));
@@ -156,12 +158,13 @@ void LongWaves::Correct(const GridSamples& landscape, const GroundMeasures& targ
   }
 }
 
-GridSamples WithMargins(const GridSamples& grid, int before, int afterX, int afterY)
+GridSamples WithMargins(const GridSamples& grid, int before, int afterX, int afterY, const Poll& poll)
 {
-  return Widened(grid, before, afterX, afterY, [&](int i, int j) {
+  const auto at = [&](int i, int j) {
     return Reflected(
       j, grid.Height, [&](int y) { return Reflected(i, grid.Width, [&](int x) { return grid.At(x, y); }); });
-  });
+  };
+  return Widened(grid, before, afterX, afterY, at, poll);
 }
 
 GridSamples WithEdges(const GridSamples& grid, int before, int afterX, int afterY)
@@ -170,7 +173,7 @@ GridSamples WithEdges(const GridSamples& grid, int before, int afterX, int after
     [&](int i, int j) { return grid.At(std::clamp(i, 0, grid.Width - 1), std::clamp(j, 0, grid.Height - 1)); });
 }
 
-GridSamples PartOf(const GridSamples& grid, int x, int y, int width, int height)
+GridSamples PartOf(const GridSamples& grid, int x, int y, int width, int height, const Poll& poll)
 {
   GridSamples part;
   part.Width = width;
@@ -178,6 +181,7 @@ GridSamples PartOf(const GridSamples& grid, int x, int y, int width, int height)
   part.Spacing = grid.Spacing;
   for (int j = y; j < y + height; ++j)
   {
+    poll();
     const auto row = grid.Values.begin() + static_cast<std::ptrdiff_t>(j) * grid.Width + x;
     part.Values.insert(part.Values.end(), row, row + width);
   }

@@ -41,13 +41,13 @@ private:
 
 /// Grid with margins of so many cells, into which it goes on by reflection in the points of its edge, 2 z(edge) -
 /// z(mirrored): heights and slopes have no jump there. Margins are shorter than the grid.
-GridSamples WithMargins(const GridSamples& grid, int before, int afterX, int afterY);
+GridSamples WithMargins(const GridSamples& grid, int before, int afterX, int afterY, const Poll& poll = NoPoll);
 
 /// Grid with margins that go on as its edge is.
 GridSamples WithEdges(const GridSamples& grid, int before, int afterX, int afterY);
 
 /// Part of a grid.
-GridSamples PartOf(const GridSamples& grid, int x, int y, int width, int height);
+GridSamples PartOf(const GridSamples& grid, int x, int y, int width, int height, const Poll& poll = NoPoll);
 
 /// Means of squares of `factor` times `factor` cells, of which the grid has whole numbers.
 GridSamples BlockMeans(const GridSamples& grid, int factor);

@@ -124,7 +124,7 @@ PlaneTrend RemoveMean(GridSamples& samples)
   return trend;
 }
 
-PlaneTrend RemovePlane(GridSamples& samples)
+PlaneTrend RemovePlane(GridSamples& samples, const Poll& poll)
 {
   // Positions in units of the grid's size, so that the normal equations are well scaled.
   const double scaleX = samples.Width * samples.Spacing[0];
@@ -134,6 +134,7 @@ PlaneTrend RemovePlane(GridSamples& samples)
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   for (int j = 0; j < samples.Height; ++j)
   {
+    poll();
     // Sums of 1, x, x^2 and of z, x z of a row, along which y is one.
     double count = 0.0;
     double x1 = 0.0;

@@ -52,7 +52,7 @@ struct PlaneTrend
 
 /// Fits a plane by least squares to the values that are there, and subtracts it. A direction along which fewer than
 /// two distinct positions have values gets no slope.
-PlaneTrend RemovePlane(GridSamples& samples);
+PlaneTrend RemovePlane(GridSamples& samples, const Poll& poll = NoPoll);
 
 /// Subtracts the mean alone.
 PlaneTrend RemoveMean(GridSamples& samples);

@@ -33,6 +33,12 @@ std::array<double, 2> PlaceIn(vtkImageData* image, const std::array<double, 3>& 
   return { (index[0] - extent[0]) * spacing[0], (index[1] - extent[2]) * spacing[1] };
 }
 
+/// Places of all lines, those of a point that several have once for each.
+vtkIdType PlacesOfLines(vtkPolyData* data)
+{
+  return data->GetLines()->GetNumberOfConnectivityIds();
+}
+
 }
 
 GivenGround ReadGiven(vtkPolyData* data, vtkImageData* image, const char* heights, bool usesLineHeights)
@@ -77,6 +83,13 @@ GivenGround ReadGiven(vtkPolyData* data, vtkImageData* image, const char* height
     }
   }
   return given;
+}
+
+double MemoryOfGiven(vtkPolyData* data)
+{
+  // a place and a height in each of the copies of the terrain, of the grid with margins, of a level and of a part
+  constexpr double bytesOfPoint = 400.0;
+  return bytesOfPoint * (static_cast<double>(data->GetNumberOfPoints()) + static_cast<double>(PlacesOfLines(data)));
 }
 
 }

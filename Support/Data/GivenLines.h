@@ -21,6 +21,9 @@ namespace littoral
  */
 GivenGround ReadGiven(vtkPolyData* data, vtkImageData* image, const char* heights, bool usesLineHeights);
 
+/// Memory that points and lines take in growth, by the copies of each place and height [bytes].
+double MemoryOfGiven(vtkPolyData* data);
+
 }
 
 #endif

@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <map>
@@ -37,6 +38,7 @@
 
 #ifndef _WIN32
 #include <sys/resource.h>
+#include <unistd.h>
 #endif
 
 namespace
@@ -693,13 +695,49 @@ bool MemoryIsAsked()
   return good;
 }
 
+/// Given points count in the memory that is asked for, in one message.
+bool GivenIsCounted()
+{
+  bool good = true;
+#ifdef __linux__
+  vtkNew<vtkPoints> points;
+  points->SetNumberOfPoints(1000000);
+  points->GetData()->Fill(0.0);
+  vtkNew<vtkPolyData> given;
+  given->SetPoints(points);
+  vtkNew<vtkDrainageFilter> drainage;
+  drainage->SetInputData(Image(30, 30, 1, Ramp));
+  drainage->GrowOn();
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(drainage);
+  long pages = 0;
+  std::ifstream status("/proc/self/statm");
+  for (int field = 0; field < 6; ++field)
+  {
+    status >> pages; // the sixth: data and stacks
+  }
+  rlimit before;
+  getrlimit(RLIMIT_DATA, &before);
+  rlimit limit = before;
+  limit.rlim_cur = static_cast<rlim_t>(pages) * sysconf(_SC_PAGESIZE) + (static_cast<rlim_t>(200) << 20);
+  if (!IsSanitized && before.rlim_max == RLIM_INFINITY && setrlimit(RLIMIT_DATA, &limit) == 0)
+  {
+    good &= errors->ExpectOneNaming("There is no Target");
+    drainage->SetInputData(3, given);
+    good &= errors->ExpectOneNaming("of memory");
+    setrlimit(RLIMIT_DATA, &before);
+  }
+#endif
+  return good;
+}
+
 }
 
 int TestDrainageFilter(int, char*[])
 {
   return CarvedGroundDrains() && TargetIsTaken() && GrownGroundDrains() && RockIsUsed() && GivenIsHeld() &&
       StatisticsAreTaken() && OutletsAreChosen() && PartsAreOfOneWhole() && HolesAreOutside() && BadInput() &&
-      MemoryIsAsked()
+      MemoryIsAsked() && GivenIsCounted()
     ? EXIT_SUCCESS
     : EXIT_FAILURE;
 }

@@ -101,3 +101,27 @@ TEST(GroundRoughness, RoughGroundStaysAndFlatGroundDrains)
   AddRoughness(flat, RoughnessOf(place), 1e-5, 1);
   EXPECT_EQ(FloodDepressions(flat, BorderOutlets(Side, Side)).DepressionCells, 0u);
 }
+
+TEST(GroundRoughness, EndsWhereItsPollDoes)
+{
+  struct Ended
+  {
+  };
+  GridSamples ground = NoisyGround(Ramp, Even);
+  const GroundRoughness roughness = RoughnessOf(ground);
+  int polls = 0;
+  AddRoughness(ground, roughness, 1e-5, 1, SerialFor, [&] { ++polls; });
+  // once a row in the plane, two margins, slopes, and every 4096 cells along the paths
+  EXPECT_GT(polls, 4 * Side);
+  for (int last = 1; last <= polls; last += Side / 2)
+  {
+    int left = last;
+    const auto poll = [&] {
+      if (--left == 0)
+      {
+        throw Ended();
+      }
+    };
+    EXPECT_THROW(AddRoughness(ground, roughness, 1e-5, 1, SerialFor, poll), Ended);
+  }
+}
