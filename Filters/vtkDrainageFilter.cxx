@@ -9,6 +9,7 @@
 #include "Data/RiverLines.h"
 #include "Data/Tables.h"
 #include "Data/TerrainHeights.h"
+#include "Data/TiledTerrain.h"
 #include "Drainage/DepressionFilling.h"
 #include "Drainage/DrainageCarving.h"
 #include "Drainage/FlowRouting.h"
@@ -28,12 +29,16 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSignedCharArray.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
+#include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -175,6 +180,14 @@ struct vtkDrainageFilter::Ground
   std::vector<double> Levels; ///< spill elevations [m]
 };
 
+/// Drainage by tiles, kept from request to request.
+class vtkDrainageFilter::vtkInternals
+{
+public:
+  littoral::TiledTerrain Terrain;
+  std::exception_ptr Refusal; ///< of a terrain that cannot be drained by tiles, thrown with the data
+};
+
 //----------------------------------------------------------------------------
 vtkDrainageFilter::vtkDrainageFilter()
   : Outlets(Border)
@@ -192,6 +205,8 @@ vtkDrainageFilter::vtkDrainageFilter()
   , ChannelThreshold(50.0)
   , ValleyWidth(3.0)
   , Seed(1)
+  , TileSize(0)
+  , Internals(new vtkInternals)
 {
   this->SetNumberOfInputPorts(4);
   this->SetNumberOfOutputPorts(2);
@@ -226,14 +241,102 @@ int vtkDrainageFilter::RequestInformation(
 }
 
 //----------------------------------------------------------------------------
-int vtkDrainageFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+int vtkDrainageFilter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   // Flow is not local.
   littoral::RequestAll(inputVector[0]->GetInformationObject(0));
   littoral::RequestAll(inputVector[1]->GetInformationObject(0));
   littoral::RequestAll(inputVector[2]->GetInformationObject(0));
   littoral::RequestAll(inputVector[3]->GetInformationObject(0));
+  if (this->TileSize != 0)
+  {
+    this->AskForTile(inputVector[0]->GetInformationObject(0), outputVector->GetInformationObject(0));
+  }
   return 1;
+}
+
+//----------------------------------------------------------------------------
+void vtkDrainageFilter::AskForTile(vtkInformation* input, vtkInformation* output)
+{
+  littoral::TiledTerrain& terrain = this->Internals->Terrain;
+  std::array<int, 6> whole;
+  input->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole.data());
+  std::vector<double> key(whole.begin(), whole.end());
+  key.push_back(static_cast<double>(this->GetMTime()));
+  key.push_back(static_cast<double>(littoral::PipelineTime(this, 0, 0)));
+  std::exception_ptr& refusal = this->Internals->Refusal;
+  if (terrain.BeginsAnew(key))
+  {
+    refusal = nullptr;
+    try
+    {
+      littoral::ParameterCheck check;
+      check.Count("TileSize", this->TileSize, 16, 2048);
+      check.Choice("Outlets", this->Outlets, { "border", "sea", "chosen", "lowest of border", "sea alone" });
+      check.Finite("SeaLevel", this->SeaLevel, "m");
+      check.Require(!this->Carve, "TileSize is not 0, and Carve is on; only ground as it is drains by tiles.");
+      check.Require(this->Outlets == Border || this->Outlets == Sea,
+        "TileSize is not 0, and Outlets is neither Border nor Sea, which alone are known tile by tile.");
+      littoral::Require(check.Reason());
+      constexpr double none = -std::numeric_limits<double>::infinity();
+      terrain.Begin(whole, this->TileSize, this->Outlets == Sea ? this->SeaLevel : none);
+    }
+    catch (const littoral::InvalidInput&)
+    {
+      refusal = std::current_exception();
+    }
+  }
+  if (!refusal)
+  {
+    const std::array<int, 6> part = littoral::RequestedExtent(output);
+    const std::array<int, 6> extent = part[1] < part[0] ? part : terrain.NextExtent(part);
+    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data(), 6);
+  }
+}
+
+//----------------------------------------------------------------------------
+int vtkDrainageFilter::RequestTile(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  using Requests = vtkStreamingDemandDrivenPipeline;
+  littoral::TiledTerrain& terrain = this->Internals->Terrain;
+  request->Remove(Requests::CONTINUE_EXECUTING());
+  try
+  {
+    if (const std::exception_ptr refusal = this->Internals->Refusal)
+    {
+      std::rethrow_exception(refusal);
+    }
+    const std::array<int, 6> part = littoral::RequestedExtent(outputVector->GetInformationObject(0));
+    if (part[1] < part[0])
+    {
+      return 1; // a rank with nothing to do
+    }
+    auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Terrain");
+    vtkDataArray* heights = littoral::FindHeights(
+      image, this->GetInputArrayToProcess(0, inputVector), this->GetInputArrayInformation(0), "Terrain");
+    const bool isKnown = terrain.IsKnown();
+    if (isKnown)
+    {
+      terrain.Write(image, heights, part, vtkImageData::GetData(outputVector, 0), littoral::PollOf(this));
+      this->UpdateProgress(1.0);
+    }
+    else
+    {
+      terrain.Take(image, heights, littoral::PollOf(this));
+      this->UpdateProgress(0.9 * terrain.Share());
+      request->Set(Requests::CONTINUE_EXECUTING(), 1);
+    }
+    terrain.SetExecuting(!isKnown);
+    return 1;
+  }
+  catch (...)
+  {
+    request->Remove(Requests::CONTINUE_EXECUTING());
+    this->Internals = std::make_unique<vtkInternals>();
+    throw;
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -380,8 +483,15 @@ int vtkDrainageFilter::RequestData(
   vtkPolyData* rivers = vtkPolyData::GetData(outputVector, 1);
   output->Initialize();
   rivers->Initialize();
-  Ground ground;
   this->SetProgressText("Draining the terrain");
+  if (this->TileSize != 0)
+  {
+    int done = 0;
+    littoral::InContext(
+      "Cannot drain a terrain: ", [&] { done = this->RequestTile(request, inputVector, outputVector); });
+    return done;
+  }
+  Ground ground;
   littoral::InContext("Cannot drain a terrain: ", [&] { this->ReadGround(inputVector, ground); });
   if (this->Carve && this->Grow)
   {
@@ -400,7 +510,8 @@ int vtkDrainageFilter::RequestData(
       littoral::MeasureGround(ground.Heights, outlets, littoral::AbortableFor(this), poll);
   }
   this->UpdateProgress(0.9);
-  ground.Routing = littoral::RouteFlow(ground.Heights, outlets, littoral::AbortableFor(this), poll);
+  ground.Routing =
+    littoral::RouteFlow(ground.Heights, outlets, littoral::AbortableFor(this), poll, littoral::FlatWays::Shortest);
   ground.Cells = littoral::FlowAccumulation(ground.Routing);
   ground.Streams = littoral::FindStreams(ground.Heights, ground.Routing, ground.Cells, this->StreamThreshold);
   ground.Levels = ground.Routing.DepressionCells == 0
@@ -449,4 +560,5 @@ void vtkDrainageFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ChannelThreshold: " << this->ChannelThreshold << "\n";
   os << indent << "ValleyWidth: " << this->ValleyWidth << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "TileSize: " << this->TileSize << "\n";
 }

@@ -39,7 +39,10 @@
  *
  * Sources: Barnes et al. 2014 (priority-flood), Lindsay 2016 (breaching), Braun & Willett 2013 (stream power in O(n)).
  *
- * The whole image is requested, whatever part of the output is, since flow is not local.
+ * The whole image is requested, whatever part of the output is, since flow is not local. With a TileSize it is asked
+ * for tile by tile instead, twice, and then about the part that is asked of the output, of which alone the arrays are
+ * made: ground larger than memory drains as the whole would, cell for cell (Barnes 2016, 2017). There are no
+ * StreamOrder and no rivers then, and DepressionFraction is all of the field data.
  * Threads and ranks change no byte. Rivers are in piece 0. A bad input or property is reported as one error.
  *
  * @sa vtkGroundStatisticsFilter
@@ -49,6 +52,8 @@
 
 #include "LittoralFiltersModule.h" // for export macro
 #include "vtkImageAlgorithm.h"
+
+#include <memory>
 
 class LITTORALFILTERS_EXPORT vtkDrainageFilter : public vtkImageAlgorithm
 {
@@ -218,6 +223,15 @@ public:
   vtkGetMacro(Seed, int);
   ///@}
 
+  ///@{
+  /**
+   * Side of the tiles by which the terrain is drained [cells], 16 to 2048, or 0: as a whole, the default. Needs Carve
+   * off and Outlets Border or Sea. Ask for the output in rows of tiles, as the terrain is asked for by whole tiles.
+   */
+  vtkSetMacro(TileSize, int);
+  vtkGetMacro(TileSize, int);
+  ///@}
+
   /// Connects the target, port 1.
   void SetTargetConnection(vtkAlgorithmOutput* target) { this->SetInputConnection(1, target); }
 
@@ -261,17 +275,23 @@ protected:
   double ChannelThreshold;
   double ValleyWidth;
   int Seed;
+  int TileSize;
 
 private:
   vtkDrainageFilter(const vtkDrainageFilter&) = delete;
   void operator=(const vtkDrainageFilter&) = delete;
 
   struct Ground;
+  class vtkInternals;
 
+  int RequestTile(vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  void AskForTile(vtkInformation* input, vtkInformation* output);
   void ReadGround(vtkInformationVector** inputVector, Ground& ground);
   void CarveGround(vtkInformationVector** inputVector, Ground& ground);
   void GrowGround(vtkInformationVector** inputVector, Ground& ground);
   void WriteGround(vtkImageData* image, const Ground& ground, vtkImageData* output);
+
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -3,6 +3,7 @@
 #include "Drainage/FlowRouting.h"
 
 #include "Drainage/DepressionFilling.h"
+#include "Drainage/FlatRouting.h"
 #include "Numerics/Prefetch.h"
 
 #include <atomic>
@@ -14,22 +15,6 @@ namespace littoral
 namespace
 {
 
-/// Neighbour of steepest descent, max (z - z_r) / d; -1 where none is lower.
-CellIndex SteepestNeighbour(const std::vector<double>& heights, const CellLattice& lattice, CellIndex cell)
-{
-  CellIndex receiver = -1;
-  double steepest = 0.0;
-  lattice.ForEachNeighbour(cell, [&](CellIndex neighbour, int direction) {
-    const double slope = (heights[cell] - heights[neighbour]) / lattice.Distance(direction);
-    if (slope > steepest)
-    {
-      steepest = slope;
-      receiver = neighbour;
-    }
-  });
-  return receiver;
-}
-
 /// Receivers of steepest descent, and whether all cells but outlets have one.
 bool FindReceivers(const std::vector<double>& heights, const OutletMask& outlets, const CellLattice& lattice,
   const ParallelFor& parallel, std::vector<CellIndex>& receivers)
@@ -40,7 +25,8 @@ bool FindReceivers(const std::vector<double>& heights, const OutletMask& outlets
     for (std::size_t n = begin * width; n < end * width; ++n)
     {
       const auto cell = static_cast<CellIndex>(n);
-      receivers[cell] = outlets[cell] ? cell : SteepestNeighbour(heights, lattice, cell);
+      const int direction = outlets[cell] ? -1 : SteepestDirection(heights, lattice, cell);
+      receivers[cell] = direction >= 0 ? cell + lattice.Offset(direction) : outlets[cell] ? cell : -1;
       if (receivers[cell] < 0)
       {
         isDrained = false;
@@ -50,10 +36,46 @@ bool FindReceivers(const std::vector<double>& heights, const OutletMask& outlets
   return isDrained;
 }
 
+/// Receivers of the cells of flats, which have none, by the shortest way out.
+void DrainFlats(const std::vector<double>& levels, const CellLattice& lattice, const ParallelFor& parallel,
+  const Poll& poll, std::vector<CellIndex>& receivers)
+{
+  std::vector<FlowCode> codes(receivers.size());
+  parallel(receivers.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      const auto cell = static_cast<CellIndex>(n);
+      codes[n] = receivers[n] >= 0 ? FlowEnds : FirstExit(lattice, cell, [&](CellIndex other) {
+        return receivers[other] >= 0 && levels[other] == levels[cell];
+      });
+    }
+  });
+  RouteFlats(lattice, codes, poll);
+  for (std::size_t n = 0; n < receivers.size(); ++n)
+  {
+    receivers[n] = receivers[n] >= 0 ? receivers[n] : static_cast<CellIndex>(n) + lattice.Offset(DirectionOf(codes[n]));
+  }
+}
+
+}
+
+int SteepestDirection(const std::vector<double>& heights, const CellLattice& lattice, CellIndex cell)
+{
+  int steepestDirection = -1;
+  double steepest = 0.0;
+  lattice.ForEachNeighbour(cell, [&](CellIndex neighbour, int direction) {
+    const double slope = (heights[cell] - heights[neighbour]) / lattice.Distance(direction);
+    if (slope > steepest)
+    {
+      steepest = slope;
+      steepestDirection = direction;
+    }
+  });
+  return steepestDirection;
 }
 
 FlowRouting RouteFlow(
-  const GridSamples& heights, const OutletMask& outlets, const ParallelFor& parallel, const Poll& poll)
+  const GridSamples& heights, const OutletMask& outlets, const ParallelFor& parallel, const Poll& poll, FlatWays flats)
 {
   const CellLattice lattice(heights);
   FlowRouting routing;
@@ -63,13 +85,17 @@ FlowRouting RouteFlow(
     const DepressionFlood flood = FloodDepressions(heights, outlets, poll);
     routing.DepressionCells = flood.DepressionCells;
     routing.Volume = flood.Volume;
-    FindReceivers(flood.SpillElevation, outlets, lattice, parallel, routing.Receiver);
-    for (CellIndex cell = 0; cell < lattice.Count(); ++cell)
+    const bool hasFlats = !FindReceivers(flood.SpillElevation, outlets, lattice, parallel, routing.Receiver);
+    for (CellIndex cell = 0; hasFlats && flats == FlatWays::Flood && cell < lattice.Count(); ++cell)
     {
       if (routing.Receiver[cell] < 0)
       {
         routing.Receiver[cell] = flood.Backlink[cell];
       }
+    }
+    if (hasFlats && flats == FlatWays::Shortest)
+    {
+      DrainFlats(flood.SpillElevation, lattice, parallel, poll, routing.Receiver);
     }
   }
   poll();

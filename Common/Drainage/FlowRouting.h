@@ -23,13 +23,23 @@ struct FlowRouting
   double Volume = 0.0;             ///< volume of the depressions [m^3]
 };
 
+/// Ways over flats.
+enum class FlatWays
+{
+  Flood,    ///< the backlink of the priority-flood: the shortest way from the rim cell that came first
+  Shortest, ///< RouteFlats(): the shortest way from the whole rim, whatever the order of cells, as by tiles
+};
+
 /**
  * Single flow direction (D8, O'Callaghan & Mark 1984): each cell's receiver is its neighbour of steepest descent, max
  * (z - z_r) / d, the first by direction of equal ones. Where depressions or flats leave none, it is that of the filled
- * heights, and on flats the backlink of the priority-flood. The order is the stack of Braun & Willett (2013), in O(n).
+ * heights, and on flats one of FlatWays. The order is the stack of Braun & Willett (2013), in O(n).
  */
 FlowRouting RouteFlow(const GridSamples& heights, const OutletMask& outlets, const ParallelFor& parallel = SerialFor,
-  const Poll& poll = NoPoll);
+  const Poll& poll = NoPoll, FlatWays flats = FlatWays::Flood);
+
+/// Direction of the neighbour of steepest descent, max (z - z_r) / d, the first of equal ones; -1 where none is lower.
+int SteepestDirection(const std::vector<double>& heights, const CellLattice& lattice, CellIndex cell);
 
 /// Stack of given receivers, outlets by their index.
 std::vector<CellIndex> StackOrder(const std::vector<CellIndex>& receivers);

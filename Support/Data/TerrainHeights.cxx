@@ -56,11 +56,16 @@ void RequireMemoryFor(vtkImageData* image, const CellMemory& memory)
 
 }
 
+vtkDataArray* FindHeights(vtkImageData* image, vtkDataArray* array, vtkInformation* choice, const char* input)
+{
+  RequireRaster(image, SmallestSide);
+  return HeightArray(image, array, choice, input);
+}
+
 GridSamples ReadHeights(
   vtkImageData* image, vtkDataArray* array, vtkInformation* choice, const char* input, const CellMemory& memory)
 {
-  RequireRaster(image, SmallestSide);
-  vtkDataArray* values = HeightArray(image, array, choice, input);
+  vtkDataArray* values = FindHeights(image, array, choice, input);
   RequireMemoryFor(image, memory);
   int size[3];
   image->GetDimensions(size);

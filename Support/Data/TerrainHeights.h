@@ -30,6 +30,10 @@ struct CellMemory
 GridSamples ReadHeights(
   vtkImageData* image, vtkDataArray* array, vtkInformation* choice, const char* input, const CellMemory& memory);
 
+/// The array of heights of an image, or of a part of one, that ReadHeights() would read: the chosen one, or the active
+/// scalars for an absent Elevation.
+vtkDataArray* FindHeights(vtkImageData* image, vtkDataArray* array, vtkInformation* choice, const char* input);
+
 /// Throws InvalidInput if heights are all the same: "The terrain is constant."
 void RequireRelief(const GridSamples& heights, const char* input);
 

@@ -6,6 +6,7 @@
 #include "Drainage/DepressionFilling.h"
 #include "Drainage/DrainageCarving.h"
 #include "Drainage/FlowRouting.h"
+#include "Drainage/TiledDrainage.h"
 #include "Landscapes/LandscapeGrowth.h"
 #include "Terrain/TurningBands.h"
 
@@ -173,6 +174,43 @@ void Route(benchmark::State& state)
   }
 }
 
+/// The same by tiles of 256 cells, whose heights are cut out three times.
+void RouteByTiles(benchmark::State& state)
+{
+  const GridSamples hills = Hills(WidthOf(state), 1);
+  const auto groundOf = [&](const TileWindow& window) {
+    TileGround ground{ window, { window.Width + 2, window.Height + 2, hills.Spacing, {} } };
+    for (int j = window.Y - 1; j <= window.Y + window.Height; ++j)
+    {
+      for (int i = window.X - 1; i <= window.X + window.Width; ++i)
+      {
+        const bool isThere = i >= 0 && j >= 0 && i < hills.Width && j < hills.Height;
+        ground.Heights.Values.push_back(isThere ? hills.At(i, j) : std::nan(""));
+      }
+    }
+    return ground;
+  };
+  for (auto _ : state)
+  {
+    TiledDrainage drainage(hills.Width, hills.Height, 256, -1e9);
+    const TileGrid& tiles = drainage.Tiles();
+    for (int tile = 0; tile < tiles.Count(); ++tile)
+    {
+      drainage.FindSpills(groundOf(tiles.Window(tile)));
+    }
+    drainage.JoinSpills();
+    for (int tile = 0; tile < tiles.Count(); ++tile)
+    {
+      drainage.Route(groundOf(tiles.Window(tile)));
+    }
+    drainage.JoinFlow();
+    for (int tile = 0; tile < tiles.Count(); ++tile)
+    {
+      benchmark::DoNotOptimize(drainage.Drain(groundOf(tiles.Window(tile))).Cells.data());
+    }
+  }
+}
+
 /// 4096^2 cells as the last argument: minutes; leave them out with --benchmark_filter='-size:16777216'.
 void Sizes(benchmark::internal::Benchmark* bench)
 {
@@ -193,6 +231,14 @@ BENCHMARK(GrowLikePlace)
   ->UseRealTime()
   ->MeasureProcessCPUTime()
   ->Unit(benchmark::kSecond);
+BENCHMARK(RouteByTiles)
+  ->ArgName("size")
+  ->Arg(1 << 16)
+  ->Arg(1 << 18)
+  ->Arg(1 << 20)
+  ->Arg(1 << 22)
+  ->Iterations(3)
+  ->Unit(benchmark::kMillisecond);
 BENCHMARK(Flood)->ArgName("size")->Arg(1 << 16)->Arg(1 << 18)->Arg(1 << 20)->Arg(1 << 22)->Iterations(3)->Unit(
   benchmark::kMillisecond);
 BENCHMARK(Breach)

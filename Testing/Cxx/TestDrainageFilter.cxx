@@ -535,6 +535,62 @@ bool PartsAreOfOneWhole()
   return good;
 }
 
+/// Parts of a terrain that is drained by tiles are those of the whole: of a source that makes parts, and of an image.
+bool TilesAreOfOneWhole()
+{
+  const auto terrain = Terrain(70);
+  vtkNew<vtkDrainageFilter> whole;
+  whole->SetInputConnection(terrain->GetOutputPort());
+  whole->CarveOff();
+  whole->Update();
+  vtkNew<vtkDrainageFilter> part;
+  part->SetInputConnection(terrain->GetOutputPort());
+  part->CarveOff();
+  part->SetTileSize(23); // the last tiles are two columns wide
+  std::vector<std::array<int, 6>> extents{ { 0, 70, 0, 22, 0, 0 }, { 20, 50, 11, 30, 0, 0 }, { 69, 70, 46, 60, 0, 0 } };
+  bool good = true;
+  for (const bool isImage : { false, true })
+  {
+    if (isImage)
+    {
+      part->SetInputData(terrain->GetOutput());
+      terrain->UpdateWholeExtent();
+    }
+    for (std::array<int, 6> extent : extents)
+    {
+      part->UpdateExtent(extent.data());
+      int got[6];
+      part->GetOutput()->GetExtent(got);
+      good &= Check(std::equal(got, got + 6, extent.data()), "another part by tiles than was asked for");
+      for (vtkIdType cell = 0; good && cell < part->GetOutput()->GetNumberOfPoints(); ++cell)
+      {
+        double place[3];
+        part->GetOutput()->GetPoint(cell, place);
+        const vtkIdType same = whole->GetOutput()->FindPoint(place);
+        for (const char* name : { "Elevation", "DrainageArea", "FlowDirection", "DepressionDepth" })
+        {
+          good &= Value(part->GetOutput(), name, cell) == Value(whole->GetOutput(), name, same);
+        }
+      }
+      const auto fraction = [](vtkDrainageFilter* filter) {
+        return filter->GetOutput()->GetFieldData()->GetArray("DepressionFraction")->GetComponent(0, 0);
+      };
+      good &= Check(fraction(part) == fraction(whole), "another share of depressions");
+    }
+  }
+  // Another terrain is drained anew.
+  terrain->SetSeed(2);
+  part->SetInputConnection(terrain->GetOutputPort());
+  whole->Update();
+  part->UpdateWholeExtent();
+  for (vtkIdType cell = 0; cell < part->GetOutput()->GetNumberOfPoints(); ++cell)
+  {
+    good &= Value(part->GetOutput(), "DrainageArea", cell) == Value(whole->GetOutput(), "DrainageArea", cell);
+  }
+  return Check(good, "a part by tiles differs from the whole") &&
+    Check(Rivers(part)->GetNumberOfLines() == 0, "rivers of tiles");
+}
+
 bool Fails(const char* word, vtkImageData* image, const std::function<void(vtkDrainageFilter*)>& spoil = {})
 {
   vtkNew<vtkDrainageFilter> drainage;
@@ -549,6 +605,30 @@ bool Fails(const char* word, vtkImageData* image, const std::function<void(vtkDr
 }
 
 /// One message for each bad input, nothing half written, and the next good request works.
+/// What only the last tile tells is one error, too; VTK does not hand on that the request failed.
+bool BadTiles()
+{
+  bool good = true;
+  for (const double height : { 5.0, NaN })
+  {
+    const auto image = Image(40, 20, 1, [height](int, int) { return height; });
+    vtkNew<vtkDrainageFilter> drainage;
+    drainage->SetInputData(image);
+    drainage->CarveOff();
+    drainage->SetTileSize(16);
+    vtkNew<ErrorCounter> errors;
+    errors->Watch(drainage);
+    drainage->Update();
+    const char* word = height == 5.0 ? "is constant" : "no heights";
+    good &= Check(errors->Count == 1 && errors->Last.find(word) != std::string::npos, "no error of all tiles");
+    good &= Check(drainage->GetOutput()->GetNumberOfPoints() == 0, "refused tiles leave ground");
+    drainage->SetInputData(Image(40, 20, 1, Ramp));
+    drainage->Update();
+    good &= Check(drainage->GetOutput()->GetNumberOfPoints() == 800, "nothing after mended tiles");
+  }
+  return good;
+}
+
 bool BadInput()
 {
   using Filter = vtkDrainageFilter;
@@ -572,6 +652,18 @@ bool BadInput()
   good &= Fails("ChannelThreshold", fine, [](Filter* filter) { filter->SetChannelThreshold(0.0); });
   good &= Fails("ValleyWidth", fine, [](Filter* filter) { filter->SetValleyWidth(-1.0); });
   good &= Fails("no Target", fine, [](Filter* filter) { filter->GrowOn(); });
+  good &= Fails("Carve is on", fine, [](Filter* filter) { filter->SetTileSize(16); });
+  const auto tiled = [](int size, int outlets) {
+    return [size, outlets](Filter* filter) {
+      filter->CarveOff();
+      filter->SetTileSize(size);
+      filter->SetOutlets(outlets);
+    };
+  };
+  good &= Fails("TileSize is 15", fine, tiled(15, Filter::Border));
+  good &= Fails("neither Border nor Sea", fine, tiled(16, Filter::LowestOfBorder));
+  good &= Fails("20 x 1", Image(20, 1, 1, Ramp), tiled(16, Filter::Border));
+  good &= Fails("20 x 20 x 3", Image(20, 20, 3, Ramp), tiled(16, Filter::Sea));
   const auto grow = [](const vtkNew<vtkImageData>& place, int outlets) {
     return [&place, outlets](Filter* filter) {
       filter->GrowOn();
@@ -736,8 +828,8 @@ bool GivenIsCounted()
 int TestDrainageFilter(int, char*[])
 {
   return CarvedGroundDrains() && TargetIsTaken() && GrownGroundDrains() && RockIsUsed() && GivenIsHeld() &&
-      StatisticsAreTaken() && OutletsAreChosen() && PartsAreOfOneWhole() && HolesAreOutside() && BadInput() &&
-      MemoryIsAsked() && GivenIsCounted()
+      StatisticsAreTaken() && OutletsAreChosen() && PartsAreOfOneWhole() && TilesAreOfOneWhole() && HolesAreOutside() &&
+      BadInput() && BadTiles() && MemoryIsAsked() && GivenIsCounted()
     ? EXIT_SUCCESS
     : EXIT_FAILURE;
 }
