@@ -3,11 +3,13 @@
 #include "InflowFile.h"
 
 #include "Data/FileBytes.h"
+#include "InflowNetcdf.h"
 #include "Numerics/InvalidInput.h"
 #include "Wind/BladedPlanes.h"
 #include "Wind/TurbSimPlanes.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -21,6 +23,15 @@ namespace
 
 constexpr double BytesPerByte = 8.0; // of lines and words in memory over those of a text
 constexpr double BytesOfSlab = 32.0 * 1024.0 * 1024.0;
+
+/// Planes and the files that they go to.
+struct InflowTarget
+{
+  std::unique_ptr<InflowPlanes> Planes;
+  std::vector<std::string> Paths; ///< as many as the planes have files
+  std::string TextPath;           ///< of a text beside them; empty if there is none
+  std::string Text;
+};
 
 std::ifstream Opened(const std::string& path)
 {
@@ -121,6 +132,89 @@ std::string Replace(const std::vector<std::unique_ptr<ReplacedFile>>& files)
   return {};
 }
 
+/// The files of a path for a wind. Throws InvalidInput if the format cannot hold it.
+InflowTarget TargetOf(const std::string& path, const InflowGrid& grid, const InflowRange& range, HawcOrder order)
+{
+  const std::filesystem::path file(path);
+  InflowTarget target;
+  switch (FormatOf(path))
+  {
+    case InflowFormat::TurbSim:
+      target.Planes = std::make_unique<TurbSimPlanes>(grid, range);
+      target.Paths = { path };
+      break;
+    case InflowFormat::Hawc:
+    {
+      target.Planes = std::make_unique<HawcPlanes>(grid, order);
+      HawcText text{ grid, {}, order, true };
+      for (int component = 0; component < 3; ++component)
+      {
+        text.Names[component] = file.stem().string() + "_" + "uvw"[component] + ".bin";
+        target.Paths.push_back((file.parent_path() / text.Names[component]).string());
+      }
+      target.TextPath = path;
+      target.Text = WriteHawcText(text);
+      break;
+    }
+    case InflowFormat::Bladed:
+    {
+      auto planes = std::make_unique<BladedPlanes>(grid, range);
+      target.Paths = { path };
+      target.TextPath = std::filesystem::path(path).replace_extension(".sum").string();
+      target.Text = planes->Summary();
+      target.Planes = std::move(planes);
+      break;
+    }
+    case InflowFormat::Netcdf:
+      break; // no planes of ours
+  }
+  return target;
+}
+
+/// Writes planes to their files.
+FileOutcome WriteTarget(const InflowTarget& target, const InflowSource& source)
+{
+  std::vector<std::unique_ptr<ReplacedFile>> files;
+  std::vector<std::string> paths = target.Paths;
+  if (!target.TextPath.empty())
+  {
+    paths.push_back(target.TextPath);
+  }
+  for (const std::string& path : paths)
+  {
+    files.push_back(std::make_unique<ReplacedFile>(path));
+    if (!files.back()->WhyFailed().empty())
+    {
+      return { false, files.back()->WhyFailed() };
+    }
+  }
+  try
+  {
+    WritePlanes(*target.Planes, files, source);
+    if (!target.TextPath.empty())
+    {
+      files.back()->Stream() << target.Text;
+    }
+    const std::string reason = Replace(files);
+    return { reason.empty(), reason };
+  }
+  catch (const WriteStopped&)
+  {
+    return { false, {} };
+  }
+  catch (const std::ios_base::failure& problem)
+  {
+    // What the system said of a file is clearer than what the stream made of it.
+    std::string reason = problem.what();
+    for (const auto& file : files)
+    {
+      file->Close();
+      reason = file->WhyFailed().empty() ? reason : file->WhyFailed();
+    }
+    return { false, reason };
+  }
+}
+
 }
 
 InflowFile::InflowFile(const std::string& path, HawcOrder order)
@@ -137,7 +231,17 @@ InflowFile::InflowFile(const std::string& path, HawcOrder order)
     case InflowFormat::Bladed:
       this->OpenBladed(path);
       break;
+    case InflowFormat::Netcdf:
+      this->Records = OpenInflowNetcdf(path);
+      break;
   }
+}
+
+InflowFile::~InflowFile() = default;
+
+const InflowGrid& InflowFile::GetGrid() const
+{
+  return this->Records ? this->Records->GetGrid() : this->Planes->GetGrid();
 }
 
 void InflowFile::OpenTurbSim(const std::string& path)
@@ -174,6 +278,11 @@ void InflowFile::OpenBladed(const std::string& path)
 
 void InflowFile::Read(int first, int count, float* velocities)
 {
+  if (this->Records)
+  {
+    this->Records->Read(first, count, velocities);
+    return;
+  }
   const std::size_t values = 3 * this->GetGrid().PointsOfPlane();
   std::vector<std::string> bytes(this->Files.size(), std::string(this->Planes->BytesOfPlane(), '\0'));
   const std::vector<const char*> pointers = BytesOfFiles<const char>(bytes);
@@ -223,90 +332,19 @@ bool ForSlabs(const InflowGrid& grid, bool isBackwards, const std::function<bool
 
 InflowFormat FormatOf(const std::string& path)
 {
+  constexpr std::array<const char*, 4> extensions{ ".bts", ".hawc", ".wnd", ".nc" }; // by InflowFormat
   const std::string extension = std::filesystem::path(path).extension().string();
-  Require(extension == ".bts" || extension == ".hawc" || extension == ".wnd"
-      ? ""
-      : "its format is unknown; give a FileName that ends in .bts, .hawc or .wnd");
-  return extension == ".bts" ? InflowFormat::TurbSim : extension == ".hawc" ? InflowFormat::Hawc : InflowFormat::Bladed;
+  const auto found = std::find(extensions.begin(), extensions.end(), extension);
+  Require(
+    found != extensions.end() ? "" : "its format is unknown; give a FileName that ends in .bts, .hawc, .wnd or .nc");
+  return static_cast<InflowFormat>(found - extensions.begin());
 }
 
-InflowTarget TargetOf(const std::string& path, const InflowGrid& grid, const InflowRange& range, HawcOrder order)
+FileOutcome WriteInflow(const std::string& path, const InflowGrid& grid, const InflowRange& range, HawcOrder order,
+  const InflowSource& source)
 {
-  const std::filesystem::path file(path);
-  InflowTarget target;
-  switch (FormatOf(path))
-  {
-    case InflowFormat::TurbSim:
-      target.Planes = std::make_unique<TurbSimPlanes>(grid, range);
-      target.Paths = { path };
-      break;
-    case InflowFormat::Hawc:
-    {
-      target.Planes = std::make_unique<HawcPlanes>(grid, order);
-      HawcText text{ grid, {}, order, true };
-      for (int component = 0; component < 3; ++component)
-      {
-        text.Names[component] = file.stem().string() + "_" + "uvw"[component] + ".bin";
-        target.Paths.push_back((file.parent_path() / text.Names[component]).string());
-      }
-      target.TextPath = path;
-      target.Text = WriteHawcText(text);
-      break;
-    }
-    case InflowFormat::Bladed:
-    {
-      auto planes = std::make_unique<BladedPlanes>(grid, range);
-      target.Paths = { path };
-      target.TextPath = std::filesystem::path(path).replace_extension(".sum").string();
-      target.Text = planes->Summary();
-      target.Planes = std::move(planes);
-      break;
-    }
-  }
-  return target;
-}
-
-FileOutcome WriteInflow(const InflowTarget& target, const InflowSource& source)
-{
-  std::vector<std::unique_ptr<ReplacedFile>> files;
-  std::vector<std::string> paths = target.Paths;
-  if (!target.TextPath.empty())
-  {
-    paths.push_back(target.TextPath);
-  }
-  for (const std::string& path : paths)
-  {
-    files.push_back(std::make_unique<ReplacedFile>(path));
-    if (!files.back()->WhyFailed().empty())
-    {
-      return { false, files.back()->WhyFailed() };
-    }
-  }
-  try
-  {
-    WritePlanes(*target.Planes, files, source);
-    if (!target.TextPath.empty())
-    {
-      files.back()->Stream() << target.Text;
-    }
-    const std::string reason = Replace(files);
-    return { reason.empty(), reason };
-  }
-  catch (const WriteStopped&)
-  {
-    return { false, {} };
-  }
-  catch (const std::ios_base::failure& problem)
-  {
-    // What the system said of a file is clearer than what the stream made of it.
-    std::string reason = problem.what();
-    for (const auto& file : files)
-    {
-      file->Close();
-      reason = file->WhyFailed().empty() ? reason : file->WhyFailed();
-    }
-    return { false, reason };
-  }
+  return FormatOf(path) == InflowFormat::Netcdf ? WriteInflowNetcdf(path, grid, source)
+                                                : WriteTarget(TargetOf(path, grid, range, order), source);
 }
 
 }

@@ -16,6 +16,8 @@
 namespace littoral
 {
 
+class InflowRecords;
+
 /// Files of an inflow that are read plane by plane.
 class InflowFile
 {
@@ -23,8 +25,9 @@ public:
   /// Opens the file of a path, of any of the formats, known by the extension. The order of planes is for files of HAWC2
   /// of which the text does not tell it. Throws InvalidInput.
   InflowFile(const std::string& path, HawcOrder order);
+  ~InflowFile();
 
-  const InflowGrid& GetGrid() const { return this->Planes->GetGrid(); }
+  const InflowGrid& GetGrid() const;
 
   /// Reads the velocities of the planes of `count` times from the first on, plane by plane. Throws InvalidInput.
   void Read(int first, int count, float* velocities);
@@ -36,6 +39,7 @@ private:
 
   std::unique_ptr<InflowPlanes> Planes;
   std::vector<std::ifstream> Files;
+  std::unique_ptr<InflowRecords> Records; ///< in place of planes and files, where a library reads
 };
 
 /// The bytes before which a plane of a time lies in a file.
@@ -51,31 +55,22 @@ int TimesAtOnce(const InflowGrid& grid);
 /// False as soon as it returns false.
 bool ForSlabs(const InflowGrid& grid, bool isBackwards, const std::function<bool(int first, int count)>& use);
 
-/// Planes and the files that they go to.
-struct InflowTarget
-{
-  std::unique_ptr<InflowPlanes> Planes;
-  std::vector<std::string> Paths; ///< as many as the planes have files
-  std::string TextPath;           ///< of a text beside them; empty if there is none
-  std::string Text;
-};
-
 /// Formats of files, by their extensions.
 enum class InflowFormat
 {
   TurbSim,
   Hawc,
-  Bladed
+  Bladed,
+  Netcdf
 };
 
-/// The format of a path. Throws InvalidInput if the extension is none of .bts, .hawc and .wnd.
+/// The format of a path. Throws InvalidInput if the extension is none of .bts, .hawc, .wnd and .nc.
 InflowFormat FormatOf(const std::string& path);
 
-/// The files of a path for a wind. Throws InvalidInput if the format cannot hold it.
-InflowTarget TargetOf(const std::string& path, const InflowGrid& grid, const InflowRange& range, HawcOrder order);
-
-/// Writes planes from a source to their files, slab by slab, and replaces the files when all are whole.
-FileOutcome WriteInflow(const InflowTarget& target, const InflowSource& source);
+/// Writes a wind from a source to the files of a path, slab by slab, and replaces the files when all are whole. Throws
+/// InvalidInput if the format cannot hold it.
+FileOutcome WriteInflow(const std::string& path, const InflowGrid& grid, const InflowRange& range, HawcOrder order,
+  const InflowSource& source);
 
 }
 

@@ -3,6 +3,8 @@
 
 // Formats of netCDF, in a build without it.
 
+#include "InflowNetcdf.h"
+#include "Numerics/InvalidInput.h"
 #include "PalmFile.h"
 
 namespace littoral
@@ -13,6 +15,21 @@ namespace
 
 constexpr const char* NoNetcdf = "this build of Littoral has no netCDF";
 
+}
+
+std::unique_ptr<InflowRecords> OpenInflowNetcdf(const std::string&)
+{
+  Refuse(NoNetcdf);
+}
+
+bool HoldsInflow(const std::string&)
+{
+  return false;
+}
+
+FileOutcome WriteInflowNetcdf(const std::string&, const InflowGrid&, const InflowSource&)
+{
+  return { false, NoNetcdf };
 }
 
 FileOutcome WritePalm(const std::string&, const CanopyGrid&, const PalmPlace&, const LayerOfCells&, const LayerOfCells&)

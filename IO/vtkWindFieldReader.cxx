@@ -6,6 +6,7 @@
 #include "Data/Tables.h"
 #include "InflowFile.h"
 #include "InflowImage.h"
+#include "InflowNetcdf.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
@@ -269,6 +270,15 @@ int vtkWindFieldReader::ProcessRequest(
 {
   return littoral::WithoutExceptions(
     this, request, outputs, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
+//----------------------------------------------------------------------------
+int vtkWindFieldReader::CanReadFile(const char* name)
+{
+  const std::string path = name ? name : "";
+  const bool isKnown = littoral::WhyRefused([&] { littoral::FormatOf(path); }).empty();
+  const bool isNetcdf = isKnown && littoral::FormatOf(path) == littoral::InflowFormat::Netcdf;
+  return isKnown && (!isNetcdf || littoral::HoldsInflow(path)) ? 1 : 0;
 }
 
 //----------------------------------------------------------------------------

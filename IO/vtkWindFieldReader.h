@@ -11,6 +11,10 @@
  * vtkWindFieldWriter writes it. Of others' texts the order of planes is not told: see PlaneOrder. Their wind is taken
  * as periodic.
  * - `.wnd`: full-field files in Bladed's form with the `.sum` beside them, as TurbSim writes them.
+ * - `.nc`: netCDF with the variables `u`, `v` and `w` [m/s] (or of the standard names `x_wind`, `y_wind` and
+ *   `upward_air_velocity`) over time, height and across, along axes that rise in even steps [s, m]. Attributes of the
+ *   file: `mean_wind_speed` [m/s], else the mean of u over the times at the hub; `hub_height` [m], else the middle of
+ *   the grid; `periodic`, else 0. Only if Littoral was built with netCDF.
  *
  * Output 0: vtkImageData with the float point array `Velocity` [m/s] in world axes, as of vtkWindFieldSource: x along
  * the wind, y across to the left, z up. The planes of the file lie along x, spacing mean wind speed x time step, and
@@ -91,6 +95,11 @@ public:
   void SetPlaneOrderToEarliestFirst() { this->SetPlaneOrder(EarliestFirst); }
   void SetPlaneOrderToLatestFirst() { this->SetPlaneOrder(LatestFirst); }
   ///@}
+
+  /**
+   * Whether a file can be one of a wind, 1 or 0: by its extension, and netCDF by its variables.
+   */
+  int CanReadFile(const char* name);
 
 protected:
   vtkWindFieldReader();

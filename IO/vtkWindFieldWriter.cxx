@@ -139,8 +139,7 @@ void vtkWindFieldWriter::WritePlanes(const int whole[6], const PartOfInput& part
     throw littoral::Aborted();
   }
   velocities = {};
-  this->Conclude(littoral::WriteInflow(
-    littoral::TargetOf(path, grid, range, static_cast<littoral::HawcOrder>(this->PlaneOrder)), planes));
+  this->Conclude(littoral::WriteInflow(path, grid, range, static_cast<littoral::HawcOrder>(this->PlaneOrder), planes));
 }
 
 //----------------------------------------------------------------------------

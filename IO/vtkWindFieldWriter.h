@@ -17,6 +17,9 @@
  * input file needs to read them. Along the wind they hold the velocity less `ConvectionSpeed`. No tower.
  * - `.wnd`: a full-field file in Bladed's form and NAME.sum with its scales. Integers of 16 bits, 1000 of them the
  * deviation of the component over all points. An even number of times, no tower, no value beyond 32 deviations.
+ * - `.nc`: netCDF, `u`, `v` and `w` in float32 over time, z and y, a record a time, with `mean_wind_speed`,
+ *   `hub_height` and `periodic` as attributes of the file, in CF's units and names: as it was, to the bit. The points
+ * of a tower are `u_tower`, `v_tower` and `w_tower` over time and z_tower. Only if Littoral was built with netCDF.
  *
  * Write() asks its input for parts along x, two times over: for the ranges, then to write. Its memory is that of a
  * part, about 32 MiB, whatever the duration. The file is written under another name in the same folder and renamed when

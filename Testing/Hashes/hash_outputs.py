@@ -229,7 +229,8 @@ def print_raster():
 def print_wind():
     """Hashes of a wind that the writer writes, and of what the reader reads of it."""
     with tempfile.TemporaryDirectory() as folder:
-        for extension in ("bts", "hawc", "wnd"):
+        netcdf = ["nc"] if hasattr(littoral, "vtkOceanCurrentReader") else []
+        for extension in ("bts", "hawc", "wnd", *netcdf):
             name = os.path.join(folder, "wind." + extension)
             make("vtkWindFieldWriter", (wind(),), SetFileName=(name,)).Write()
             print_outputs(make("vtkWindFieldReader", SetFileName=(name,)), f"vtkWindFieldReader {extension}")

@@ -9,6 +9,7 @@ import unittest
 
 import littoral
 import numpy as np
+from classic_netcdf import Variable, read, write
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -18,6 +19,7 @@ if not hasattr(littoral, "vtkWindFieldWriter"):
     sys.exit(125)
 
 HEADER = "<h4i6f6fi"
+HAS_NETCDF = hasattr(littoral, "vtkOceanCurrentReader")
 
 
 def bts(values, tower=None, ident=8, spacing=(25.0, 25.0, 0.05), speed=8.0, hub=90.0, bottom=65.0, text=b"a wind",
@@ -82,6 +84,16 @@ def read_wnd(path):
     speed = float(summary.split("UBAR =")[1].split()[0])
     scale = np.array([float(summary.split(f"TI({letter}) =")[1].split()[0]) for letter in "uvw"]) * speed * 1e-5
     return head, stored * scale + (speed, 0.0, 0.0), scale, summary
+
+
+def netcdf_parts(values):
+    """Lengths and variables of a wind in netCDF without attributes of the file, by time, height, across and component."""
+    times, up, across, _ = values.shape
+    axes = {"time": Variable("time", 0.05 * np.arange(times), "f4", units="seconds since 2020-01-01"),
+            "z": Variable("z", 65.0 + 25.0 * np.arange(up), units="m"),
+            "y": Variable("y", 25.0 * (np.arange(across) - 0.5 * (across - 1)), units="m")}
+    winds = {name: Variable("time z y", values[..., n], "f4", units="m s-1") for n, name in enumerate("uvw")}
+    return {"time": times, "z": up, "y": across}, {**axes, **winds}
 
 
 def random_wind(times, across, up):
@@ -356,6 +368,97 @@ class WindFiles(unittest.TestCase):
         self.refused(self.reader("wind.wnd"), "cut off")
         os.remove(self.path("wind.sum"))
         self.refused(self.reader("wind.wnd"), "its .sum: N")
+
+    @unittest.skipUnless(HAS_NETCDF, "built without netCDF")
+    def test_netcdf(self):
+        """Axes, records and attributes; a wind and its tower come back to the bit."""
+        values = (np.arange(70 * 203 * 205 * 3, dtype="f4") % 10007).reshape(70, 203, 205, 3) * np.float32(1e-3)
+        source = SlowSource(values)
+        writer = littoral.vtkWindFieldWriter()
+        writer.SetInputConnection(source.GetOutputPort())
+        writer.SetFileName(self.path("wind.nc"))
+        writer.SetTowerLayers(2)
+        self.assertEqual(writer.Write(), 1)
+        self.assertLessEqual(source.most * 12, 32 << 20)  # of 35 MB
+        lengths, attributes, found = read(self.path("wind.nc"))
+        self.assertEqual(lengths, {"time": 70, "z": 201, "y": 205, "z_tower": 2})
+        self.assertEqual([attributes[name] for name in ("mean_wind_speed", "hub_height", "periodic")], [8.0, 1050.0, 1.0])
+        np.testing.assert_allclose(found["time"].values, 0.1 * np.arange(70), rtol=1e-12)
+        np.testing.assert_array_equal(found["z"].values, 50.0 + 10.0 * np.arange(201))
+        np.testing.assert_array_equal(found["y"].values, 25.0 * np.arange(-102, 103))
+        np.testing.assert_array_equal(found["z_tower"].values, [30.0, 40.0])
+        for n, name in enumerate("uvw"):
+            self.assertEqual((found[name].dimensions, found[name].kind), (["time", "z", "y"], "f4"))
+            self.assertEqual(found[name].attributes["units"], "m s-1")
+            np.testing.assert_array_equal(found[name].values, values[:, 2:, :, n])
+            np.testing.assert_array_equal(found[name + "_tower"].values, values[:, :2, 102, n])
+        reader = self.reader("wind.nc")
+        reader.Update()
+        np.testing.assert_array_equal(numbers(reader.GetOutput())[:, :, ::-1], values[:, 2:].transpose(1, 2, 0, 3))
+        np.testing.assert_array_equal(numbers(reader.GetOutput(1))[:, 0, ::-1], values[:, :2, 102].transpose(1, 0, 2))
+        image = reader.GetOutput()
+        self.assertEqual((image.GetOrigin()[2], field(image, "HubHeight"), field(image, "ConvectionSpeed")),
+                         (50.0, 1050.0, 8.0))
+        self.assertAlmostEqual(field(image, "Period"), 7.0, 9)
+
+    @unittest.skipUnless(HAS_NETCDF, "built without netCDF")
+    def test_netcdf_of_others(self):
+        """Standard names, packed integers, no attributes of the file: mean and hub by the stated rules; bad files."""
+        values = random_wind(20, 3, 3)
+        lengths, good = netcdf_parts(values)
+
+        def reader_of(name, parts, **attributes):
+            write(self.path(name), {**lengths, "x": 3}, parts, unlimited=None, attributes=attributes or None)
+            return self.reader(name)
+
+        packed = np.rint((values[..., 0] - 8.0) / 1e-3)
+        other = {{"v": "left"}.get(name, name): one for name, one in good.items() if name != "u"}
+        other["left"].attributes["standard_name"] = "y_wind"
+        other["wind"] = Variable("time z y", packed, "i2", standard_name="x_wind", scale_factor=1e-3, add_offset=8.0)
+        reader = reader_of("others.nc", other)
+        self.assertEqual(reader.CanReadFile(self.path("others.nc")), 1)
+        reader.Update()
+        image = reader.GetOutput()
+        np.testing.assert_allclose(numbers(image)[:, :, -1, 0], packed[0] * 1e-3 + 8.0, rtol=1e-6)
+        np.testing.assert_array_equal(numbers(image)[:, :, -1, 1], values[0, ..., 1])
+        self.assertAlmostEqual(field(image, "ConvectionSpeed"), 8.0 + 1e-3 * packed[:, 1, 1].mean(), 5)
+        self.assertEqual(field(image, "HubHeight"), 90.0)
+        self.assertIsNone(field(image, "Period"))
+
+        def axis(name, places, **attributes):
+            return {**good, name: Variable(name, np.array(places, float), **{**good[name].attributes, **attributes})}
+
+        def wind(name, dimensions="time z y", change=None, **attributes):
+            array = good[name].values if dimensions == "time z y" else np.zeros([lengths.get(d, 3) for d in dimensions.split()])
+            array = array.copy()
+            if change is not None:
+                array[4, 1, 1] = change
+            return {**good, name: Variable(dimensions, array, "f4", **attributes)}
+
+        steps = np.arange(20) * 0.05
+        for words, parts in (
+                ("no variable v", {name: one for name, one in good.items() if name != "v"}),
+                ("its axis y has no places", {name: one for name, one in good.items() if name != "y"}),
+                ("has the axis y more than once", wind("u", "time y y")),
+                ("has the axes time, y, z; they must be time, height, across", wind("u", "time y z")),
+                ("has the axes time, z; they must be", wind("w", "time z")),
+                ("its axis y must rise; at index 1 25 follows on 25", axis("y", [25, 25, 30])),
+                ("its axis z must rise", axis("z", [90, 60, 30])),
+                ("its axis time must have even steps; at index 7", axis("time", np.where(steps == steps[7], 0.36, steps))),
+                ("its axis z has no number at index 2", axis("z", [1, 2, np.nan])),
+                ("its axis z is in feet; it must be in m", axis("z", [1, 2, 3], units="feet")),
+                ("its axis time is in hours; it must be in s", axis("time", steps, units="hours since 2000-01-01")),
+                ("its variable v is in knots", wind("v", units="knots")),
+                ("its v is missing, or no number, at time index 4", wind("v", change=np.nan)),
+                ("its w is missing, or no number, at time index 4", wind("w", change=-999.0, missing_value=-999.0))):
+            with self.subTest(words):
+                self.refused(reader_of("bad.nc", parts), words)
+        self.refused(reader_of("bad.nc", good, mean_wind_speed=-3.0), "Mean wind speed")
+        reader = reader_of("short.nc", good)
+        os.truncate(self.path("short.nc"), os.path.getsize(self.path("short.nc")) - 100)
+        self.refused(reader, "cut off")
+        self.refused(self.reader("none.nc", b"no netCDF"), "netCDF says of it")
+        self.assertEqual(reader.CanReadFile(self.path("none.nc")), 0)
 
     def test_bad_files(self):
         """One message each."""
