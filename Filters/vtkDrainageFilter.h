@@ -225,8 +225,8 @@ public:
 
   ///@{
   /**
-   * Side of the tiles by which the terrain is drained [cells], 16 to 2048, or 0: as a whole, the default. Needs Carve
-   * off and Outlets Border or Sea. Ask for the output in rows of tiles, as the terrain is asked for by whole tiles.
+   * Side of the tiles by which the terrain is drained [cells], 16 to 2048; default 0, as a whole. Needs Carve off and
+   * Outlets Border or Sea. Ask for the output in rows of tiles, as the terrain is asked for by whole tiles.
    */
   vtkSetMacro(TileSize, int);
   vtkGetMacro(TileSize, int);
