@@ -262,6 +262,35 @@ TEST(PlantScatter, ShowsEachPlantOnceAtTheLevelOfItsDistance)
   EXPECT_GT(*std::min_element(levels.begin(), levels.end()), 0);
 }
 
+// Whole tiles of cells are left out by their distance: none that has a plant within the limit, across the grid either.
+TEST(PlantScatter, ShowsAllWithinTheLimitOfSight)
+{
+  const Forest forest = MakeForest(40000, 4000.0, 10.0);
+  const SceneCells cells(forest.Feet, forest.Boxes, 1.0);
+  View view;
+  view.Point = { 100.0, -50.0, 30.0 };
+  view.Direction = { 1.0, 1.0, 0.0 };
+  view.Angle = 1.5;
+  const std::vector<char> marks = cells.Show(ViewFrustum(view));
+  PlantViewOptions options;
+  for (const double limit : { 150.0, 600.0, 1500.0 })
+  {
+    options.VisibleDistance = limit;
+    std::vector<int> times(forest.Feet.size(), 0);
+    for (const ShownPlant& plant : ShownPlants(forest.Places, cells, marks, view, options))
+    {
+      ++times[plant.Place];
+    }
+    std::size_t wrong = 0;
+    for (std::size_t plant = 0; plant < times.size(); ++plant)
+    {
+      const bool isNear = glm::length(forest.Feet[plant] - view.Point) <= limit;
+      wrong += times[plant] != (isNear && marks[cells.CellOf(plant)] ? 1 : 0);
+    }
+    EXPECT_EQ(wrong, 0u) << limit << " m";
+  }
+}
+
 TEST(PlantScatter, LevelsReachUpToTheirDistances)
 {
   const double distances[] = { 31.75, 32.0, 32.25, 255.0, 256.0, 257.0 }; // exact in binary
