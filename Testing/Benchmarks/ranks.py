@@ -123,15 +123,21 @@ def measured_together(name, scale, ranks):
         return [json.loads(Path(folder, str(rank)).read_text()) for rank in range(ranks)]
 
 
-def measured(name, scale, pieces):
-    """The most that a rank takes: processor time and memory."""
-    found = measured_together(name, scale, pieces) if name in TOGETHER else []
-    for piece in range(pieces if name not in TOGETHER else 0):
+def measured_in_turn(name, scale, pieces):
+    """What each piece takes, made by a process of its own, one after the other."""
+    found = []
+    for piece in range(pieces):
         done = subprocess.run([sys.executable, __file__, name, str(scale), str(piece), str(pieces)],
                               capture_output=True, text=True, check=False)
         if done.returncode != 0:
             raise SystemExit(done.stderr)
         found.append(json.loads(done.stdout.splitlines()[-1]))
+    return found
+
+
+def measured(name, scale, pieces):
+    """The most that a rank takes: processor time and memory."""
+    found = (measured_together if name in TOGETHER else measured_in_turn)(name, scale, pieces)
     return {key: max(one[key] for one in found) for key in found[0]}
 
 
