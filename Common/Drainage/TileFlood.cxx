@@ -3,12 +3,12 @@
 #include "Drainage/TileFlood.h"
 
 #include "Drainage/FloodQueue.h"
+#include "Numerics/DisjointSets.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 
 namespace littoral
 {
@@ -38,38 +38,6 @@ void ForEachNode(const TileGround& ground, const TileGrid& tiles, const Visit& v
   tiles.ForEachNode(tiles.TileOf(ground.Window.X, ground.Window.Y),
     [&](CellIndex node, int i, int j) { visit(node, ground.CellAt(i, j)); });
 }
-
-/// Sets of nodes that are connected.
-class NodeSets
-{
-public:
-  explicit NodeSets(std::size_t count)
-    : Above(count)
-  {
-    std::iota(this->Above.begin(), this->Above.end(), 0);
-  }
-
-  int Find(int node)
-  {
-    for (; this->Above[node] != node; node = this->Above[node])
-    {
-      this->Above[node] = this->Above[this->Above[node]];
-    }
-    return node;
-  }
-
-  /// Connects two sets; false if they are one.
-  bool Join(int a, int b)
-  {
-    a = this->Find(a);
-    b = this->Find(b);
-    this->Above[std::max(a, b)] = std::min(a, b);
-    return a != b;
-  }
-
-private:
-  std::vector<int> Above;
-};
 
 /// Priority-flood of a tile from cells whose level is there, NaN elsewhere: meet(cell, neighbour, isNew) for each
 /// neighbour, once the cell is taken.
@@ -162,7 +130,7 @@ std::vector<SpillEdge> FindSpillEdges(
       nodes.push_back(node);
     }
   });
-  NodeSets sets(nodes.size());
+  DisjointSets sets(nodes.size());
   std::vector<SpillEdge> edges;
   Flood(ground, levels, poll, [&](CellIndex cell, CellIndex neighbour, bool isNew) {
     if (isNew)

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Landscapes/MeshCourses.h"
 
+#include "Numerics/DisjointSets.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 
 namespace littoral
 {
@@ -71,34 +72,8 @@ std::vector<CellIndex> PointsAlong(const PointMesh& mesh, const GivenLine& line)
   return points;
 }
 
-/// Trees of rivers, by a point for each that all of its points lead to.
-class RiverRoots
-{
-public:
-  explicit RiverRoots(std::size_t points)
-    : Parents(points)
-  {
-    std::iota(this->Parents.begin(), this->Parents.end(), 0);
-  }
-
-  CellIndex Of(CellIndex point)
-  {
-    while (this->Parents[point] != point)
-    {
-      this->Parents[point] = this->Parents[this->Parents[point]];
-      point = this->Parents[point];
-    }
-    return point;
-  }
-
-  void Join(CellIndex root, CellIndex to) { this->Parents[root] = this->Of(to); }
-
-private:
-  std::vector<CellIndex> Parents;
-};
-
 /// Links the points of a river from its lower end upstream.
-void LeadRiver(const PointMesh& mesh, const std::vector<CellIndex>& points, RiverRoots& roots, MeshCourses& courses)
+void LeadRiver(const PointMesh& mesh, const std::vector<CellIndex>& points, DisjointSets& roots, MeshCourses& courses)
 {
   for (std::size_t n = points.size() - 1; n-- > 0;)
   {
@@ -106,7 +81,7 @@ void LeadRiver(const PointMesh& mesh, const std::vector<CellIndex>& points, Rive
     const CellIndex next = points[n + 1];
     const CellIndex link = FindLink(mesh, point, next);
     // a point of a river already, an outlet, or the closing of a circle goes its own way
-    if (link >= 0 && courses.Link[point] < 0 && !mesh.IsRim(point) && roots.Of(next) != point)
+    if (link >= 0 && courses.Link[point] < 0 && !mesh.IsRim(point) && roots.RootOf(next) != point)
     {
       courses.Link[point] = link;
       roots.Join(point, next);
@@ -156,7 +131,7 @@ MeshCourses CoursesOn(const PointMesh& mesh, const GivenGround& given)
       courses.IsRidge[point] = 1;
     }
   }
-  RiverRoots roots(mesh.Points.size());
+  DisjointSets roots(mesh.Points.size());
   for (const GivenLine& river : given.Rivers)
   {
     const std::vector<CellIndex> points = PointsAlong(mesh, river);
