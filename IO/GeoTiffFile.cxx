@@ -6,13 +6,13 @@
 #include "GdalMessages.h"
 
 #include <algorithm>
-#include <atomic>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <vector>
 
+#include <cpl_conv.h>
 #include <cpl_string.h>
-#include <cpl_vsi.h>
 #include <gdal.h>
 #include <ogr_spatialref.h>
 
@@ -22,25 +22,14 @@ namespace littoral
 namespace
 {
 
-/// A file in memory, and what GDAL may put beside it.
-class MemoryFile
-{
-public:
-  MemoryFile()
-  {
-    static std::atomic<unsigned> counter{ 0 };
-    this->Name = "/vsimem/littoral-" + std::to_string(counter++) + ".tif";
-  }
-  ~MemoryFile()
-  {
-    VSIUnlink(this->Name.c_str());
-    VSIUnlink((this->Name + ".aux.xml").c_str());
-  }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
+constexpr int LargestBlock = 512;
 
-  std::string Name;
-};
+/// Side of the blocks, of which a small raster has one; files have multiples of 16.
+int BlockOf(const GeoTiffContent& content)
+{
+  const int side = std::max(content.Points[0], content.Points[1]);
+  return std::min(LargestBlock, (side + 15) / 16 * 16);
+}
 
 struct CloseDataset
 {
@@ -48,20 +37,27 @@ struct CloseDataset
 };
 using Dataset = std::unique_ptr<void, CloseDataset>;
 
+GDALDriverH DriverNamed(const char* name)
+{
+  const GDALDriverH driver = GDALGetDriverByName(name);
+  if (!driver)
+  {
+    throw RasterError(std::string("GDAL has no driver ") + name);
+  }
+  return driver;
+}
+
+/// A dataset in blocks, without compression.
 Dataset CreateDataset(const std::string& name, const GeoTiffContent& content)
 {
+  const std::string block = std::to_string(BlockOf(content));
   CPLStringList options;
   options.SetNameValue("BIGTIFF", "IF_SAFER");
-  options.SetNameValue("GEOTIFF_VERSION", "1.1");
-  if (content.IsCompressed)
-  {
-    options.SetNameValue("COMPRESS", "DEFLATE");
-    options.SetNameValue("PREDICTOR", "3"); // of floating-point numbers
-  }
-  const GDALDriverH driver = GDALGetDriverByName("GTiff");
-  return Dataset(!driver ? nullptr
-                         : GDALCreate(driver, name.c_str(), content.Points[0], content.Points[1], 1,
-                             content.IsWide ? GDT_Float64 : GDT_Float32, options.List()));
+  options.SetNameValue("TILED", "YES");
+  options.SetNameValue("BLOCKXSIZE", block.c_str());
+  options.SetNameValue("BLOCKYSIZE", block.c_str());
+  return Dataset(GDALCreate(DriverNamed("GTiff"), name.c_str(), content.Points[0], content.Points[1], 1,
+    content.IsWide ? GDT_Float64 : GDT_Float32, options.List()));
 }
 
 /// Gives a dataset its place. Throws RasterError.
@@ -88,28 +84,86 @@ void SetPlace(void* dataset, const GeoTiffContent& content, GdalMessages& messag
   }
 }
 
-/// Writes the heights. Throws RasterError or WriteStopped.
-void WriteRows(
-  void* dataset, const GeoTiffContent& content, const RasterProgress& progress, const GdalMessages& messages)
+/// A part of the progress, for GDAL, which goes on as long as it is told to.
+struct ProgressPart
+{
+  const RasterProgress& Progress;
+  double Begin;
+  double Share;
+  bool IsStopped = false;
+
+  static int Tell(double done, const char*, void* self)
+  {
+    auto& part = *static_cast<ProgressPart*>(self);
+    part.IsStopped = part.IsStopped || !part.Progress(part.Begin + part.Share * done);
+    return !part.IsStopped;
+  }
+};
+
+/// Throws why GDAL failed, or WriteStopped.
+void RequireDone(bool isDone, const ProgressPart& part, const GdalMessages& messages)
+{
+  if (part.IsStopped)
+  {
+    throw WriteStopped();
+  }
+  const std::string problem = messages.ErrorOr(isDone ? "" : "the heights cannot be written");
+  if (!problem.empty())
+  {
+    throw RasterError(problem);
+  }
+}
+
+void WriteRows(void* dataset, const GeoTiffContent& content, ProgressPart part, const GdalMessages& messages)
 {
   const GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
   GDALSetRasterNoDataValue(band, std::numeric_limits<double>::quiet_NaN());
   GDALSetRasterUnitType(band, "m");
   const int width = content.Points[0];
   const int height = content.Points[1];
-  std::vector<double> row(width);
-  for (int j = 0; j < height; ++j)
+  const int most = std::min(RowsAtOnce(content), height);
+  std::vector<double> rows(static_cast<std::size_t>(width) * most);
+  for (int first = 0; first < height; first += most)
   {
-    if (j % 64 == 0 && !progress(0.9 * j / height))
-    {
-      throw WriteStopped();
-    }
-    content.FillRow(j, row.data());
-    if (GDALRasterIO(band, GF_Write, 0, j, width, 1, row.data(), width, 1, GDT_Float64, 0, 0) != CE_None)
-    {
-      throw RasterError(messages.ErrorOr("the heights cannot be written"));
-    }
+    const bool proceeds = ProgressPart::Tell(static_cast<double>(first) / height, nullptr, &part) != 0;
+    RequireDone(true, part, messages);
+    const int count = std::min(most, height - first);
+    content.FillRows(first, count, rows.data());
+    const bool isWritten =
+      GDALRasterIO(band, GF_Write, 0, first, width, count, rows.data(), width, count, GDT_Float64, 0, 0) == CE_None;
+    GDALFlushCache(dataset); // its blocks go to the disk
+    RequireDone(proceeds && isWritten, part, messages);
   }
+}
+
+/// Adds overviews, each half as wide as the last, until one block has all.
+void AddOverviews(void* dataset, const GeoTiffContent& content, ProgressPart part, const GdalMessages& messages)
+{
+  std::vector<int> factors;
+  for (int factor = 2, side = std::max(content.Points[0], content.Points[1]); side > LargestBlock; factor *= 2)
+  {
+    factors.push_back(factor);
+    side = (side + 1) / 2;
+  }
+  const bool isDone = factors.empty() ||
+    GDALBuildOverviews(dataset, "AVERAGE", static_cast<int>(factors.size()), factors.data(), 0, nullptr,
+      &ProgressPart::Tell, &part) == CE_None;
+  RequireDone(isDone, part, messages);
+}
+
+/// Copies a dataset with its overviews into a file in the order of the cloud.
+void CopyInOrder(void* dataset, const GeoTiffContent& content, const std::string& name, ProgressPart part,
+  const GdalMessages& messages)
+{
+  CPLStringList options;
+  options.SetNameValue("BIGTIFF", "IF_SAFER");
+  options.SetNameValue("GEOTIFF_VERSION", "1.1");
+  options.SetNameValue("BLOCKSIZE", std::to_string(BlockOf(content)).c_str());
+  options.SetNameValue("COMPRESS", content.IsCompressed ? "DEFLATE" : "NONE");
+  options.SetNameValue("PREDICTOR", content.IsCompressed ? "YES" : "NO");
+  const Dataset copy(
+    GDALCreateCopy(DriverNamed("COG"), name.c_str(), dataset, true, options.List(), &ProgressPart::Tell, &part));
+  RequireDone(copy != nullptr, part, messages);
 }
 
 /// Why the coordinate system that a file has is not the one it was given; empty if it is.
@@ -125,51 +179,61 @@ std::string WhyOtherSystem(const std::string& name, const std::string& wanted)
   const OGRSpatialReferenceH held = dataset ? GDALGetSpatialRef(dataset.get()) : nullptr;
   const char* const criterion[] = { "IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES", "CRITERION=EQUIVALENT", nullptr };
   const bool isSame = held && OSRIsSameEx(held, OGRSpatialReference::ToHandle(&system), criterion);
-  VSIStatBufL status;
-  const bool isBeside = VSIStatL((name + ".aux.xml").c_str(), &status) == 0;
-  return isSame && !isBeside ? "" : "GeoTIFF cannot hold the coordinate system " + NameOf(system);
+  return isSame ? "" : "GeoTIFF cannot hold the coordinate system " + NameOf(system);
 }
 
-/// Copies a file in memory to the disk. Throws std::ios_base::failure or WriteStopped.
-void CopyTo(ReplacedFile& file, const std::string& name, const RasterProgress& progress)
+/// Makes the file at the name of a new one, by way of another without compression beside it.
+void MakeFile(const std::string& name, const std::string& scratch, const GeoTiffContent& content,
+  const RasterProgress& progress, GdalMessages& messages)
 {
-  vsi_l_offset length = 0;
-  const GByte* bytes = VSIGetMemFileBuffer(name.c_str(), &length, false);
-  constexpr vsi_l_offset chunk = 1 << 22;
-  for (vsi_l_offset at = 0; bytes && at < length; at += chunk)
+  const Dataset dataset = CreateDataset(scratch, content);
+  if (!dataset)
   {
-    if (!progress(0.9 + 0.1 * static_cast<double>(at) / static_cast<double>(length)))
-    {
-      throw WriteStopped();
-    }
-    const vsi_l_offset part = std::min(chunk, length - at);
-    file.Stream().write(reinterpret_cast<const char*>(bytes + at), static_cast<std::streamsize>(part));
+    throw RasterError(messages.ErrorOr("GDAL cannot create it"));
+  }
+  SetPlace(dataset.get(), content, messages);
+  WriteRows(dataset.get(), content, { progress, 0.0, 0.6 }, messages);
+  AddOverviews(dataset.get(), content, { progress, 0.6, 0.1 }, messages);
+  CopyInOrder(dataset.get(), content, name, { progress, 0.7, 0.3 }, messages);
+  const std::string problem = messages.ErrorOr(WhyOtherSystem(name, content.System));
+  if (!problem.empty())
+  {
+    throw RasterError(problem);
   }
 }
 
 }
 
+int RowsAtOnce(const GeoTiffContent& content)
+{
+  constexpr double bytes = 32.0 * 1024.0 * 1024.0;
+  const int block = BlockOf(content);
+  const double blocks = bytes / (sizeof(double) * content.Points[0] * static_cast<double>(block));
+  const int all = (content.Points[1] + block - 1) / block;
+  return block * static_cast<int>(std::min<double>(std::max(1.0, std::floor(blocks)), all));
+}
+
 FileOutcome WriteGeoTiff(const std::string& path, const GeoTiffContent& content, const RasterProgress& progress)
 {
   GDALAllRegister();
+  const CPLConfigOptionSetter one("GDAL_PAM_ENABLED", "NO", false); // no file beside it
   GdalMessages messages;
   return WriteFile(path, [&](ReplacedFile& file) {
-    const MemoryFile memory;
-    Dataset dataset = CreateDataset(memory.Name, content);
-    if (!dataset)
+    ReplacedFile scratch(path);
+    if (!file.Close() || !scratch.Close())
     {
-      throw RasterError(messages.ErrorOr("GDAL has no writer of GeoTIFF"));
+      return false;
     }
-    SetPlace(dataset.get(), content, messages);
-    WriteRows(dataset.get(), content, progress, messages);
-    dataset.reset(); // writes what is left
-    const std::string problem = messages.ErrorOr(WhyOtherSystem(memory.Name, content.System));
-    if (!problem.empty())
+    try
     {
-      throw RasterError(problem);
+      MakeFile(file.Path(), scratch.Path(), content, progress, messages);
     }
-    CopyTo(file, memory.Name, progress);
-    return file.Close() && file.Commit();
+    catch (const RasterError&)
+    {
+      file.NoteFullDisk();
+      throw;
+    }
+    return file.Commit();
   });
 }
 

@@ -7,6 +7,7 @@
 #include "ReplacedFile.h"
 
 #include <array>
+#include <functional>
 #include <string>
 
 namespace littoral
@@ -24,12 +25,16 @@ struct GeoTiffContent
   std::string System;  ///< in any form that GDAL reads; empty: none
   bool IsWide = false; ///< double instead of single precision
   bool IsCompressed = true;
-  /// Fills a row of heights [m], NaN where there is none; rows in the order of the file.
-  std::function<void(int row, double* heights)> FillRow;
+  /// Fills some rows of heights [m], NaN where there is none; rows in the order of the file, each of them once.
+  std::function<void(int first, int count, double* heights)> FillRows;
 };
 
-/// Writes a GeoTIFF, which takes the place of another file only when it is whole. The same content makes the same
-/// bytes.
+/// Number of rows that are filled at once: whole rows of blocks, at most 32 MiB of heights if one row of them is.
+int RowsAtOnce(const GeoTiffContent& content);
+
+/// Writes a cloud-optimized GeoTIFF: in blocks of at most 512 x 512, with overviews of half the size until one is a
+/// block, each value of them the mean of those that it stands for. It takes the place of another file only when it is
+/// whole. The disk holds it twice until then, once without compression. The same content makes the same bytes.
 FileOutcome WriteGeoTiff(const std::string& path, const GeoTiffContent& content, const RasterProgress& progress);
 
 }

@@ -257,6 +257,17 @@ bool ReplacedFile::CreateWithName()
     this->Fail(errno);
 }
 
+void ReplacedFile::NoteFullDisk()
+{
+  constexpr off_t some = 1 << 16;
+  const off_t end = ::lseek(this->Descriptor, 0, SEEK_END);
+  const int error = ::posix_fallocate(this->Descriptor, end, some);
+  if (error == ENOSPC || error == EDQUOT)
+  {
+    this->Fail(error);
+  }
+}
+
 bool ReplacedFile::Close()
 {
   this->Output.exceptions(std::ios_base::goodbit);

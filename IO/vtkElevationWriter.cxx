@@ -7,6 +7,7 @@
 #include "Data/Inputs.h"
 #include "GdalMessages.h"
 #include "GeoTiffFile.h"
+#include "ImageParts.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Pipeline.h"
 
@@ -97,7 +98,7 @@ vtkDataArray* vtkElevationWriter::FindHeights(vtkImageData* image)
 }
 
 //----------------------------------------------------------------------------
-void vtkElevationWriter::SetPlace(vtkImageData* image, littoral::GeoTiffContent& content) const
+void vtkElevationWriter::SetPlace(vtkImageData* image, const int whole[6], littoral::GeoTiffContent& content) const
 {
   littoral::Georeference place = littoral::ReadGeoreference(image);
   if (!this->CoordinateSystem.empty())
@@ -110,12 +111,10 @@ void vtkElevationWriter::SetPlace(vtkImageData* image, littoral::GeoTiffContent&
   {
     littoral::Refuse("the image is tilted: its rows and columns must lie in the plane of x and y.");
   }
-  int extent[6];
-  image->GetExtent(extent);
   const double* spacing = image->GetSpacing();
   // The first row of the file is the last one of the image.
   double first[3];
-  image->TransformIndexToPhysicalPoint(extent[0], extent[3], extent[4], first);
+  image->TransformIndexToPhysicalPoint(whole[0], whole[3], whole[4], first);
   for (int axis = 0; axis < 2; ++axis)
   {
     content.First[axis] = (first[axis] + place.Offset[axis]) / place.MetresPerUnit;
@@ -126,31 +125,23 @@ void vtkElevationWriter::SetPlace(vtkImageData* image, littoral::GeoTiffContent&
 }
 
 //----------------------------------------------------------------------------
-void vtkElevationWriter::WriteImage(vtkImageData* image)
+void vtkElevationWriter::WriteHeights(const littoral::ImageParts& parts)
 {
   this->NeedFileName();
   littoral::Require(this->WhyInvalid());
+  const littoral::ImageParts::Extent& whole = parts.Whole;
+  const auto part = [&](int low, int high) { return parts.Get({ whole[0], whole[1], low, high, whole[4], whole[5] }); };
+  vtkImageData* image = part(whole[3], whole[3]);
   littoral::RequireRaster(image, 1);
-  vtkDataArray* heights = this->FindHeights(image);
   littoral::GeoTiffContent content;
-  this->SetPlace(image, content);
-  int dimensions[3];
-  image->GetDimensions(dimensions);
-  content.Points = { dimensions[0], dimensions[1] };
-  content.IsWide = heights->GetDataType() == VTK_DOUBLE;
+  this->SetPlace(image, whole.data(), content);
+  content.Points = { whole[1] - whole[0] + 1, whole[3] - whole[2] + 1 };
+  content.IsWide = this->FindHeights(image)->GetDataType() == VTK_DOUBLE;
   content.IsCompressed = this->Compression == Deflate;
-  // The file is made in memory, compressed or not at most as large as the heights and somewhat more.
-  const double bytes = (content.IsWide ? 8.8 : 4.4) * static_cast<double>(image->GetNumberOfPoints());
-  littoral::RequireMemory(bytes, "it", "take a smaller or coarser terrain");
-  vtkUnsignedCharArray* ghosts = image->GetPointGhostArray();
-  content.FillRow = [&](int row, double* values) {
-    const vtkIdType begin = static_cast<vtkIdType>(dimensions[1] - 1 - row) * dimensions[0];
-    for (int i = 0; i < dimensions[0]; ++i)
-    {
-      const double height = heights->GetComponent(begin + i, 0);
-      const bool isHidden = ghosts && (ghosts->GetValue(begin + i) & vtkDataSetAttributes::HIDDENPOINT);
-      values[i] = isHidden || !std::isfinite(height) ? std::numeric_limits<double>::quiet_NaN() : height;
-    }
+  const double bytes = static_cast<double>(sizeof(double)) * content.Points[0] * littoral::RowsAtOnce(content);
+  littoral::RequireMemory(bytes, "a part of it", "take a coarser terrain");
+  content.FillRows = [&](int first, int count, double* heights) {
+    this->FillRows(part(whole[3] - first - count + 1, whole[3] - first), whole.data(), first, count, heights);
   };
   this->SetProgressText("Writing heights");
   this->Conclude(littoral::WriteGeoTiff(this->FileName, content, [this](double share) {
@@ -160,11 +151,33 @@ void vtkElevationWriter::WriteImage(vtkImageData* image)
 }
 
 //----------------------------------------------------------------------------
+void vtkElevationWriter::FillRows(vtkImageData* image, const int whole[6], int first, int count, double* values)
+{
+  vtkDataArray* heights = this->FindHeights(image);
+  vtkUnsignedCharArray* ghosts = image->GetPointGhostArray();
+  for (int row = first; row < first + count; ++row)
+  {
+    int place[3] = { whole[0], whole[3] - row, whole[4] };
+    const vtkIdType begin = image->ComputePointId(place);
+    for (vtkIdType point = begin; point <= begin + whole[1] - whole[0]; ++point)
+    {
+      const double height = heights->GetComponent(point, 0);
+      const bool isHidden = ghosts && (ghosts->GetValue(point) & vtkDataSetAttributes::HIDDENPOINT);
+      *values++ = isHidden || !std::isfinite(height) ? std::numeric_limits<double>::quiet_NaN() : height;
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
 void vtkElevationWriter::WriteInput()
 {
-  auto* image = vtkImageData::SafeDownCast(this->GetInput());
-  littoral::Require(image ? "" : "there is no input.");
-  this->WriteImage(image);
+  this->WriteHeights(littoral::PartsOf(vtkImageData::SafeDownCast(this->GetInput())));
+}
+
+//----------------------------------------------------------------------------
+int vtkElevationWriter::Write()
+{
+  return this->WriteParts([this](const littoral::ImageParts& parts) { this->WriteHeights(parts); });
 }
 
 //----------------------------------------------------------------------------

@@ -7,15 +7,19 @@
  * The input is a vtkImageData of one layer with a scalar point array of heights [m] (SetInputArrayToProcess; default
  * `Elevation`, or else the active scalars). Each point becomes the center of a pixel, in single precision, or double
  * precision if the array has that. Heights that are not finite, and hidden points, become NaN, which the file names as
- * its value of no data. The first row is the northernmost.
+ * its value of no data. The first row is the northernmost. The file is cloud-optimized: blocks of at most 512 x 512
+ * pixels, and overviews of half the size, the means of heights, until one is a block; BigTIFF where it may exceed 4 GB.
+ *
+ * Write() asks its input for rows of blocks, from the north, at most 32 MiB of heights at once or one row of blocks,
+ * so that a source or filter that makes parts, as vtkElevationReader and vtkDrainageFilter with a TileSize, need not
+ * have all in memory. The disk has room for the heights without compression, too, while the file is written.
  *
  * The place is that of the input's field data `CoordinateSystem`, `CoordinateUnit` and `CoordinateOffset`, as
  * vtkElevationReader and vtkTurningBandsTerrainSource set them, or CoordinateSystem. A file without either has
  * coordinates in metres and no coordinate system. Images turned in their plane are written as they are.
  *
- * The file is written under another name in the same folder and renamed when it is complete. On failure, an existing
- * file of this name is unchanged, one error names file and reason, and Write() returns 0. The same input gives the same
- * bytes.
+ * It is written under another name in the same folder and renamed when it is complete. On failure, an existing file of
+ * this name is unchanged, one error names file and reason, and Write() returns 0. The same input gives the same bytes.
  *
  * @sa vtkElevationReader
  */
@@ -33,6 +37,7 @@ class vtkImageData;
 namespace littoral
 {
 struct GeoTiffContent;
+struct ImageParts;
 }
 
 class LITTORALIO_EXPORT vtkElevationWriter : public vtkSingleFileWriter
@@ -67,6 +72,11 @@ public:
   void SetCompressionToDeflate() { this->SetCompression(Deflate); }
   ///@}
 
+  /**
+   * Writes the file; 0 where that fails, after a message.
+   */
+  int Write() override;
+
 protected:
   vtkElevationWriter();
   ~vtkElevationWriter() override;
@@ -81,9 +91,11 @@ private:
   std::string WhyInvalid() const;
   /// Heights to write. Throws littoral::InvalidInput, as do the next two.
   vtkDataArray* FindHeights(vtkImageData* image);
-  /// Positions of the points, in units of the coordinate system.
-  void SetPlace(vtkImageData* image, littoral::GeoTiffContent& content) const;
-  void WriteImage(vtkImageData* image);
+  /// Positions of the points, in units of the coordinate system, of which an image has a part.
+  void SetPlace(vtkImageData* image, const int whole[6], littoral::GeoTiffContent& content) const;
+  /// Fills rows of the file from an image that has them.
+  void FillRows(vtkImageData* image, const int whole[6], int first, int count, double* values);
+  void WriteHeights(const littoral::ImageParts& parts);
 
   std::string CoordinateSystem;
   int Compression = Deflate;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSingleFileWriter.h"
 
+#include "ImageParts.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
@@ -67,6 +68,17 @@ int vtkSingleFileWriter::Write()
   {
     this->SetErrorCode(vtkErrorCode::UnknownError); // an input failed, and has told why
   }
+  return this->IsWritten ? 1 : 0;
+}
+
+//----------------------------------------------------------------------------
+int vtkSingleFileWriter::WriteParts(const std::function<void(const littoral::ImageParts&)>& write)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  this->InvokeEvent(vtkCommand::StartEvent);
+  this->WriteOrRefuse([&] { write(littoral::PartsOfInput(this)); });
+  this->InvokeEvent(vtkCommand::EndEvent);
+  this->WriteTime.Modified();
   return this->IsWritten ? 1 : 0;
 }
 

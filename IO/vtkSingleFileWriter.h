@@ -20,6 +20,7 @@
 namespace littoral
 {
 struct FileOutcome;
+struct ImageParts;
 }
 
 class LITTORALIO_EXPORT vtkSingleFileWriter : public vtkWriter
@@ -54,6 +55,8 @@ protected:
 
   /// Writes the input, and tells the outcome to Conclude(). Throws littoral::InvalidInput.
   virtual void WriteInput() = 0;
+  /// Write() of a subclass that has its image part by part; what it throws becomes one error.
+  int WriteParts(const std::function<void(const littoral::ImageParts&)>& write);
   /// FileName. Throws littoral::InvalidInput where there is none.
   std::string NeedFileName() const;
   /// Notes whether the file was written. Throws its reason if it was not.

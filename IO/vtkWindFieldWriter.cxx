@@ -2,50 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWindFieldWriter.h"
 
+#include "ImageParts.h"
 #include "InflowFile.h"
 #include "InflowImage.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Pipeline.h"
 
-#include "vtkCommand.h"
-#include "vtkErrorCode.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <array>
 #include <vector>
 
 vtkStandardNewMacro(vtkWindFieldWriter);
-
-namespace
-{
-
-using Pipeline = vtkStreamingDemandDrivenPipeline;
-
-/// The image of an output, or null.
-vtkImageData* ImageOf(vtkAlgorithm* producer, int port)
-{
-  return vtkImageData::SafeDownCast(producer->GetOutputDataObject(port));
-}
-
-/// Updates a part of an image. Throws Aborted where that fails: the producer has told why.
-vtkImageData* UpdatedPart(vtkAlgorithm* producer, int port, const std::array<int, 6>& extent)
-{
-  vtkInformation* info = producer->GetOutputInformation(port);
-  info->Set(Pipeline::UPDATE_EXTENT_INITIALIZED(), 1);
-  info->Set(Pipeline::UPDATE_EXTENT(), extent.data(), 6);
-  const bool isUpdated = producer->GetExecutive()->Update(port) != 0;
-  vtkImageData* image = ImageOf(producer, port);
-  if (!isUpdated || !image || image->GetNumberOfPoints() == 0)
-  {
-    throw littoral::Aborted();
-  }
-  return image;
-}
-
-}
 
 //----------------------------------------------------------------------------
 vtkWindFieldWriter::vtkWindFieldWriter()
@@ -66,41 +35,22 @@ int vtkWindFieldWriter::FillInputPortInformation(int, vtkInformation* info)
 //----------------------------------------------------------------------------
 void vtkWindFieldWriter::WriteInput()
 {
-  auto* image = vtkImageData::SafeDownCast(this->GetInput());
-  littoral::Require(image ? "" : "there is no input");
-  int whole[6];
-  image->GetExtent(whole);
-  this->WritePlanes(whole, [image](int, int) { return image; });
+  this->WritePlanes(littoral::PartsOf(vtkImageData::SafeDownCast(this->GetInput())));
 }
 
 //----------------------------------------------------------------------------
 int vtkWindFieldWriter::Write()
 {
-  this->SetErrorCode(vtkErrorCode::NoError);
-  this->InvokeEvent(vtkCommand::StartEvent);
-  this->WriteOrRefuse([&] {
-    int port = 0;
-    vtkAlgorithm* producer = this->GetNumberOfInputConnections(0) > 0 ? this->GetInputAlgorithm(0, 0, port) : nullptr;
-    littoral::Require(producer ? "" : "there is no input");
-    producer->UpdateInformation();
-    vtkInformation* info = producer->GetOutputInformation(port);
-    const bool isImage = ImageOf(producer, port) && info->Has(Pipeline::WHOLE_EXTENT());
-    littoral::Require(isImage ? "" : "the input is no image");
-    std::array<int, 6> whole{};
-    info->Get(Pipeline::WHOLE_EXTENT(), whole.data());
-    littoral::Require(whole[1] >= whole[0] ? "" : "the input is empty");
-    this->WritePlanes(whole.data(), [&](int first, int last) {
-      return UpdatedPart(producer, port, { first, last, whole[2], whole[3], whole[4], whole[5] });
-    });
-  });
-  this->InvokeEvent(vtkCommand::EndEvent);
-  this->WriteTime.Modified();
-  return this->IsWritten ? 1 : 0;
+  return this->WriteParts([this](const littoral::ImageParts& parts) { this->WritePlanes(parts); });
 }
 
 //----------------------------------------------------------------------------
-void vtkWindFieldWriter::WritePlanes(const int whole[6], const PartOfInput& part)
+void vtkWindFieldWriter::WritePlanes(const littoral::ImageParts& parts)
 {
+  const littoral::ImageParts::Extent& whole = parts.Whole;
+  const auto part = [&](int first, int last) {
+    return parts.Get({ first, last, whole[2], whole[3], whole[4], whole[5] });
+  };
   const std::string path = this->NeedFileName();
   littoral::FormatOf(path);
   littoral::ParameterCheck check;
@@ -110,7 +60,8 @@ void vtkWindFieldWriter::WritePlanes(const int whole[6], const PartOfInput& part
 
   this->SetProgressText("Writing wind");
   vtkImageData* first = part(whole[1], whole[1]);
-  const littoral::InflowGrid grid = littoral::ReadInflowGrid(first, whole, { this->HubHeight, this->TowerLayers });
+  const littoral::InflowGrid grid =
+    littoral::ReadInflowGrid(first, whole.data(), { this->HubHeight, this->TowerLayers });
   littoral::RequireMemory(6.0 * sizeof(float) * static_cast<double>(grid.PointsOfPlane()) * littoral::TimesAtOnce(grid),
     "a part of the wind", "take fewer points across and up");
   double done = 0.0;
@@ -121,7 +72,8 @@ void vtkWindFieldWriter::WritePlanes(const int whole[6], const PartOfInput& part
     {
       return false;
     }
-    littoral::CopyPlanes(part(whole[1] - begin - count + 1, whole[1] - begin), whole, grid, begin, count, velocities);
+    littoral::CopyPlanes(
+      part(whole[1] - begin - count + 1, whole[1] - begin), whole.data(), grid, begin, count, velocities);
     return true;
   };
   littoral::InflowRange range;

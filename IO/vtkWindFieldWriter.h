@@ -34,11 +34,6 @@
 #include "LittoralIOModule.h" // for the export macro
 #include "vtkSingleFileWriter.h"
 
-#include <functional> // for parts of the input
-#include <string>
-
-class vtkImageData;
-
 class LITTORALIO_EXPORT vtkWindFieldWriter : public vtkSingleFileWriter
 {
 public:
@@ -98,11 +93,8 @@ private:
   vtkWindFieldWriter(const vtkWindFieldWriter&) = delete;
   void operator=(const vtkWindFieldWriter&) = delete;
 
-  /// Gives an image that holds samples along the wind, from the first to the last.
-  using PartOfInput = std::function<vtkImageData*(int first, int last)>;
-
-  /// Writes an input of a whole extent, of which parts can be had. Throws littoral::InvalidInput.
-  void WritePlanes(const int whole[6], const PartOfInput& part);
+  /// Writes an image along the wind, plane by plane. Throws littoral::InvalidInput.
+  void WritePlanes(const littoral::ImageParts& parts);
 
   double HubHeight = 0.0;
   int TowerLayers = 0;

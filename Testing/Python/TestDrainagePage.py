@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The program of the guide's page on drainage, run as it stands there with a GeoTIFF as its place.
+"""The programs of the guide's page on drainage, run as they stand there with a GeoTIFF as their place.
 
-What it writes lies where the place does, for GDAL's own Python package, and has the place's heights and no hollow.
+What the first writes lies where the place does, for GDAL's own Python package, and has the place's heights and no
+hollow. The second writes the areas that a drainage of the whole place has.
 """
 
 import os
@@ -40,7 +41,7 @@ def write_place(name):
 
 
 with open(PAGE, encoding="utf-8") as page:
-    program = page.read().split("```python\n")[1].split("```")[0]
+    program, by_tiles = (part.split("```")[0] for part in page.read().split("```python\n")[1:3])
 call = "read_elevation()"
 assert program.count(call) == 1, program
 with tempfile.TemporaryDirectory() as folder:
@@ -64,4 +65,13 @@ with tempfile.TemporaryDirectory() as folder:
     print(f"{sunk:.4%} of the cells of the file are sunk")
     assert sunk < 1e-3
     found = None
+
+    assert by_tiles.count("1024") == 1, by_tiles
+    exec(compile(by_tiles.replace("1024", "32"), PAGE, "exec"), names)
+    again.SetInputData(read_elevation("place.tif"))
+    again.Update()
+    areas = gdal.Open("areas.tif")
+    assert areas.GetGeoTransform() == PLACE, areas.GetGeoTransform()
+    np.testing.assert_array_equal(areas.ReadAsArray(), array_from_image(again.GetOutput(), "DrainageArea")[::-1])
+    areas = None
     os.chdir("/")

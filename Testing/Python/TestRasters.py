@@ -796,6 +796,32 @@ class Written(Rasters):
                 sums.add(hashlib.sha256(file.read()).digest())
         self.assertEqual(len(sums), 1)
 
+    def test_cloud_optimized(self):
+        """A file in blocks with overviews, made of parts of a terrain that is never whole; overviews are means."""
+        terrain = littoral.vtkTurningBandsTerrainSource()
+        terrain.SetWholeExtent(3, 4302, -8, 1023, 0, 0)
+        terrain.SetNumberOfLines(8)
+        writer = littoral.vtkElevationWriter()
+        writer.SetInputConnection(terrain.GetOutputPort())
+        writer.SetFileName(self.path("parts.tif"))
+        self.assertEqual(writer.Write(), 1)
+        self.assertLessEqual(terrain.GetOutput().GetNumberOfPoints(), 4300 * 512)
+        terrain.UpdateWholeExtent()
+        heights = array_from_image(terrain.GetOutput())[::-1]
+        writer.SetInputData(terrain.GetOutput())
+        writer.SetFileName(self.path("whole.tif"))
+        self.assertEqual(writer.Write(), 1)
+        with open(self.path("parts.tif"), "rb") as parts, open(self.path("whole.tif"), "rb") as whole:
+            self.assertEqual(parts.read(), whole.read())
+        raster = gdal.Open(self.path("parts.tif"))
+        band = raster.GetRasterBand(1)
+        self.assertEqual(raster.GetMetadataItem("LAYOUT", "IMAGE_STRUCTURE"), "COG")
+        self.assertEqual(band.GetBlockSize(), [512, 512])
+        np.testing.assert_array_equal(band.ReadAsArray(), heights.astype(np.float32))
+        self.assertEqual([band.GetOverview(i).XSize for i in range(band.GetOverviewCount())], [2150, 1075, 538, 269])
+        means = heights.reshape(516, 2, 2150, 2).mean(axis=(1, 3))
+        np.testing.assert_allclose(band.GetOverview(0).ReadAsArray(), means, atol=1e-3)
+
     def test_images_that_cannot_be_written(self):
         writer = littoral.vtkElevationWriter()
         messages = errors.kept(writer)
