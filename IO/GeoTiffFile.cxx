@@ -7,8 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <iomanip>
 #include <limits>
 #include <memory>
+#include <sstream>
 #include <vector>
 
 #include <cpl_conv.h>
@@ -182,6 +185,23 @@ std::string WhyOtherSystem(const std::string& name, const std::string& wanted)
   return isSame ? "" : "GeoTIFF cannot hold the coordinate system " + NameOf(system);
 }
 
+/// Throws where a disk has no room for the heights and their overviews without compression, a third more.
+void RequireDisk(const std::string& path, const GeoTiffContent& content)
+{
+  const double pixels = static_cast<double>(content.Points[0]) * content.Points[1];
+  const double bytes = pixels * (content.IsWide ? 8.0 : 4.0) * 4.0 / 3.0;
+  std::error_code error;
+  const auto folder = std::filesystem::absolute(path, error).parent_path();
+  const auto room = error ? std::filesystem::space_info{} : std::filesystem::space(folder, error);
+  if (!error && static_cast<double>(room.available) < bytes)
+  {
+    std::ostringstream reason;
+    reason << "No space left on device: it takes " << std::setprecision(3) << bytes / 1e6
+           << " MB while it is written, and " << static_cast<double>(room.available) / 1e6 << " MB are free";
+    throw RasterError(reason.str());
+  }
+}
+
 /// Makes the file at the name of a new one, by way of another without compression beside it.
 void MakeFile(const std::string& name, const std::string& scratch, const GeoTiffContent& content,
   const RasterProgress& progress, GdalMessages& messages)
@@ -216,9 +236,12 @@ int RowsAtOnce(const GeoTiffContent& content)
 FileOutcome WriteGeoTiff(const std::string& path, const GeoTiffContent& content, const RasterProgress& progress)
 {
   GDALAllRegister();
-  const CPLConfigOptionSetter one("GDAL_PAM_ENABLED", "NO", false); // no file beside it
+  const CPLConfigOptionSetter noSideFile("GDAL_PAM_ENABLED", "NO", false);
+  const CPLConfigOptionSetter noCheck(
+    "CHECK_DISK_FREE_SPACE", "NO", false); // GDAL looks where a descriptor's name lies
   GdalMessages messages;
   return WriteFile(path, [&](ReplacedFile& file) {
+    RequireDisk(path, content);
     ReplacedFile scratch(path);
     if (!file.Close() || !scratch.Close())
     {

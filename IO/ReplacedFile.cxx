@@ -271,7 +271,7 @@ void ReplacedFile::NoteFullDisk()
 bool ReplacedFile::Close()
 {
   this->Output.exceptions(std::ios_base::goodbit);
-  const bool whole = this->Output.good() && this->Buffer.close();
+  const bool whole = this->Output.good() && (!this->Buffer.is_open() || this->Buffer.close());
   return whole || this->Fail(this->Buffer.Error ? this->Buffer.Error : errno);
 }
 
