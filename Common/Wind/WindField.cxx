@@ -24,6 +24,8 @@ namespace
 constexpr int FrequenciesPerBlock = 32;
 /// Draws of four words each that are made at a time.
 constexpr std::size_t DrawsAtOnce = 256;
+/// The exponential of less than minus this is 0 in single precision; libraries take long to find that.
+constexpr float NoCoherence = 104.0f;
 /// Planes that are asked for in advance where lines are gathered from them.
 constexpr std::size_t PlanesAhead = 16;
 /// Clipped power below this is the rounding of single precision, not of the method.
@@ -322,7 +324,8 @@ double WindField::WavePower(int component, int frequency, Scratch& scratch) cons
   {
     // Root coherence gamma = exp(-((f Delay)^2 + Still^2)^(1/2)) (eqs. 11 and 12), at all separations
     const float moving = hertz * delay[n];
-    scratch.Power[n] = std::exp(still[n] == 0.0f ? -moving : -std::sqrt(moving * moving + still[n] * still[n]));
+    const float decay = still[n] == 0.0f ? moving : std::sqrt(moving * moving + still[n] * still[n]);
+    scratch.Power[n] = decay > NoCoherence ? 0.0f : std::exp(-decay);
   }
   // Algorithm 3, step 2: W(k) = sum over separations r of gamma(r) exp(-i k . r); what is negative is clipped
   this->TransformEven(scratch.Power, scratch);
