@@ -64,7 +64,8 @@ vtkInformationIntegerKey* HasFailed()
 /// The request of the loop that the algorithm is in; null if it is in none.
 vtkInformation* LoopOf(vtkAlgorithm* algorithm)
 {
-  auto* request = reinterpret_cast<vtkInformation*>(algorithm->GetInformation()->Get(CurrentRequest()));
+  const vtkIdType address = algorithm->GetInformation()->Get(CurrentRequest());
+  auto* request = reinterpret_cast<vtkInformation*>(address); // NOLINT(performance-no-int-to-ptr): not in a loop
   const bool isLoop = request && request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) && request->Has(HasInformed());
   return isLoop ? request : nullptr;
 }
