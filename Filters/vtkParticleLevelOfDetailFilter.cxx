@@ -24,6 +24,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
@@ -42,6 +43,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -148,6 +150,17 @@ private:
   vtkSmartPointer<vtkIdTypeArray> Numbers = vtkSmartPointer<vtkIdTypeArray>::New();
 };
 
+/// Arrays that are made here, whatever the input has of that name.
+const char* const MadeHere[] = { littoral::sea::Alpha, littoral::sea::TrainCount, littoral::sea::ErrorBound,
+  littoral::sea::MasterId, littoral::sea::Offset, littoral::sea::Start };
+
+bool IsMadeHere(const char* name)
+{
+  return name && std::any_of(std::begin(MadeHere), std::end(MadeHere), [name](const char* own) {
+    return std::strcmp(own, name) == 0;
+  });
+}
+
 /// The order in which the trains of the sea state are taken, as a field array.
 vtkSmartPointer<vtkIntArray> OrderArray(const std::vector<int>& order)
 {
@@ -160,11 +173,12 @@ vtkSmartPointer<vtkIntArray> OrderArray(const std::vector<int>& order)
   return array;
 }
 
-/// Counters as field data, where this many particles could have been shown.
-void AddCounters(
-  vtkDataObject* output, const littoral::ParticleSelection& selection, double particles, std::size_t trains)
+/// Counters of a selection as field data, where this many particles could have been shown.
+vtkSmartPointer<vtkFieldData> CountersOf(
+  const littoral::ParticleSelection& selection, double particles, std::size_t trains)
 {
-  const auto add = [output](const char* name, double value) { littoral::AddField(output, name, { value }); };
+  vtkNew<vtkDataObject> counters;
+  const auto add = [&counters](const char* name, double value) { littoral::AddField(counters, name, { value }); };
   add("ParticlesInAll", particles);
   add("ParticlesShown", static_cast<double>(selection.Shown));
   add("ParticlesFar", static_cast<double>(selection.Far));
@@ -176,6 +190,7 @@ void AddCounters(
   add("TrainSums", static_cast<double>(selection.TrainSum));
   add("TrainSumsInAll", particles * static_cast<double>(trains));
   add("MaximumSlaveError", selection.MaximumSlaveError);
+  return counters->GetFieldData();
 }
 
 /// Particles in some of the cells.
@@ -225,8 +240,8 @@ public:
   std::unique_ptr<littoral::ParticleGroups> Groups;
   littoral::Box Bounds; ///< of all cells
 
-  littoral::ArrayStamp Moved; ///< the places of now
-  vtkSmartPointer<vtkDataArray> Places;
+  littoral::ArrayStamp Moved;           ///< the places of now
+  vtkSmartPointer<vtkDataArray> Places; ///< as long as they are read
   littoral::ArrayStamp SortedSource;
   littoral::ArrayStamp RestingPlaces;
   littoral::ParticleMotion Resting;     ///< of places that all go one way, without it
@@ -247,7 +262,8 @@ public:
   CountingArray Counting;
   std::vector<double> SelectionKey;
   std::unique_ptr<littoral::ParticleSelection> Selection; ///< of the last frame
-  std::size_t Selections = 0;                             ///< until now
+  std::size_t Selections = 0;                             ///< until now; 0: none
+  vtkSmartPointer<vtkFieldData> Counters;                 ///< of the selection; null: to be made
   LevelBlock Blocks[3];                                   ///< that show it
 
   void ForgetFrames()
@@ -265,6 +281,7 @@ public:
   void MakeTable(const littoral::SeaState& sea, const littoral::View& view, littoral::TrainRule rule, double error);
   void Select(const littoral::View& view, const littoral::ParticleLevelOptions& options,
     const littoral::PieceRange& cells, vtkAlgorithm* owner);
+  void AddCounters(vtkDataObject* output, const littoral::PieceRange& cells, std::size_t trains);
   template <typename Array>
   vtkPolyData* Block(const littoral::ShownParticles& shown, littoral::ParticleLevel kind);
 };
@@ -316,22 +333,22 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::FindMotion(vtkDataArray* from
 /// Puts the arrays of the input in the order of the groups, but for those that are made here.
 void vtkParticleLevelOfDetailFilter::vtkInternals::Carry(vtkPointSet* input)
 {
-  vtkNew<vtkPointData> carried;
-  carried->ShallowCopy(input->GetPointData());
-  for (const char* name : { littoral::sea::Alpha, littoral::sea::TrainCount, littoral::sea::ErrorBound,
-         littoral::sea::MasterId, littoral::sea::Offset, littoral::sea::Start })
-  {
-    carried->RemoveArray(name);
-  }
+  vtkPointData* given = input->GetPointData();
   std::vector<littoral::ArrayStamp> key;
-  for (int index = 0; index < carried->GetNumberOfArrays(); ++index)
+  for (int index = 0; index < given->GetNumberOfArrays(); ++index)
   {
-    key.push_back(littoral::StampOf(carried->GetAbstractArray(index)));
+    if (!IsMadeHere(given->GetArrayName(index)))
+    {
+      key.push_back(littoral::StampOf(given->GetAbstractArray(index)));
+    }
   }
   if (this->Carried && key == this->CarriedKey)
   {
     return;
   }
+  vtkNew<vtkPointData> carried;
+  carried->ShallowCopy(given);
+  std::for_each(std::begin(MadeHere), std::end(MadeHere), [&](const char* name) { carried->RemoveArray(name); });
   this->ForgetFrames();
   const std::vector<int>& order = this->Groups->GetOrder();
   this->Carried = vtkSmartPointer<vtkPointData>::New();
@@ -454,7 +471,22 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::Select(const littoral::View& 
   }
   this->Selection = std::move(selection);
   this->SelectionKey = std::move(key);
+  this->Counters = nullptr;
   ++this->Selections;
+}
+
+/// Adds the counters of the selection, which stay as long as it does.
+void vtkParticleLevelOfDetailFilter::vtkInternals::AddCounters(
+  vtkDataObject* output, const littoral::PieceRange& cells, std::size_t trains)
+{
+  if (!this->Counters)
+  {
+    this->Counters = CountersOf(*this->Selection, ParticlesIn(*this->Groups, cells), trains);
+  }
+  for (int index = 0; index < this->Counters->GetNumberOfArrays(); ++index)
+  {
+    output->GetFieldData()->AddArray(this->Counters->GetAbstractArray(index));
+  }
 }
 
 /// The particles of a level, with all that tells how they are drawn and moved. What has not changed since the last
@@ -506,7 +538,8 @@ vtkPolyData* vtkParticleLevelOfDetailFilter::vtkInternals::Block(
   }
   if (isOther || littoral::IsBlended(shown, kind))
   {
-    arrays->AddArray(littoral::AlphasOf<Array>(shown, kind, this->Memory));
+    const std::size_t state = std::size(Levels) * this->Selections + static_cast<std::size_t>(kind);
+    arrays->AddArray(littoral::AlphasOf<Array>(shown, kind, state, this->Memory));
   }
   const bool haveStayed = !isNew && shown.Sorted && block.Key.IsSorted && block.Key.Source == key.Source;
   if (kind == littoral::ParticleLevel::Middle && !haveStayed)
@@ -602,6 +635,8 @@ void vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
     static_cast<double>(knowsStart), static_cast<double>(this->ParticlesPerCell) };
   const littoral::ArrayStamp source = knowsStart ? littoral::StampOf(start) : moved;
   const bool areGrouped = internals.Groups && internals.Numbers == numbers;
+  const bool isPlain = vtkFloatArray::SafeDownCast(points) || vtkDoubleArray::SafeDownCast(points);
+  internals.Places = isPlain ? points : internals.Places.Get();
   if (areGrouped && internals.Moved == moved && (internals.Grouped == source || internals.Grouped == moved))
   {
     return;
@@ -620,7 +655,6 @@ void vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
       BytesAParticle * static_cast<double>(count), "A water of " + std::to_string(count) + " particles", "take fewer");
   }
   internals.Moved = {};
-  const bool isPlain = vtkFloatArray::SafeDownCast(points) || vtkDoubleArray::SafeDownCast(points);
   internals.Places = isPlain ? points : littoral::WithType<vtkDoubleArray>(points).Get();
   const littoral::PlaceList places = ListOf(internals.Places);
   const littoral::ParallelFor parallel = littoral::AbortableFor(this);
@@ -708,7 +742,11 @@ int vtkParticleLevelOfDetailFilter::RequestData(
       places.GetSingles() ? internals.Block<vtkFloatArray>(shown, kind) : internals.Block<vtkDoubleArray>(shown, kind));
   }
   internals.Memory.EndFrame();
-  AddCounters(output, *internals.Selection, ParticlesIn(*internals.Groups, cells), state.Trains.size());
+  internals.AddCounters(output, cells, state.Trains.size());
+  if (internals.Places == input->GetPoints()->GetData())
+  {
+    internals.Places = nullptr; // free for the next frame of the input
+  }
   littoral::KeepRanges(output, littoral::PollOf(this));
   this->UpdateProgress(1.0);
   return 1;

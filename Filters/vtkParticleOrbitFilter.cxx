@@ -9,6 +9,7 @@
 #include "Data/Followers.h"
 #include "Data/FrameArrays.h"
 #include "Data/Inputs.h"
+#include "Data/LeafCopy.h"
 #include "Data/SeaStateTable.h"
 #include "Data/Tables.h"
 #include "Numerics/ParameterCheck.h"
@@ -39,6 +40,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -346,29 +348,38 @@ class vtkParticleOrbitFilter::Sea
 {
 public:
   Sea(const littoral::SeaState& state, const littoral::WaveOrbitOptions& options, double time)
-    : Orbits(state, options, time)
-    , State(state)
+    : State(state)
     , Options(options)
     , Time(time)
   {
   }
 
-  /// The same with its trains in an order.
-  Sea InOrder(const std::vector<int>& order) const
+  /// The orbits in it, with its trains in an order; leaves mostly have one order.
+  const littoral::WaveOrbits& InOrder(const std::vector<int>& order)
   {
-    return Sea(littoral::Ordered(this->State, order), this->Options, this->Time);
+    if (!this->Orbits || order != this->Order)
+    {
+      this->Orbits.emplace(littoral::Ordered(this->State, order), this->Options, this->Time);
+      this->Order = order;
+    }
+    return *this->Orbits;
   }
 
-  littoral::WaveOrbits Orbits;
   littoral::SeaState State;
+
+private:
   littoral::WaveOrbitOptions Options;
   double Time;
+  std::vector<int> Order;
+  std::optional<littoral::WaveOrbits> Orbits;
 };
 
 /// State that one frame leaves to the next one.
 class vtkParticleOrbitFilter::vtkInternals : public littoral::LeafFrames<RestingPoints>
 {
 public:
+  std::vector<littoral::LeafCopy> Copies; ///< of the leaves of a composite
+
   /// Refuses more points than there is memory for. As many as before have theirs.
   void RequireRoom(double bytesOfPoint, vtkIdType count)
   {
@@ -504,8 +515,9 @@ int vtkParticleOrbitFilter::RequestData(
 
   this->SetProgressText("Moving points");
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  Sea sea(state, options, time);
   this->Internals->BeginFrame();
-  this->MoveAll(Sea(state, options, time), vtkDataObject::GetData(inputVector[0]), output);
+  this->MoveAll(sea, vtkDataObject::GetData(inputVector[0]), output);
   this->Internals->EndFrame();
   AddRegimes(state, output);
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
@@ -515,11 +527,12 @@ int vtkParticleOrbitFilter::RequestData(
 }
 
 //----------------------------------------------------------------------------
-void vtkParticleOrbitFilter::MoveAll(const Sea& sea, vtkDataObject* input, vtkDataObject* output)
+void vtkParticleOrbitFilter::MoveAll(Sea& sea, vtkDataObject* input, vtkDataObject* output)
 {
   auto* blocks = vtkDataObjectTree::SafeDownCast(input);
   if (!blocks)
   {
+    this->Internals->Copies.clear();
     output->ShallowCopy(input);
     this->Move(sea, littoral::PointsIn(input), littoral::PointsIn(output));
     return;
@@ -527,31 +540,36 @@ void vtkParticleOrbitFilter::MoveAll(const Sea& sea, vtkDataObject* input, vtkDa
   auto* moved = vtkDataObjectTree::SafeDownCast(output);
   moved->CopyStructure(blocks);
   auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  std::vector<littoral::LeafCopy>& copies = this->Internals->Copies;
+  std::size_t leaves = 0;
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem(), ++leaves)
   {
     vtkDataObject* leaf = iterator->GetCurrentDataObject();
-    auto copy = vtkSmartPointer<vtkDataObject>::Take(leaf->NewInstance());
-    copy->ShallowCopy(leaf);
+    copies.resize(std::max(copies.size(), leaves + 1));
+    const vtkSmartPointer<vtkDataObject> copy = copies[leaves].Of(leaf);
     this->Move(sea, littoral::PointsIn(leaf), littoral::PointsIn(copy));
     moved->SetDataSet(iterator, copy);
   }
+  copies.resize(leaves);
 }
 
 //----------------------------------------------------------------------------
-void vtkParticleOrbitFilter::Move(const Sea& sea, vtkPointSet* input, vtkPointSet* output)
+void vtkParticleOrbitFilter::Move(Sea& sea, vtkPointSet* input, vtkPointSet* output)
 {
   if (!input->GetPoints() || input->GetNumberOfPoints() == 0)
   {
     return;
   }
-  const Sea ordered = sea.InOrder(ReadTrainOrder(input, sea.State.Trains.size()));
-  input->GetPoints()->GetDataType() == VTK_DOUBLE ? this->MoveAs<vtkDoubleArray>(ordered, input, output)
-                                                  : this->MoveAs<vtkFloatArray>(ordered, input, output);
+  const littoral::WaveOrbits& orbits = sea.InOrder(ReadTrainOrder(input, sea.State.Trains.size()));
+  input->GetPoints()->GetDataType() == VTK_DOUBLE
+    ? this->MoveAs<vtkDoubleArray>(orbits, sea.State.SeaLevel, input, output)
+    : this->MoveAs<vtkFloatArray>(orbits, sea.State.SeaLevel, input, output);
 }
 
 //----------------------------------------------------------------------------
 template <typename Array>
-void vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPointSet* output)
+void vtkParticleOrbitFilter::MoveAs(
+  const littoral::WaveOrbits& orbits, double seaLevel, vtkPointSet* input, vtkPointSet* output)
 {
   const vtkIdType count = input->GetNumberOfPoints();
   this->Internals->RequireRoom(17.0 * sizeof(typename Array::ValueType), count);
@@ -559,7 +577,7 @@ void vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
   auto* centers = Array::SafeDownCast(rest.Centers);
   const Following& following = this->Internals->FollowingOf(input, rest);
   const littoral::Slaves& slaves = following.Slaves;
-  const bool surface = this->GenerateSurface && IsAtSeaLevel(centers, sea.State.SeaLevel);
+  const bool surface = this->GenerateSurface && IsAtSeaLevel(centers, seaLevel);
   if (following.Moving == 0 && slaves.Master.empty() && !this->GenerateVelocity && !this->GenerateAcceleration &&
     !surface)
   {
@@ -579,7 +597,7 @@ void vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
   // Slaves come last, as written by vtkParticleLevelOfDetailFilter: their orbits are not evaluated.
   const std::size_t evaluated = surface ? static_cast<std::size_t>(count) : following.Moving;
   bool done = forAll(0.0, 0.8, evaluated, PointsAtOnce, [&](std::size_t begin, std::size_t end) {
-    sea.Orbits.Evaluate(moved.Request, begin, end);
+    orbits.Evaluate(moved.Request, begin, end);
     moved.FinishSurface(begin, end);
     moved.AddRanges(slaves.Master.empty() && evaluated == static_cast<std::size_t>(count), begin, end);
   });

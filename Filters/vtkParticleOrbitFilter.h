@@ -36,6 +36,11 @@
 
 class vtkPointSet;
 
+namespace littoral
+{
+class WaveOrbits;
+}
+
 class LITTORALFILTERS_EXPORT vtkParticleOrbitFilter : public vtkPassInputTypeAlgorithm
 {
 public:
@@ -150,10 +155,10 @@ private:
   class Sea;
   class vtkInternals;
   std::string WhyBadProperties(double time) const;
-  void MoveAll(const Sea& sea, vtkDataObject* input, vtkDataObject* output);
-  void Move(const Sea& sea, vtkPointSet* input, vtkPointSet* output);
+  void MoveAll(Sea& sea, vtkDataObject* input, vtkDataObject* output);
+  void Move(Sea& sea, vtkPointSet* input, vtkPointSet* output);
   template <typename Array>
-  void MoveAs(const Sea& sea, vtkPointSet* input, vtkPointSet* output);
+  void MoveAs(const littoral::WaveOrbits& orbits, double seaLevel, vtkPointSet* input, vtkPointSet* output);
 
   std::unique_ptr<vtkInternals> Internals;
 };

@@ -5,11 +5,13 @@
 #include "Numerics/Constants.h"
 #include "Numerics/FourierGrid.h"
 #include "Numerics/ParameterCheck.h"
+#include "Numerics/Prefetch.h"
 #include "Numerics/RandomStream.h"
 #include "Numerics/SimdClones.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <sstream>
 
@@ -20,6 +22,12 @@ namespace
 {
 /// Frequencies that one thread makes at a time.
 constexpr int FrequenciesPerBlock = 32;
+/// Draws of four words each that are made at a time.
+constexpr std::size_t DrawsAtOnce = 256;
+/// The exponential of less than minus this is 0 in single precision; libraries take long to find that.
+constexpr float NoCoherence = 104.0f;
+/// Planes that are asked for in advance where lines are gathered from them.
+constexpr std::size_t PlanesAhead = 16;
 /// Clipped power below this is the rounding of single precision, not of the method.
 constexpr double RoundingShare = 1e-5;
 
@@ -58,19 +66,26 @@ RandomStream StreamOf(int seed, int component)
   return { seed, purposes[component] };
 }
 
-/// Calls use(cell, word) for cells first ... first + count - 1 of a frequency; amplitudes have words of their own.
+/// Calls use(n, words, size) with the words of cells first + n ... first + n + size - 1 of a frequency, until all from
+/// first to first + count - 1 have theirs; amplitudes have words of their own.
 template <typename Use>
 void ForWords(const RandomStream& stream, std::uint64_t object, std::uint64_t first, std::size_t count, const Use& use)
 {
-  std::size_t n = 0;
-  while (n < count)
+  std::uint32_t words[4 * DrawsAtOnce];
+  for (std::size_t n = 0; n < count;)
   {
-    const auto words = stream.Words(object, (first + n) / 4);
-    for (std::size_t w = (first + n) % 4; w < 4 && n < count; ++w, ++n)
-    {
-      use(n, words[w]);
-    }
+    const std::size_t skipped = (first + n) % 4;
+    const std::size_t size = std::min(count - n, std::size(words) - skipped);
+    stream.FillWords(object, (first + n) / 4, (skipped + size + 3) / 4, words);
+    use(n, words + skipped, size);
+    n += size;
   }
+}
+
+/// Copies the numbers of some lanes; all of them need no call.
+void Take(const float* from, int lanes, float* to)
+{
+  lanes == FourierLanes ? std::copy_n(from, FourierLanes, to) : std::copy_n(from, lanes, to);
 }
 
 /// Sum of the powers of a quarter of wave numbers, each as often as it occurs on the whole grid.
@@ -148,18 +163,20 @@ void WindFactors(const WindSynthesis& synthesis, int component, int frequency, s
   float* re, float* im)
 {
   const RandomStream stream = StreamOf(synthesis.Seed, component);
-  std::vector<std::uint32_t> words(count);
   ForWords(stream, static_cast<std::uint64_t>(frequency), first, count,
-    [&](std::size_t n, std::uint32_t word) { words[n] = word; });
-  UnitCircle(words.data(), count, re, im);
+    [&](std::size_t n, const std::uint32_t* words, std::size_t size) { UnitCircle(words, size, re + n, im + n); });
   if (synthesis.Phases == WindPhases::GaussianAmplitudes)
   {
     constexpr std::uint64_t amplitudes = std::uint64_t{ 1 } << 32;
-    ForWords(stream, amplitudes + frequency, first, count, [&](std::size_t n, std::uint32_t word) {
-      const float amplitude = static_cast<float>(std::sqrt(-std::log((word + 0.5) * 0x1p-32)));
-      re[n] *= amplitude;
-      im[n] *= amplitude;
-    });
+    const auto scale = [&](std::size_t n, const std::uint32_t* words, std::size_t size) {
+      for (std::size_t k = 0; k < size; ++k)
+      {
+        const float amplitude = static_cast<float>(std::sqrt(-std::log((words[k] + 0.5) * 0x1p-32)));
+        re[n + k] *= amplitude;
+        im[n + k] *= amplitude;
+      }
+    };
+    ForWords(stream, amplitudes + frequency, first, count, scale);
   }
 }
 
@@ -307,7 +324,8 @@ double WindField::WavePower(int component, int frequency, Scratch& scratch) cons
   {
     // Root coherence gamma = exp(-((f Delay)^2 + Still^2)^(1/2)) (eqs. 11 and 12), at all separations
     const float moving = hertz * delay[n];
-    scratch.Power[n] = std::exp(still[n] == 0.0f ? -moving : -std::sqrt(moving * moving + still[n] * still[n]));
+    const float decay = still[n] == 0.0f ? moving : std::sqrt(moving * moving + still[n] * still[n]);
+    scratch.Power[n] = decay > NoCoherence ? 0.0f : std::exp(-decay);
   }
   // Algorithm 3, step 2: W(k) = sum over separations r of gamma(r) exp(-i k . r); what is negative is clipped
   this->TransformEven(scratch.Power, scratch);
@@ -441,8 +459,8 @@ void WindField::SumUp(Scratch& scratch) const
     for (int k = 0; k < layers; ++k)
     {
       const std::size_t from = static_cast<std::size_t>(k) * FourierLanes;
-      std::copy_n(&scratch.Up.Re[from], lanes, &scratch.Re[static_cast<std::size_t>(k) * width + first]);
-      std::copy_n(&scratch.Up.Im[from], lanes, &scratch.Im[static_cast<std::size_t>(k) * width + first]);
+      Take(&scratch.Up.Re[from], lanes, &scratch.Re[static_cast<std::size_t>(k) * width + first]);
+      Take(&scratch.Up.Im[from], lanes, &scratch.Im[static_cast<std::size_t>(k) * width + first]);
     }
   }
 }
@@ -528,18 +546,34 @@ void WindField::FinishPlanes()
 
 void WindField::MakeLines(std::size_t pack, float* velocities) const
 {
+  LinePack room(static_cast<std::size_t>(this->Grid.Count[0]) / 2 + 1);
+  this->MakeLines(pack, room, velocities);
+}
+
+void WindField::MakeLines(std::size_t pack, LinePack& values, float* velocities) const
+{
   const std::size_t lines = this->Grid.NumberOfLines();
   const std::size_t first = pack * FourierLanes;
   const int lanes = static_cast<int>(std::min<std::size_t>(FourierLanes, lines - first));
   const int length = this->Grid.Count[0];
   const int layers = this->Grid.Count[2];
-  LinePack values(static_cast<std::size_t>(length) / 2 + 1);
-  for (int frequency = 1; frequency <= this->Grid.Waves(); ++frequency)
+  for (int frequency = 0; frequency <= length / 2; ++frequency)
   {
     const std::size_t from = static_cast<std::size_t>(frequency) * lines + first;
     const std::size_t to = static_cast<std::size_t>(frequency) * FourierLanes;
-    std::copy_n(&this->PlaneRe[from], lanes, &values.Re[to]);
-    std::copy_n(&this->PlaneIm[from], lanes, &values.Im[to]);
+    if (frequency == 0 || frequency > this->Grid.Waves() || lanes < FourierLanes)
+    {
+      std::fill_n(&values.Re[to], FourierLanes, 0.0f);
+      std::fill_n(&values.Im[to], FourierLanes, 0.0f);
+    }
+    if (frequency > 0 && frequency <= this->Grid.Waves())
+    {
+      // Planes are far apart in memory.
+      Prefetch(this->PlaneRe.data() + std::min(from + PlanesAhead * lines, this->PlaneRe.size()));
+      Prefetch(this->PlaneIm.data() + std::min(from + PlanesAhead * lines, this->PlaneIm.size()));
+      Take(&this->PlaneRe[from], lanes, &values.Re[to]);
+      Take(&this->PlaneIm[from], lanes, &values.Im[to]);
+    }
   }
   // Algorithm 3, step 4: u(t) = sum over f of c exp(2 pi i f t), with c(-f) = c*(f)
   this->Along.Backward(values);
@@ -579,9 +613,10 @@ std::vector<float> WindField::Make(const ParallelFor& parallel)
     });
     this->FinishPlanes();
     parallel(this->NumberOfPacks(), [&](std::size_t begin, std::size_t end) {
+      LinePack values(static_cast<std::size_t>(this->Grid.Count[0]) / 2 + 1);
       for (std::size_t pack = begin; pack < end; ++pack)
       {
-        this->MakeLines(pack, velocities.data());
+        this->MakeLines(pack, values, velocities.data());
       }
     });
   }

@@ -96,6 +96,8 @@ public:
   void FinishPlanes();
   /// Writes into velocities: (along, across, up) of each sample, the first index (x, downwind) fastest.
   void MakeLines(std::size_t pack, float* velocities) const;
+  /// The same in room for half a line and a number: one thread may use it for pack after pack.
+  void MakeLines(std::size_t pack, LinePack& room, float* velocities) const;
 
   /// All of it: (along, across, up) of each sample at time 0.
   std::vector<float> Make(const ParallelFor& parallel = SerialFor);

@@ -34,7 +34,7 @@ vtkSmartPointer<vtkDataArray> FrameArrays::Like(vtkDataArray* other, vtkIdType t
   }
   SetTuples(array, tuples);
   array->SetName(other->GetName());
-  this->Given.push_back({ array, nullptr, false });
+  this->Given.push_back({ array, nullptr, false, 0 });
   return array;
 }
 
@@ -48,7 +48,7 @@ vtkSmartPointer<vtkFloatArray> FrameArrays::Like(vtkFloatArray* other)
   });
   if (own)
   {
-    this->Given.push_back({ own, other, true });
+    this->Given.push_back({ own, other, true, 0 });
     return vtkFloatArray::SafeDownCast(own);
   }
   auto array = this->New<vtkFloatArray>(other->GetName(), components, tuples);

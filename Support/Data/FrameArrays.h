@@ -54,21 +54,28 @@ public:
   /// The frame has all its arrays: free ones that it has not taken are given back.
   void EndFrame();
 
-  /// An array with a name and room for tuples, not filled.
+  /// An array with a name and room for tuples, not filled. One of a state other than 0 is taken where an array of the
+  /// same state was, if it can be: IsFormer() tells whether it has the values of that one.
   template <typename Array>
-  vtkSmartPointer<Array> New(const char* name, int components, vtkIdType tuples)
+  vtkSmartPointer<Array> New(const char* name, int components, vtkIdType tuples, std::size_t state = 0)
   {
     const auto fits = [&](const Frame& former) {
       return IsFree(former.Array, components, tuples) && Array::SafeDownCast(former.Array);
     };
-    auto array = vtkSmartPointer<Array>(Array::SafeDownCast(this->Take(fits)));
+    const auto isOfState = [&](const Frame& former) { return former.State == state && fits(former); };
+    auto array = vtkSmartPointer<Array>(state > 0 ? Array::SafeDownCast(this->Take(isOfState)) : nullptr);
+    const bool isFormer = array != nullptr;
+    if (!array)
+    {
+      array = Array::SafeDownCast(this->Take(fits));
+    }
     if (!array)
     {
       array = NewArray<Array>(name, components, tuples);
     }
     SetTuples(array, tuples);
     array->SetName(name);
-    this->Given.push_back({ array, nullptr, false });
+    this->Given.push_back({ array, nullptr, isFormer, state });
     return array;
   }
 
@@ -78,7 +85,7 @@ public:
   /// An array of the same name and size, not filled but for what IsFormer() says.
   vtkSmartPointer<vtkFloatArray> Like(vtkFloatArray* other);
 
-  /// Whether an array of this frame has the values of an earlier one that was like the same other.
+  /// Whether an array of this frame has the values of an earlier one that was like the same other, or of one state.
   bool IsFormer(vtkDataArray* array) const;
 
 private:
@@ -88,6 +95,7 @@ private:
     Pointer Array; ///< null where it was taken
     const vtkDataArray* Model = nullptr;
     bool IsFormer = false;
+    std::size_t State = 0;
   };
   std::vector<Frame> Former; ///< of earlier frames
   std::vector<Frame> Given;  ///< of this frame

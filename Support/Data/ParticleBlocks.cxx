@@ -333,9 +333,11 @@ bool IsBlended(const ShownParticles& shown, ParticleLevel kind)
 
 //----------------------------------------------------------------------------
 template <typename Array>
-vtkSmartPointer<vtkFloatArray> AlphasOf(const ShownParticles& shown, ParticleLevel kind, FrameArrays& memory)
+vtkSmartPointer<vtkFloatArray> AlphasOf(
+  const ShownParticles& shown, ParticleLevel kind, std::size_t state, FrameArrays& memory)
 {
-  auto array = memory.New<vtkFloatArray>(sea::Alpha, 1, static_cast<vtkIdType>(SizeOf(shown.Selection, kind)));
+  auto array = memory.New<vtkFloatArray>(sea::Alpha, 1, static_cast<vtkIdType>(SizeOf(shown.Selection, kind)), state);
+  const bool isFormer = memory.IsFormer(array);
   float* alpha = array->GetPointer(0);
   const auto* sorted = shown.Sorted ? Array::SafeDownCast(shown.Sorted)->GetPointer(0) : nullptr;
   std::vector<TupleRanges> ranges(shown.Selection.Parts.size() / PartsAtOnce + 1);
@@ -346,7 +348,7 @@ vtkSmartPointer<vtkFloatArray> AlphasOf(const ShownParticles& shown, ParticleLev
       {
         Blend(shown, kind, run, shown.Groups.GetClusters()[part.Cluster], sorted, alpha + place);
       }
-      else
+      else if (!isFormer)
       {
         std::fill_n(alpha + place, run.Size(), run.Weight == RunWeight::None ? 0.0f : 1.0f);
       }
@@ -414,9 +416,9 @@ template vtkSmartPointer<vtkPoints> PointsOf<vtkFloatArray>(
 template vtkSmartPointer<vtkPoints> PointsOf<vtkDoubleArray>(
   const ShownParticles& shown, ParticleLevel kind, std::optional<TupleRanges>& sorted, FrameArrays& memory);
 template vtkSmartPointer<vtkFloatArray> AlphasOf<vtkFloatArray>(
-  const ShownParticles& shown, ParticleLevel kind, FrameArrays& memory);
+  const ShownParticles& shown, ParticleLevel kind, std::size_t state, FrameArrays& memory);
 template vtkSmartPointer<vtkFloatArray> AlphasOf<vtkDoubleArray>(
-  const ShownParticles& shown, ParticleLevel kind, FrameArrays& memory);
+  const ShownParticles& shown, ParticleLevel kind, std::size_t state, FrameArrays& memory);
 template vtkSmartPointer<vtkFloatArray> OffsetsOf<vtkFloatArray>(
   const ShownParticles& shown, vtkPoints* places, vtkIdTypeArray* masterIds, FrameArrays& memory);
 template vtkSmartPointer<vtkDoubleArray> OffsetsOf<vtkDoubleArray>(

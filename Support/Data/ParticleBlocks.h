@@ -59,9 +59,11 @@ vtkSmartPointer<vtkIdTypeArray> MastersOf(const ShownParticles& shown, FrameArra
 /// Whether some opacities of a level go by distance.
 bool IsBlended(const ShownParticles& shown, ParticleLevel kind);
 
-/// The opacities of a level.
+/// The opacities of a level. Those that do not go by distance stay in arrays of the same state, which numbers the
+/// selections and levels, from 1 on.
 template <typename Array>
-vtkSmartPointer<vtkFloatArray> AlphasOf(const ShownParticles& shown, ParticleLevel kind, FrameArrays& memory);
+vtkSmartPointer<vtkFloatArray> AlphasOf(
+  const ShownParticles& shown, ParticleLevel kind, std::size_t state, FrameArrays& memory);
 
 /// The arrays that tell how a level is moved.
 void AddLevelArrays(const ShownParticles& shown, ParticleLevel kind, FrameArrays& memory, vtkPointData* arrays);

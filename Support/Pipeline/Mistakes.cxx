@@ -10,7 +10,6 @@
 #include "vtkInformation.h"
 #include "vtkInformationIdTypeKey.h"
 #include "vtkInformationIntegerKey.h"
-#include "vtkInformationObjectBaseKey.h"
 #include "vtkInformationStringKey.h"
 #include "vtkInformationVector.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -39,10 +38,11 @@ vtkInformationIdTypeKey* MistakesTime()
   return key;
 }
 
-/// The request that an algorithm answers.
-vtkInformationObjectBaseKey* CurrentRequest()
+/// Address of the request that an algorithm answers, 0 when it has been answered. Each time that a counted reference is
+/// given up, VTK looks for cycles of references.
+vtkInformationIdTypeKey* CurrentRequest()
 {
-  static auto* key = SharedKey<vtkInformationObjectBaseKey>("CURRENT_REQUEST");
+  static auto* key = SharedKey<vtkInformationIdTypeKey>("CURRENT_REQUEST");
   return key;
 }
 
@@ -64,7 +64,8 @@ vtkInformationIntegerKey* HasFailed()
 /// The request of the loop that the algorithm is in; null if it is in none.
 vtkInformation* LoopOf(vtkAlgorithm* algorithm)
 {
-  auto* request = vtkInformation::SafeDownCast(algorithm->GetInformation()->Get(CurrentRequest()));
+  const vtkIdType address = algorithm->GetInformation()->Get(CurrentRequest());
+  auto* request = reinterpret_cast<vtkInformation*>(address); // NOLINT(performance-no-int-to-ptr): not in a loop
   const bool isLoop = request && request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) && request->Has(HasInformed());
   return isLoop ? request : nullptr;
 }
@@ -131,7 +132,7 @@ AnsweredRequest::AnsweredRequest(vtkAlgorithm* algorithm, vtkInformation* reques
   {
     request->Set(HasInformed(), 1);
   }
-  algorithm->GetInformation()->Set(CurrentRequest(), request);
+  algorithm->GetInformation()->Set(CurrentRequest(), reinterpret_cast<vtkIdType>(request));
 }
 
 int AnsweredRequest::WithoutInput() const
@@ -163,7 +164,7 @@ int AnsweredRequest::FailedBy(const std::string& message) const
 
 AnsweredRequest::~AnsweredRequest()
 {
-  this->Algorithm->GetInformation()->Remove(CurrentRequest());
+  this->Algorithm->GetInformation()->Set(CurrentRequest(), 0);
 }
 
 bool IsNewMistake(vtkAlgorithm* algorithm, const std::string& message, bool isError)

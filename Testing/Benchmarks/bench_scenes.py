@@ -10,6 +10,9 @@ pipeline is updated, then the picture is drawn, then drawn again, of the same sc
 of wall and processor time [s] of update and first drawing ("render"); what of the update is spent in Littoral's algorithms,
 in other ones, and outside of any; and of the rendering, "raster", which is the second drawing, and "upload and building",
 the first less the second; the wall time until the first picture [s], and the most memory of the process [MB].
+
+Where Landscape Light is shown, it is then hidden, a picture is drawn that does not count, and as many steps follow, each
+updated and drawn once: update and render "without light", and "light", what the rendering takes longer with it.
 """
 
 import json
@@ -138,6 +141,26 @@ def draw(view):
     view.GetRenderWindow().WaitForCompletion()
 
 
+def hide_light(view):
+    """Hide Landscape Light; tells whether it was shown."""
+    lights = [shown for shown in view.Representations
+              if shown.SMProxy.GetXMLName() == "LandscapeLightRepresentation" and shown.Visibility]
+    for shown in lights:
+        shown.Visibility = 0
+    return bool(lights)
+
+
+def measure_unlit(view, step, numbers):
+    """Times of update and render of some steps without light, summed."""
+    simple.Render(view)  # shaders are built anew
+    updates, renders = np.zeros(2), np.zeros(2)
+    for number in numbers:
+        step(number)
+        updates += spent(lambda: update(view))
+        renders += spent(lambda: draw(view))
+    return updates, renders
+
+
 def measure(name, frames, folder):
     """Times and memory of a scene, whose files go into a folder."""
     begin = now()
@@ -155,8 +178,12 @@ def measure(name, frames, folder):
         again += spent(lambda: draw(view))
     parts = {"update": updates, **watch.spent, "outside of any": updates - sum(watch.spent.values()), "render": renders,
              "upload and building": renders - again, "raster": again}
+    memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
+    if hide_light(view):
+        unlit = measure_unlit(view, step, range(frames + 1, 2 * frames + 1))
+        parts.update({"update without light": unlit[0], "render without light": unlit[1], "light": renders - unlit[1]})
     return {"scene": name, "first picture": first[0], "frame": {part: list(all / frames) for part, all in parts.items()},
-            "memory": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0}
+            "memory": memory}
 
 
 def main(name, frames="12", filename=None):

@@ -180,6 +180,8 @@ def of_frames(scenes, silence):
             "does for each picture. *Upload and building* is the first rendering less the second: buffers, textures and "
             "shaders made anew of what has changed, and sent. It is a difference of two times, so it scatters as both do, "
             "and may come out below 0.", "",
+            "*Without light* are further steps with Landscape Light hidden; *light* is what a rendering takes longer with it.",
+            "",
             *table(("scene", "part", "wall time [ms]", "processor time [ms]"), rows),
             *table(("scene", "most memory [MB]"), [(scene["scene"], f"{scene['memory']:.0f}") for scene in scenes])]
 

@@ -7,9 +7,12 @@
 #include "vtkParticleOrbitFilter.h"
 #include "vtkSeaStateSource.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
@@ -134,6 +137,93 @@ bool CheckFrames()
   particles->GetPoints()->SetPoint(7, std::nan(""), 0.0, -3.0);
   particles->GetPoints()->Modified();
   return good & Check(FailsNaming("not finite", orbits), "a point without a place is moved");
+}
+
+vtkPolyData* LeafOf(Orbits* orbits)
+{
+  return vtkPolyData::SafeDownCast(vtkMultiBlockDataSet::SafeDownCast(orbits->GetOutputDataObject(0))->GetBlock(0));
+}
+
+/// Arrays with their names and values, and which of them are attributes.
+std::vector<std::vector<char>> ContentOf(vtkDataSetAttributes* arrays)
+{
+  std::vector<std::vector<char>> content;
+  for (int index = 0; index < arrays->GetNumberOfArrays(); ++index)
+  {
+    const std::string name = arrays->GetArrayName(index);
+    content.emplace_back(name.begin(), name.end());
+    content.push_back(BytesOf(arrays->GetArray(index)));
+    content.back().push_back(static_cast<char>(arrays->IsArrayAnAttribute(index)));
+  }
+  return content;
+}
+
+std::vector<std::vector<char>> ContentOf(vtkPolyData* leaf)
+{
+  std::vector<std::vector<char>> content = ContentOf(leaf->GetPointData());
+  content.push_back(BytesOf(leaf->GetPoints()->GetData()));
+  for (const std::vector<char>& bytes : ContentOf(leaf->GetCellData()))
+  {
+    content.push_back(bytes);
+  }
+  const auto cells = static_cast<std::size_t>(leaf->GetNumberOfVerts());
+  const auto fields = static_cast<std::size_t>(leaf->GetFieldData()->GetNumberOfArrays());
+  content.emplace_back(cells, 'v');
+  content.emplace_back(fields, 'f');
+  return content;
+}
+
+/// Leaves of a composite are those of a fresh filter whatever changes from frame to frame, the same objects where
+/// nobody holds them, and stay as they are where somebody does.
+bool CheckLeaves()
+{
+  bool good = true;
+  vtkNew<Sea> sea;
+  vtkNew<vtkPolyData> particles = Particles(50, VTK_FLOAT);
+  AddFilled<vtkFloatArray>(particles, "Alpha", 1.0f);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, particles);
+  const auto make = [&] {
+    auto orbits = vtkSmartPointer<Orbits>::New();
+    orbits->SetInputData(0, blocks);
+    orbits->SetSeaStateConnection(sea->GetOutputPort());
+    return orbits;
+  };
+  vtkNew<vtkCellArray> vertices;
+  const std::vector<std::function<void(Orbits*)>> changes = { [](Orbits*) {},
+    [&](Orbits*) { AddFilled<vtkFloatArray>(particles, "Alpha", 0.5f); }, [](Orbits* of) { of->GenerateVelocityOn(); },
+    [](Orbits* of) { of->GenerateVelocityOff(); },
+    [&](Orbits*) { particles->GetPointData()->SetActiveScalars("Alpha"); },
+    [&](Orbits*) { AddFilled<vtkFloatArray>(particles, "Size", 2.0f); },
+    [&](Orbits*) { particles->GetPointData()->RemoveArray("Alpha"); },
+    [&](Orbits*) { particles->GetFieldData()->AddArray(particles->GetPointData()->GetArray("Size")); },
+    [&](Orbits*) { particles->SetVerts(vertices); },
+    [&](Orbits*) {
+      const vtkIdType first = 0;
+      vertices->InsertNextCell(1, &first);
+      vertices->Modified();
+    },
+    [&](Orbits*) { particles->SetPoints(Particles(50, VTK_FLOAT)->GetPoints()); } };
+  const auto orbits = make();
+  std::set<vtkPolyData*> leaves;
+  double time = 0.0;
+  for (const auto& change : changes)
+  {
+    change(orbits);
+    blocks->Modified();
+    const auto fresh = make();
+    fresh->SetGenerateVelocity(orbits->GetGenerateVelocity());
+    time += 0.5;
+    orbits->UpdateTimeStep(time);
+    fresh->UpdateTimeStep(time);
+    good &= Check(ContentOf(LeafOf(orbits)) == ContentOf(LeafOf(fresh)), "a leaf differs from a fresh one");
+    leaves.insert(LeafOf(orbits));
+  }
+  good &= Check(leaves.size() < changes.size(), "each frame has a new leaf");
+  const vtkSmartPointer<vtkPolyData> held = LeafOf(orbits);
+  const std::vector<std::vector<char>> content = ContentOf(held);
+  orbits->UpdateTimeStep(9.0);
+  return good & Check(LeafOf(orbits) != held && ContentOf(held) == content, "a leaf that was held has changed");
 }
 
 bool CheckSurface()
@@ -704,6 +794,7 @@ int TestParticleOrbits(int, char*[])
 {
   bool good = CheckTimeOrderAndThreads();
   good &= CheckFrames();
+  good &= CheckLeaves();
   good &= CheckSurface();
   good &= CheckCountsAndSlaves();
   good &= CheckMeasuredSpectrum();
