@@ -26,7 +26,7 @@ echo "--- what is installed"
 "$python" "$top/Testing/wheel/check_contents.py" "$wheel" "$top"
 
 echo "--- tests"
-cmake -S "$top/Testing/wheel" -B tests "-DPython3_EXECUTABLE=$python"
+cmake -G Ninja -S "$top/Testing/wheel" -B tests "-DPython3_EXECUTABLE=$python"
 status=0
 ctest --test-dir tests -LE '^all$' --output-on-failure --parallel "$(nproc)" "$@" | tee tests.txt || status=$?
 {
