@@ -164,6 +164,14 @@ if (NOT LITTORAL_WITH_PARAVIEW)
   find_package(VTK 9.1 ${littoral_find_vtk_arguments})
 endif ()
 message(STATUS "VTK ${VTK_VERSION} in ${VTK_DIR}")
+if (LITTORAL_FOR_WHEEL)
+  # What the wheel says that it needs is what it is built with.
+  file(STRINGS "${PROJECT_SOURCE_DIR}/pyproject.toml" littoral_wish
+    REGEX "\"vtk==${VTK_MAJOR_VERSION}\\.${VTK_MINOR_VERSION}\\.\\*\"")
+  if (NOT littoral_wish)
+    message(FATAL_ERROR "VTK ${VTK_VERSION} was found, and pyproject.toml asks for another one")
+  endif ()
+endif ()
 
 # --- Help pages are for ParaView's window.
 if (NOT LITTORAL_WITH_PARAVIEW OR NOT PARAVIEW_USE_QT)

@@ -140,7 +140,7 @@ case "${1:-}" in
     ;;
   recipes)
     # Options that the recipes set are Littoral's, and the names of Spack's variants are declared.
-    grep -noE 'LITTORAL_[A-Z_]+' packaging/conda/meta.yaml packaging/spack/package.py debian/rules | while IFS=: read -r _ line option; do
+    grep -noE 'LITTORAL_[A-Z_]+' packaging/conda/meta.yaml packaging/spack/package.py debian/rules pyproject.toml | while IFS=: read -r _ line option; do
       grep -qE "^(option| *set) ?\($option " CMakeLists.txt || echo "line $line: $option"
     done | fail_if_found "Options that CMakeLists.txt does not have:"
     sed -nE 's/.*define_from_variant\("[A-Z_]+", "([a-z]+)"\).*/\1/p; s/.*when="[+~]([a-z]+)( [+~]([a-z]+))?".*/\1\n\3/p' \

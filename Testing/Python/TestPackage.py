@@ -36,9 +36,9 @@ with tempfile.TemporaryDirectory() as folder:
             pass
         script = ("import littoral; littoral.vtkReevesTreeSource()\n"
                   "try: littoral.vtkVDBVolumeWriter\nexcept ImportError as error: print(error)")
-        search = os.pathsep.join((folder, os.environ["PYTHONPATH"]))
-        ran = subprocess.run([sys.executable, "-c", script], env=dict(os.environ, PYTHONPATH=search), capture_output=True,
-                             text=True, check=True)
+        search = os.pathsep.join((folder, os.environ.get("PYTHONPATH", "")))
+        ran = subprocess.run([sys.executable, "-c", script], env=dict(os.environ, PYTHONPATH=search),
+                             capture_output=True, text=True, check=True)
         assert ran.stdout.startswith("There is no vtkVDBVolumeWriter: its library cannot be loaded: "), ran.stdout
 
 
