@@ -4,7 +4,7 @@
 
 A rank asks for its piece of the output of a pipeline and for nothing else, as in ParaView's servers. So each piece is
 made by a process of its own, one after the other: what ranks take from each other, cores and memory's bandwidth, is not
-in these numbers, and neither is the sending of data. Those that exchange rows of numbers (TOGETHER) are made side by side
+in these numbers, and neither is the sending of data. Those that exchange numbers (TOGETHER) are made side by side
 by MPI, with all of that and what a rank takes while it waits. Strong scaling divides the same work; weak scaling gives n ranks n
 times the work. T(n) = s + p / n is fitted to the processor time of the rank that takes longest.
 """
