@@ -8,8 +8,10 @@
 #include "Pipeline/Pipeline.h"
 
 #include "vtkCellArray.h"
+#include "vtkExtentTranslator.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerRequestKey.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -34,13 +36,13 @@ constexpr double BytesOfPoint = 250.0;
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-/// The samples of a whole image that a piece of the sections is made of: a part along x. Parts share the samples
-/// between them; layers across x belong to the piece before End.
+/// The samples of a whole image that a piece of the sections is made of: a part along x, or the one that VTK makes of
+/// the piece where the producer makes slabs along y. Parts share the samples between them; layers on these belong to
+/// the part above.
 struct SectionPart
 {
   std::array<int, 6> Whole{ 0, -1, 0, -1, 0, -1 };
   std::array<int, 6> Extent{ 0, -1, 0, -1, 0, -1 };
-  int End = 0;
 
   SectionPart(vtkInformation* input, vtkInformation* output)
   {
@@ -49,6 +51,11 @@ struct SectionPart
       return;
     }
     input->Get(Pipeline::WHOLE_EXTENT(), this->Whole.data());
+    if (HasSlabs(input))
+    {
+      this->TakePiece(output);
+      return;
+    }
     const int width = this->Whole[1] - this->Whole[0];
     // An image of one layer across x belongs to the first piece.
     const littoral::PieceRange steps = littoral::RequestedPart(output, std::max(1, width));
@@ -57,11 +64,39 @@ struct SectionPart
       this->Extent = this->Whole;
       this->Extent[0] = this->Whole[0] + static_cast<int>(steps.Begin);
       this->Extent[1] = std::min(this->Whole[0] + static_cast<int>(steps.End), this->Whole[1]);
-      this->End = this->Extent[1] + (this->Extent[1] == this->Whole[1] ? 1 : 0);
     }
   }
 
+  /// Whether the producer of an image makes slabs along y for pieces.
+  static bool HasSlabs(vtkInformation* input)
+  {
+    vtkInformationIntegerKey* mode = vtkExtentTranslator::UPDATE_SPLIT_MODE();
+    return input->Has(mode) && input->Get(mode) == vtkExtentTranslator::Y_SLAB_MODE;
+  }
+
   bool IsEmpty() const { return this->Extent[1] < this->Extent[0]; }
+
+  /// Whether a layer across an axis belongs to it, or some of the layer.
+  bool Has(int axis, int index) const
+  {
+    const int last = this->Extent[2 * axis + 1];
+    return index >= this->Extent[2 * axis] && (index < last || last == this->Whole[2 * axis + 1]);
+  }
+
+private:
+  /// Takes the slab that VTK makes of a piece.
+  void TakePiece(vtkInformation* output)
+  {
+    vtkNew<vtkExtentTranslator> translator;
+    std::array<int, 6> slab{};
+    const int hasPart = translator->PieceToExtentThreadSafe(std::max(0, output->Get(Pipeline::UPDATE_PIECE_NUMBER())),
+      std::max(1, output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())), 0, this->Whole.data(), slab.data(),
+      vtkExtentTranslator::Y_SLAB_MODE, 0);
+    if (hasPart != 0)
+    {
+      this->Extent = slab;
+    }
+  }
 };
 
 /// Sections of a part of an image, one after the other.
@@ -148,9 +183,16 @@ int vtkImageSectionFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  vtkInformation* output = outputVector->GetInformationObject(0);
   littoral::RequestAll(input);
-  SectionPart part(input, outputVector->GetInformationObject(0));
-  if (!part.IsEmpty())
+  SectionPart part(input, output);
+  if (SectionPart::HasSlabs(input))
+  {
+    // as the piece that it is, which ranks make together
+    input->Set(Pipeline::UPDATE_PIECE_NUMBER(), std::max(0, output->Get(Pipeline::UPDATE_PIECE_NUMBER())));
+    input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), std::max(1, output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())));
+  }
+  else if (!part.IsEmpty())
   {
     input->Set(Pipeline::UPDATE_EXTENT(), part.Extent.data(), 6);
   }
@@ -180,17 +222,26 @@ int vtkImageSectionFilter::RequestData(
   }
   else
   {
-    sections.Add(2, whole[4]);
-    sections.Add(1, whole[3]);
+    if (part.Has(2, whole[4]))
+    {
+      sections.Add(2, whole[4]);
+    }
+    if (part.Has(1, whole[3]))
+    {
+      sections.Add(1, whole[3]);
+    }
     std::set<int> across;
     for (int i = 0; i < this->CrossSections; ++i)
     {
       const long long width = whole[1] - whole[0];
       across.insert(whole[0] + static_cast<int>((2 * i + 1) * width / (2 * this->CrossSections)));
     }
-    for (auto index = across.lower_bound(part.Extent[0]); index != across.end() && *index < part.End; ++index)
+    for (const int index : across)
     {
-      sections.Add(0, *index);
+      if (part.Has(0, index))
+      {
+        sections.Add(0, index);
+      }
     }
   }
   sections.Write(vtkPolyData::GetData(outputVector));

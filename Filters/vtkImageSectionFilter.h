@@ -10,7 +10,8 @@
  * CrossSections layers across x, evenly spaced; of an image of one layer, that layer. The point arrays are those of the
  * input, and places are those of the image with its direction matrix.
  *
- * A piece is a part along x, and asks for that part of the input; pieces share the samples between them. A property out of range is reported as one error.
+ * A piece is a part along x, or a slab along y of an input that is made in such slabs, as a wind is, and asks for that
+ * part of the input; pieces share the samples between them. A property out of range is reported as one error.
  *
  * @sa vtkWindFieldSource
  */

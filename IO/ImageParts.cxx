@@ -28,6 +28,9 @@ vtkImageData* ImageOf(vtkAlgorithm* producer, int port)
 vtkImageData* UpdatedPart(vtkAlgorithm* producer, int port, const ImageParts::Extent& extent)
 {
   vtkInformation* info = producer->GetOutputInformation(port);
+  // a part of its own choice, whatever piece was asked for before
+  info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
   info->Set(Pipeline::UPDATE_EXTENT_INITIALIZED(), 1);
   info->Set(Pipeline::UPDATE_EXTENT(), extent.data(), 6);
   const bool isUpdated = producer->GetExecutive()->Update(port) != 0;

@@ -7,15 +7,18 @@
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
+#include "Pipeline/RankTeam.h"
 #include "Wind/CarriedWind.h"
 #include "Wind/IecWind.h"
 #include "Wind/WindField.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkExtentTranslator.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerRequestKey.h"
 #include "vtkInformationStringKey.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -28,7 +31,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 vtkStandardNewMacro(vtkWindFieldSource);
@@ -53,6 +59,12 @@ double NumberOfPoints(const int extent[6])
   }
   return points;
 }
+
+littoral::WindColumns ColumnsOf(const std::array<int, 6>& extent)
+{
+  return NumberOfPoints(extent.data()) > 0.0 ? littoral::WindColumns{ extent[2], extent[3] + 1 }
+                                             : littoral::WindColumns{};
+}
 }
 
 /// All that the field depends on.
@@ -63,13 +75,36 @@ public:
   littoral::WindGrid Grid;
   littoral::WindSynthesis Synthesis;
   littoral::IECSite Site;
+
+  /// A number that tells fields apart, not 0.
+  std::uint64_t Key() const;
 };
 
-/// The field at time 0 in the axes of the wind.
+//----------------------------------------------------------------------------
+std::uint64_t vtkWindFieldSource::Recipe::Key() const
+{
+  const littoral::WindModel& model = this->Model;
+  const littoral::WindGrid& grid = this->Grid;
+  std::vector<double> numbers{ model.ReferenceSpeed, model.ReferenceHeight, model.RoughnessLength,
+    static_cast<double>(model.Spectrum), model.TurbulenceIntensity, static_cast<double>(model.Coherence),
+    model.ShearExponent, grid.TimeStep, grid.LateralSpacing, grid.VerticalSpacing, grid.BottomHeight,
+    static_cast<double>(this->Synthesis.Phases), this->Synthesis.NormalizeVariance ? 1.0 : 0.0,
+    static_cast<double>(this->Synthesis.Seed), this->Synthesis.ShearStress ? 1.0 : 0.0 };
+  numbers.insert(numbers.end(), grid.Count.begin(), grid.Count.end());
+  for (const littoral::WindDecay& decay : model.Decay)
+  {
+    numbers.insert(numbers.end(), { decay.Lateral, decay.Vertical });
+  }
+  const std::string_view bytes(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double));
+  return std::hash<std::string_view>()(bytes) | 1u;
+}
+
+/// The field at time 0 in the axes of the wind, or some columns of it.
 class vtkWindFieldSource::vtkInternals
 {
 public:
   vtkTimeStamp Made;
+  littoral::WindColumns Columns;
   std::vector<float> Velocities;
   double CoherenceError = 0.0;
 };
@@ -180,6 +215,11 @@ int vtkWindFieldSource::RequestInformation(vtkInformation*, vtkInformationVector
   info->Set(vtkDataObject::SPACING(), spacing, 3);
   info->Set(vtkDataObject::DIRECTION(), direction, 9);
   info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  if (grid.Count[1] > 1)
+  {
+    // Pieces of whole lines: a transform along the wind makes one of them.
+    info->Set(vtkExtentTranslator::UPDATE_SPLIT_MODE(), vtkExtentTranslator::Y_SLAB_MODE);
+  }
   vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 3);
 
   std::vector<double> times(grid.Count[0]);
@@ -194,9 +234,54 @@ int vtkWindFieldSource::RequestInformation(vtkInformation*, vtkInformationVector
 }
 
 //----------------------------------------------------------------------------
+bool vtkWindFieldSource::IsFresh()
+{
+  return this->Internals && this->Internals->Made.GetMTime() > this->GetMTime();
+}
+
+//----------------------------------------------------------------------------
+void vtkWindFieldSource::RequireSize(
+  const Recipe& recipe, const littoral::WindColumns& columns, bool isMade, double points)
+{
+  const littoral::WindGrid& grid = recipe.Grid;
+  littoral::RequireGridPoints("A wind of Dimensions",
+    { static_cast<double>(grid.Count[0]), static_cast<double>(grid.Count[1]), static_cast<double>(grid.Count[2]) }, 1.0,
+    [](double count) { return littoral::LastWindLength(static_cast<int>(count)); });
+  const double output = points * sizeof(float) * littoral::WindComponents;
+  littoral::RequireMemory(output + (isMade ? 0.0 : littoral::WindFieldBytes(grid, columns.Count())),
+    "A wind with Dimensions " + std::to_string(grid.Count[0]) + " x " + std::to_string(grid.Count[1]) + " x " +
+      std::to_string(grid.Count[2]),
+    "take smaller Dimensions");
+}
+
+//----------------------------------------------------------------------------
+/// Makes the columns of a rank, where all of a team make the same wind.
+void vtkWindFieldSource::FreezeShared(
+  const Recipe& recipe, const littoral::WindColumns& columns, double points, littoral::RankTeam& team)
+{
+  this->Internals.reset();
+  team.Run([&] {
+    if (!team.Agree(recipe.Key()) || !team.IsSharing())
+    {
+      return;
+    }
+    RequireSize(recipe, columns, false, points);
+    this->SetProgressText("Making wind");
+    auto frozen = std::make_unique<vtkInternals>();
+    littoral::WindField field(recipe.Model, recipe.Grid, recipe.Synthesis, columns);
+    frozen->Velocities = field.MakeShared(team.Share(), littoral::AbortableFor(this));
+    frozen->CoherenceError = field.GetCoherenceError();
+    frozen->Columns = columns;
+    frozen->Made.Modified();
+    this->Internals = std::move(frozen);
+  });
+}
+
+//----------------------------------------------------------------------------
 bool vtkWindFieldSource::Freeze(const Recipe& recipe)
 {
   auto frozen = std::make_unique<vtkInternals>();
+  frozen->Columns = { 0, recipe.Grid.Count[1] };
   this->Internals.reset();
   this->SetProgressText("Making wind");
   frozen->Velocities.resize(recipe.Grid.NumberOfLines() * recipe.Grid.Count[0] * littoral::WindComponents);
@@ -239,14 +324,17 @@ void vtkWindFieldSource::CopyVelocities(
   const auto velocity =
     littoral::NewArray<vtkFloatArray>("Velocity", littoral::WindComponents, output->GetNumberOfPoints());
   velocity->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), "m/s");
-  littoral::CarryWind(grid, this->Internals->Velocities.data(), std::isfinite(time) ? time : 0.0, turn,
-    { { extent[0], extent[2], extent[4] }, { extent[1], extent[3], extent[5] } }, velocity->GetPointer(0),
-    littoral::SmpFor);
+  const littoral::WindColumns& columns = this->Internals->Columns;
+  littoral::WindGrid kept = grid;
+  kept.Count[1] = columns.Count();
+  littoral::CarryWind(kept, this->Internals->Velocities.data(), std::isfinite(time) ? time : 0.0, turn,
+    { { extent[0], extent[2] - columns.First, extent[4] }, { extent[1], extent[3] - columns.First, extent[5] } },
+    velocity->GetPointer(0), littoral::SmpFor);
   output->GetPointData()->SetVectors(velocity);
 }
 
 //----------------------------------------------------------------------------
-int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+int vtkWindFieldSource::RequestData(vtkInformation* request, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkInformation* info = outputVector->GetInformationObject(0);
   littoral::ForgetExtent(info);
@@ -258,19 +346,18 @@ int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
   }
   const Recipe recipe = this->MakeRecipe();
   const littoral::WindGrid& grid = recipe.Grid;
-  const bool fresh = this->Internals && this->Internals->Made.GetMTime() > this->GetMTime();
-  littoral::RequireGridPoints("A wind of Dimensions",
-    { static_cast<double>(grid.Count[0]), static_cast<double>(grid.Count[1]), static_cast<double>(grid.Count[2]) }, 1.0,
-    [](double count) { return littoral::LastWindLength(static_cast<int>(count)); });
   std::array<int, 6> extent = littoral::RequestedExtent(info);
   const double points = NumberOfPoints(extent.data());
-  const double bytes =
-    points * sizeof(float) * littoral::WindComponents + (fresh ? 0.0 : littoral::WindFieldBytes(grid));
-  littoral::RequireMemory(bytes,
-    "A wind with Dimensions " + std::to_string(grid.Count[0]) + " x " + std::to_string(grid.Count[1]) + " x " +
-      std::to_string(grid.Count[2]),
-    "take smaller Dimensions");
-  if (!fresh && points > 0.0 && !this->Freeze(recipe))
+  const littoral::WindColumns columns = ColumnsOf(extent);
+  // All ranks execute after a change, for some piece each; one that asks for more later is alone.
+  littoral::RankTeam team(request, outputVector);
+  if (!this->IsFresh() && !team.IsAlone() && this->IECEvent == NoEvent)
+  {
+    this->FreezeShared(recipe, columns, points, team);
+  }
+  const bool isMade = this->IsFresh() && this->Internals->Columns.Hold(columns);
+  RequireSize(recipe, { 0, grid.Count[1] }, isMade, points);
+  if (!isMade && points > 0.0 && !this->Freeze(recipe))
   {
     return 1; // aborted
   }

@@ -20,8 +20,12 @@
  * `RoughnessLength` [m], `Spectrum`, `TurbulenceIntensity`, `Coherence`, `LongitudinalDecay`, `LateralDecay` and
  * `VerticalDecay`, as the properties, and of a power law `ShearExponent`.
  *
- * The field is computed once and kept, so that another time is a copy. Any extent can be requested; each rank computes
- * the whole field for it. A parameter out of range or a field larger than the memory is reported as one error.
+ * The field is computed once and kept, so that another time is a copy. Any extent can be requested. Pieces are slabs
+ * across the wind. Ranks of the global controller that ask for one piece each share the work: a rank makes the planes
+ * of every n-th block of 32 frequencies, sends each other rank those lines of them that are in its piece, and keeps the
+ * lines of its own. So all of them must ask. A rank alone, one that asks for another extent than that of a piece,
+ * and an IECEvent compute the whole field. A parameter out of range or a field larger than the memory is reported as
+ * one error, on the first of such ranks.
  *
  * Setas et al., section 3.1.1, algorithm 3, eqs. 9-14, with corrections: see Documentation/errata.md.
  */
@@ -36,6 +40,8 @@
 
 namespace littoral
 {
+class RankTeam;
+struct WindColumns;
 struct WindGrid;
 }
 
@@ -397,6 +403,10 @@ private:
   class Recipe;
   class vtkInternals;
   Recipe MakeRecipe() const;
+  bool IsFresh();
+  static void RequireSize(const Recipe& recipe, const littoral::WindColumns& columns, bool isMade, double points);
+  void FreezeShared(
+    const Recipe& recipe, const littoral::WindColumns& columns, double points, littoral::RankTeam& team);
   bool Freeze(const Recipe& recipe);
   void CopyVelocities(
     const littoral::WindGrid& grid, double time, const std::array<double, 2>& turn, vtkImageData* output) const;

@@ -13,6 +13,9 @@ namespace littoral
 /// Rows of numbers, each of a length of its own.
 using NumberRows = std::vector<std::vector<double>>;
 
+/// The same in single precision, one row a process.
+using SingleRows = std::vector<std::vector<float>>;
+
 /// Share of one of several processes in work that all of them are asked for, with the same input: every row whose
 /// number is its rank modulo their number.
 struct WorkShare
@@ -20,6 +23,8 @@ struct WorkShare
   std::size_t Rank = 0;
   std::size_t Ranks = 1;
   std::function<void(NumberRows& rows)> Exchange; ///< completes the rows by those of the others; called by all of them
+  /// Row n that is sent goes to process n; what each has sent is received.
+  std::function<void(const SingleRows& sent, SingleRows& received)> Deal;
 
   /// Number of own rows of so many.
   std::size_t OwnOf(std::size_t rows) const { return (rows + this->Ranks - 1 - this->Rank) / this->Ranks; }

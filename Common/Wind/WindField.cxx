@@ -150,9 +150,9 @@ std::string WhyInvalid(const WindModel& model, const WindGrid& grid)
   return check.Reason();
 }
 
-double WindFieldBytes(const WindGrid& grid)
+double WindFieldBytes(const WindGrid& grid, int columns)
 {
-  const double samples = static_cast<double>(grid.Count[0]) * grid.Count[1] * grid.Count[2];
+  const double samples = static_cast<double>(grid.Count[0]) * columns * grid.Count[2];
   const double padded = 4.0 * grid.Count[1] * grid.Count[2];
   // Velocities, the half spectrum of one component, and room for each thread.
   return samples * sizeof(float) * (WindComponents + 1.0) +
@@ -200,16 +200,24 @@ struct WindField::Scratch
 };
 
 WindField::WindField(const WindModel& model, const WindGrid& grid, const WindSynthesis& synthesis)
+  : WindField(model, grid, synthesis, { 0, grid.Count[1] })
+{
+}
+
+WindField::WindField(
+  const WindModel& model, const WindGrid& grid, const WindSynthesis& synthesis, const WindColumns& columns)
   : Model(model)
   , Grid(grid)
   , Synthesis(synthesis)
+  , Columns(columns)
   , Padded{ PaddedLength(grid.Count[1]), PaddedLength(grid.Count[2]) }
   , Quarter{ Padded[0] / 2 + 1, Padded[1] / 2 + 1 }
   , Across(Padded[0])
   , Up(Padded[1])
   , Along(grid.Count[0])
-  , PlaneRe((static_cast<std::size_t>(grid.Count[0]) / 2 + 1) * grid.NumberOfLines())
+  , PlaneRe((static_cast<std::size_t>(grid.Count[0]) / 2 + 1) * NumberOfKept())
   , PlaneIm(PlaneRe.size())
+  , LayerPower(grid.Count[2], 0.0)
   , LayerFactor(grid.Count[2], 1.0f)
   , BlockError(this->NumberOfBlocks())
 {
@@ -235,19 +243,36 @@ std::size_t WindField::NumberOfBlocks() const
 
 std::size_t WindField::NumberOfPacks() const
 {
-  return PacksOf(this->Grid.NumberOfLines());
+  return PacksOf(this->NumberOfKept());
 }
 
 void WindField::BeginComponent(int component)
 {
   this->Component = component;
+  std::fill(this->LayerPower.begin(), this->LayerPower.end(), 0.0);
+}
+
+std::array<int, 2> WindField::FrequenciesOf(std::size_t block) const
+{
+  const int first = 1 + static_cast<int>(block) * FrequenciesPerBlock;
+  return { first, std::min(first + FrequenciesPerBlock - 1, this->Grid.Waves()) };
+}
+
+WindField::Plane WindField::KeptPlane(int frequency)
+{
+  const std::size_t first = static_cast<std::size_t>(frequency) * this->NumberOfKept();
+  return { &this->PlaneRe[first], &this->PlaneIm[first] };
 }
 
 void WindField::MakePlanes(std::size_t block)
 {
+  this->MakePlanesAt(block, [this](int frequency) { return this->KeptPlane(frequency); });
+}
+
+void WindField::MakePlanesAt(std::size_t block, const std::function<Plane(int frequency)>& planeOf)
+{
   Scratch scratch(*this);
-  const int first = 1 + static_cast<int>(block) * FrequenciesPerBlock;
-  const int last = std::min(first + FrequenciesPerBlock - 1, this->Grid.Waves());
+  const auto [first, last] = this->FrequenciesOf(block);
   this->BlockError[block] = 0.0f;
   for (int frequency = first; frequency <= last; ++frequency)
   {
@@ -258,7 +283,7 @@ void WindField::MakePlanes(std::size_t block)
         this->BlockError[block], static_cast<float>(this->CoherenceErrorOf(this->Component, frequency, scratch)));
       scratch.Power = power;
     }
-    this->SumWaves(frequency, scratch);
+    this->SumWaves(frequency, planeOf(frequency), scratch);
   }
 }
 
@@ -401,7 +426,7 @@ std::vector<float> WindField::SharedPart(int frequency, double likeness) const
   return parts;
 }
 
-void WindField::SumWaves(int frequency, Scratch& scratch)
+void WindField::SumWaves(int frequency, const Plane& plane, Scratch& scratch) const
 {
   const double likeness = this->HasStress() ? this->PowersOfBoth(frequency, scratch) : 0.0;
   const std::size_t cells = static_cast<std::size_t>(this->Padded[0]) * this->Padded[1];
@@ -415,23 +440,24 @@ void WindField::SumWaves(int frequency, Scratch& scratch)
   if (this->HasStress())
   {
     parts = this->SharedPart(frequency, likeness);
-    this->AddWaves(0, frequency, true, parts, scratch);
+    this->AddWaves(0, frequency, true, parts, plane, scratch);
     for (float& part : parts)
     {
       // (1 - g^2)^(1/2): the power stays as it is
       part = std::sqrt(std::max(0.0f, 1.0f - part * part));
     }
   }
-  this->AddWaves(this->Component, frequency, parts.empty(), parts, scratch);
+  this->AddWaves(this->Component, frequency, parts.empty(), parts, plane, scratch);
 }
 
 /// Adds waves with the random factors of a component, as large in each layer as its share; no shares stand for ones.
-void WindField::AddWaves(int component, int frequency, bool isFirst, const std::vector<float>& shares, Scratch& scratch)
+void WindField::AddWaves(int component, int frequency, bool isFirst, const std::vector<float>& shares,
+  const Plane& plane, Scratch& scratch) const
 {
   const std::size_t cells = static_cast<std::size_t>(this->Padded[0]) * this->Padded[1];
   WindFactors(this->Synthesis, component, frequency, 0, cells, scratch.Re.data(), scratch.Im.data());
   this->SumUp(scratch);
-  this->SumAcross(frequency, isFirst, shares, scratch);
+  this->SumAcross(frequency, isFirst, shares, plane, scratch);
 }
 
 /// The sum over wave numbers up: columns side by side; only the layers of the grid are kept.
@@ -467,12 +493,12 @@ void WindField::SumUp(Scratch& scratch) const
 
 /// The sum over wave numbers across: layers side by side, each scaled by its own spectrum; only the columns of the grid
 /// are kept.
-void WindField::SumAcross(int frequency, bool isFirst, const std::vector<float>& shares, Scratch& scratch)
+void WindField::SumAcross(
+  int frequency, bool isFirst, const std::vector<float>& shares, const Plane& plane, Scratch& scratch) const
 {
   const int width = this->Padded[0];
   const int layers = this->Grid.Count[2];
   const double step = 1.0 / this->Grid.Period();
-  const std::size_t plane = static_cast<std::size_t>(frequency) * this->Grid.NumberOfLines();
   for (int first = 0; first < layers; first += FourierLanes)
   {
     const int lanes = std::min(FourierLanes, layers - first);
@@ -499,48 +525,63 @@ void WindField::SumAcross(int frequency, bool isFirst, const std::vector<float>&
     for (int j = 0; j < this->Grid.Count[1]; ++j)
     {
       const std::size_t from = static_cast<std::size_t>(j) * FourierLanes;
-      const std::size_t to = plane + static_cast<std::size_t>(j) * layers + first;
+      const std::size_t to = static_cast<std::size_t>(j) * layers + first;
       for (int lane = 0; lane < lanes; ++lane)
       {
         const float re = scale[lane] * scratch.Across.Re[from + lane];
         const float im = scale[lane] * scratch.Across.Im[from + lane];
-        this->PlaneRe[to + lane] = isFirst ? re : this->PlaneRe[to + lane] + re;
-        this->PlaneIm[to + lane] = isFirst ? im : this->PlaneIm[to + lane] + im;
+        plane.Re[to + lane] = isFirst ? re : plane.Re[to + lane] + re;
+        plane.Im[to + lane] = isFirst ? im : plane.Im[to + lane] + im;
       }
     }
   }
 }
 
-void WindField::FinishPlanes()
+void WindField::TakeError()
 {
   for (float error : this->BlockError)
   {
     this->CoherenceError = std::max(this->CoherenceError, static_cast<double>(error));
   }
+}
+
+void WindField::FinishPlanes()
+{
+  this->TakeError();
   if (!this->Synthesis.NormalizeVariance)
   {
     return;
   }
-  // Algorithm 3, step 5, with the integral of S over all f in place of the sum over those of the field: sigma = I U.
-  // The variance of a periodic line is the sum over its Fourier coefficients.
-  const int layers = this->Grid.Count[2];
-  const std::size_t lines = this->Grid.NumberOfLines();
-  std::vector<double> has(layers, 0.0);
-  const double wants = Variance(this->Model, this->Component);
   for (int frequency = 1; frequency <= this->Grid.Waves(); ++frequency)
   {
-    const std::size_t plane = static_cast<std::size_t>(frequency) * lines;
-    for (std::size_t line = 0; line < lines; ++line)
-    {
-      const double re = this->PlaneRe[plane + line];
-      const double im = this->PlaneIm[plane + line];
-      // 2 |c|^2, the mean over the lines of a layer
-      has[line % layers] += 2.0 * (re * re + im * im) / this->Grid.Count[1];
-    }
+    const Plane plane = this->KeptPlane(frequency);
+    this->AddPower(plane.Re, plane.Im);
   }
-  for (int layer = 0; layer < layers; ++layer)
+  this->TakeLayerFactors();
+}
+
+/// Adds the power of a plane of all lines. The variance of a periodic line is the sum over its Fourier coefficients.
+void WindField::AddPower(const float* re, const float* im)
+{
+  const int layers = this->Grid.Count[2];
+  const std::size_t lines = this->Grid.NumberOfLines();
+  for (std::size_t line = 0; line < lines; ++line)
   {
-    this->LayerFactor[layer] = has[layer] > 0.0 ? static_cast<float>(std::sqrt(wants / has[layer])) : 1.0f;
+    const double real = re[line];
+    const double imaginary = im[line];
+    // 2 |c|^2, the mean over the lines of a layer
+    this->LayerPower[line % layers] += 2.0 * (real * real + imaginary * imaginary) / this->Grid.Count[1];
+  }
+}
+
+/// Algorithm 3, step 5, with the integral of S over all f in place of the sum over those of the field: sigma = I U.
+void WindField::TakeLayerFactors()
+{
+  const double wants = Variance(this->Model, this->Component);
+  for (std::size_t layer = 0; layer < this->LayerPower.size(); ++layer)
+  {
+    const double has = this->LayerPower[layer];
+    this->LayerFactor[layer] = has > 0.0 ? static_cast<float>(std::sqrt(wants / has)) : 1.0f;
   }
 }
 
@@ -552,7 +593,7 @@ void WindField::MakeLines(std::size_t pack, float* velocities) const
 
 void WindField::MakeLines(std::size_t pack, LinePack& values, float* velocities) const
 {
-  const std::size_t lines = this->Grid.NumberOfLines();
+  const std::size_t lines = this->NumberOfKept();
   const std::size_t first = pack * FourierLanes;
   const int lanes = static_cast<int>(std::min<std::size_t>(FourierLanes, lines - first));
   const int length = this->Grid.Count[0];
@@ -585,7 +626,7 @@ void WindField::MakeLines(std::size_t pack, LinePack& values, float* velocities)
       this->Component == 0 ? static_cast<float>(MeanSpeed(this->Model, this->Grid.Height(layer))) : 0.0f;
     const float factor = this->LayerFactor[layer];
     float* line =
-      velocities + (static_cast<std::size_t>(layer) * this->Grid.Count[1] + across) * length * WindComponents;
+      velocities + (static_cast<std::size_t>(layer) * this->Columns.Count() + across) * length * WindComponents;
     // Taylor's hypothesis, eq. 14: what arrives later is farther upwind, so that the line runs against time
     const auto put = [&](int time, float value) {
       const int index = time == 0 ? 0 : length - time;

@@ -5,11 +5,13 @@
 
 #include "Numerics/LineFourier.h"
 #include "Numerics/Parallel.h"
+#include "Numerics/WorkShare.h"
 #include "Wind/WindSpectrum.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,19 @@ struct WindGrid
   double Period() const { return this->Count[0] * this->TimeStep; }
   double Height(int layer) const { return this->BottomHeight + layer * this->VerticalSpacing; }
   std::size_t NumberOfLines() const { return static_cast<std::size_t>(this->Count[1]) * this->Count[2]; }
+};
+
+/// Columns of lines side by side across the wind: from First up to End, which does not belong to them.
+struct WindColumns
+{
+  int First = 0;
+  int End = 0;
+
+  int Count() const { return this->End - this->First; }
+  bool Hold(const WindColumns& others) const
+  {
+    return others.Count() <= 0 || (this->First <= others.First && others.End <= this->End);
+  }
 };
 
 /// Randomness of a spectral wind.
@@ -57,8 +72,8 @@ int LastWindLength(int size);
 /// Why there is no such field, in words for a user; empty when there is one.
 std::string WhyInvalid(const WindModel& model, const WindGrid& grid);
 
-/// Bytes that the synthesis takes in all, the velocities included.
-double WindFieldBytes(const WindGrid& grid);
+/// Bytes that the synthesis takes in all, the velocities included, for so many columns across.
+double WindFieldBytes(const WindGrid& grid, int columns);
 
 /// Random factors of one frequency: for cells first ... first + count - 1, of mean square 1.
 void WindFactors(const WindSynthesis& synthesis, int component, int frequency, std::uint64_t first, std::size_t count,
@@ -80,13 +95,16 @@ void WindFactors(const WindSynthesis& synthesis, int component, int frequency, s
  * Both have the coherence of the component, so that spectra stay as they are.
  *
  * Components are made one after the other: BeginComponent, then all blocks of frequencies, FinishPlanes, then all packs
- * of lines, where blocks and packs can go to any threads.
+ * of lines, where blocks and packs can go to any threads. Several processes share the blocks by MakeShared: a plane
+ * needs one frequency of all lines, a line all frequencies.
  */
 class WindField
 {
 public:
   /// Model and grid must be valid.
   WindField(const WindModel& model, const WindGrid& grid, const WindSynthesis& synthesis);
+  /// One of which only some columns are kept, for MakeShared.
+  WindField(const WindModel& model, const WindGrid& grid, const WindSynthesis& synthesis, const WindColumns& columns);
 
   std::size_t NumberOfBlocks() const;
   std::size_t NumberOfPacks() const;
@@ -102,21 +120,55 @@ public:
   /// All of it: (along, across, up) of each sample at time 0.
   std::vector<float> Make(const ParallelFor& parallel = SerialFor);
 
+  /// The same of the own columns, with other processes: each makes the planes of its share of the blocks, and of those
+  /// of the others it gets its columns. All bytes are those of Make().
+  std::vector<float> MakeShared(const WorkShare& share, const ParallelFor& parallel = SerialFor);
+
   /// The largest difference between the coherence of the components made so far and the model's, within the grid.
   double GetCoherenceError() const { return this->CoherenceError; }
 
 private:
   struct Scratch;
 
+  /// Complex amplitudes of lines, line by line.
+  struct Plane
+  {
+    float* Re;
+    float* Im;
+  };
+
   /// Power of the waves of one frequency, in the quarter of wave numbers up to the middle; what was clipped of it.
   double WavePower(int component, int frequency, Scratch& scratch) const;
   /// Transforms an even function, given in the quarter of indices up to the middle, along both axes.
   void TransformEven(std::vector<float>& quarter, Scratch& scratch) const;
   double CoherenceErrorOf(int component, int frequency, Scratch& scratch) const;
-  void SumWaves(int frequency, Scratch& scratch);
-  void AddWaves(int component, int frequency, bool isFirst, const std::vector<float>& shares, Scratch& scratch);
+  void MakePlanesAt(std::size_t block, const std::function<Plane(int frequency)>& planeOf);
+  void SumWaves(int frequency, const Plane& plane, Scratch& scratch) const;
+  void AddWaves(int component, int frequency, bool isFirst, const std::vector<float>& shares, const Plane& plane,
+    Scratch& scratch) const;
   void SumUp(Scratch& scratch) const;
-  void SumAcross(int frequency, bool isFirst, const std::vector<float>& shares, Scratch& scratch);
+  void SumAcross(
+    int frequency, bool isFirst, const std::vector<float>& shares, const Plane& plane, Scratch& scratch) const;
+  /// Frequencies of a block: the first, and the last.
+  std::array<int, 2> FrequenciesOf(std::size_t block) const;
+  std::size_t NumberOfKept() const { return static_cast<std::size_t>(this->Columns.Count()) * this->Grid.Count[2]; }
+  Plane KeptPlane(int frequency);
+  void AddPower(const float* re, const float* im);
+  void TakeError();
+  void TakeLayerFactors();
+  /// Blocks that each process makes before all exchange them.
+  std::size_t BlocksAtOnce() const;
+  /// Planes on their way from process to process; memory that is taken once.
+  struct SharedPlanes
+  {
+    std::vector<WindColumns> Columns;     ///< of each process
+    std::vector<std::vector<float>> Made; ///< by block: the real parts of a plane, then its imaginary ones
+    SingleRows Sent;
+    SingleRows Received;
+  };
+  void ShareBlocks(std::size_t first, SharedPlanes& planes, const WorkShare& share, const ParallelFor& parallel);
+  void SharePower(std::size_t first, const SharedPlanes& planes, const WorkShare& share);
+  void Deal(SharedPlanes& planes, const WorkShare& share) const;
   bool HasStress() const;
   /// Likeness of planes of waves along and up that have the same random factors; then the power is that of those up.
   double PowersOfBoth(int frequency, Scratch& scratch) const;
@@ -125,6 +177,7 @@ private:
   WindModel Model;
   WindGrid Grid;
   WindSynthesis Synthesis;
+  WindColumns Columns;        ///< kept ones
   std::array<int, 2> Padded;  ///< cells across and up
   std::array<int, 2> Quarter; ///< wave numbers up to the middle
   LineFourier Across;
@@ -135,6 +188,7 @@ private:
   int Component = 0;
   std::vector<float> PlaneRe; ///< Fourier coefficients in time: frequency, then across, then up (fastest)
   std::vector<float> PlaneIm;
+  std::vector<double> LayerPower;
   std::vector<float> LayerFactor;
   std::vector<float> BlockError;
   double CoherenceError = 0.0;

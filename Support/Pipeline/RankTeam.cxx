@@ -6,9 +6,12 @@
 #include "Pipeline/Exceptions.h"
 
 #include "vtkExecutive.h"
+#include "vtkExtentTranslator.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerRequestKey.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
@@ -25,8 +28,31 @@ namespace
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
+constexpr int DealTag = 4401;
 constexpr std::size_t LengthOfReason = 256; ///< with its end
 constexpr const char* WordOfAbort = "aborted";
+
+/// Whether an image is asked for the part that VTK's executive makes of its piece, and not for one that a consumer has
+/// chosen.
+bool AsksForPiece(vtkInformation* output)
+{
+  if (!output->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    return true; // no image
+  }
+  std::array<int, 6> whole{ 0, -1, 0, -1, 0, -1 };
+  std::array<int, 6> asked = whole;
+  std::array<int, 6> ofPiece = whole;
+  output->Get(Pipeline::WHOLE_EXTENT(), whole.data());
+  output->Get(Pipeline::UPDATE_EXTENT(), asked.data());
+  vtkInformationIntegerKey* key = vtkExtentTranslator::UPDATE_SPLIT_MODE();
+  const int mode = output->Has(key) ? output->Get(key) : static_cast<int>(vtkExtentTranslator::BLOCK_MODE);
+  vtkNew<vtkExtentTranslator> translator;
+  const int hasPart = translator->PieceToExtentThreadSafe(output->Get(Pipeline::UPDATE_PIECE_NUMBER()),
+    output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()), output->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()),
+    whole.data(), ofPiece.data(), mode, 0);
+  return hasPart == 0 ? asked[1] < asked[0] || asked[3] < asked[2] || asked[5] < asked[4] : asked == ofPiece;
+}
 
 }
 
@@ -37,7 +63,8 @@ RankTeam::RankTeam(vtkInformation* request, vtkInformationVector* outputs)
   vtkInformation* output = outputs->GetInformationObject(port);
   const int ranks = this->Controller ? this->Controller->GetNumberOfProcesses() : 1;
   const int rank = this->Controller ? this->Controller->GetLocalProcessId() : 0;
-  if (output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) == ranks && output->Get(Pipeline::UPDATE_PIECE_NUMBER()) == rank)
+  if (output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) == ranks &&
+    output->Get(Pipeline::UPDATE_PIECE_NUMBER()) == rank && AsksForPiece(output))
   {
     this->Ranks = static_cast<std::size_t>(ranks);
     this->Rank = static_cast<std::size_t>(rank);
@@ -137,7 +164,8 @@ bool RankTeam::Agree(std::uint64_t input)
 
 WorkShare RankTeam::Share()
 {
-  return this->IsShared ? WorkShare{ this->Rank, this->Ranks, [this](NumberRows& rows) { this->Exchange(rows); } }
+  return this->IsShared ? WorkShare{ this->Rank, this->Ranks, [this](NumberRows& rows) { this->Exchange(rows); },
+    [this](const SingleRows& sent, SingleRows& received) { this->Deal(sent, received); } }
                         : WorkShare{};
 }
 
@@ -145,7 +173,7 @@ WorkShare RankTeam::Share()
 void RankTeam::Exchange(NumberRows& rows)
 {
   this->GoOn();
-  const WorkShare share{ this->Rank, this->Ranks, {} };
+  const WorkShare share{ this->Rank, this->Ranks, {}, {} };
   std::vector<double> sent;
   for (std::size_t own = 0; own < share.OwnOf(rows.size()); ++own)
   {
@@ -162,13 +190,51 @@ void RankTeam::Exchange(NumberRows& rows)
   this->Controller->AllGatherV(sent.data(), all.data(), length, lengths.data(), offsets.data());
   for (std::size_t rank = 0; rank < this->Ranks; ++rank)
   {
-    const WorkShare other{ rank, this->Ranks, {} };
+    const WorkShare other{ rank, this->Ranks, {}, {} };
     const double* next = &all[static_cast<std::size_t>(offsets[rank])];
     for (std::size_t own = 0; own < other.OwnOf(rows.size()); ++own)
     {
       const auto count = static_cast<std::size_t>(*next++);
       rows[other.RowOf(own)].assign(next, next + count);
       next += count;
+    }
+  }
+}
+
+/// Each rank in turn deals its rows out.
+void RankTeam::Deal(const SingleRows& sent, SingleRows& received)
+{
+  this->GoOn();
+  std::vector<vtkIdType> lengths;
+  for (const std::vector<float>& row : sent)
+  {
+    lengths.push_back(static_cast<vtkIdType>(row.size()));
+  }
+  std::vector<vtkIdType> all(this->Ranks * this->Ranks); // from each rank to each
+  this->Controller->AllGather(lengths.data(), all.data(), static_cast<vtkIdType>(this->Ranks));
+  received.resize(this->Ranks);
+  received[this->Rank] = sent[this->Rank];
+  for (std::size_t from = 0; from < this->Ranks; ++from)
+  {
+    for (std::size_t to = 0; to < this->Ranks; ++to)
+    {
+      const vtkIdType length = all[from * this->Ranks + to];
+      if (to == this->Rank && from != to)
+      {
+        received[from].resize(static_cast<std::size_t>(length));
+      }
+      if (from == to || length == 0)
+      {
+        continue;
+      }
+      if (from == this->Rank)
+      {
+        this->Controller->Send(sent[to].data(), length, static_cast<int>(to), DealTag);
+      }
+      else if (to == this->Rank)
+      {
+        this->Controller->Receive(received[from].data(), length, static_cast<int>(from), DealTag);
+      }
     }
   }
 }

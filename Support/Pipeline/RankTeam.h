@@ -19,8 +19,9 @@ namespace littoral
 
 /**
  * The ranks that are asked for one update, each for its piece, and share its work where all have the same input. Only
- * where there is one piece a rank of the global controller; else a rank is alone. On a team each rank answers each of
- * the others' exchanges, also when it fails: then the first rank says why, and the others say nothing.
+ * where there is one piece a rank of the global controller, and of an image the part that VTK makes of the piece; else
+ * a rank is alone. On a team each rank answers each of the others' exchanges, also when it fails: then the first rank
+ * says why, and the others say nothing.
  */
 class RankTeam
 {
@@ -30,6 +31,8 @@ public:
 
   bool IsAlone() const { return this->Ranks < 2; }
   bool IsFirst() const { return this->Rank == 0; }
+  /// Whether all have agreed.
+  bool IsSharing() const { return this->IsShared; }
 
   /// Does the work of an update, which reads the input, agrees on it, once, and takes its share. Exceptions are thrown
   /// on, on the first rank those of the others, too, and there alone; the others end as by an abort.
@@ -47,6 +50,7 @@ private:
   void GoOn();
   [[noreturn]] void Leave(const std::string& reason);
   void Exchange(NumberRows& rows);
+  void Deal(const SingleRows& sent, SingleRows& received);
 
   vtkMultiProcessController* Controller;
   std::size_t Rank = 0;

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ranks share the simulations and the pairs of statistics: the bytes of one rank, a fraction of its work; where ranks have
-other input the first works alone, and what one cannot do ends on all of them with one message.
+"""Ranks share the simulations and the pairs of statistics, and the planes of a wind: the bytes of one rank, a fraction
+of its work; where ranks have other input the first works alone, or each of them, and what one cannot do ends on all of
+them with one message.
 
 The file starts itself on two ranks; each writes what it has seen."""
 
@@ -93,8 +94,74 @@ def cases(rank):
     yield "aborted", aborted
 
 
+def wind(seed=1, across=9, along=600):
+    source = littoral.vtkWindFieldSource()
+    source.SetDimensions(along, across, 4)
+    source.SetSeed(seed)
+    return source
+
+
+def images(rank):
+    """Names and sources of images of which each rank is asked for its piece."""
+    yield "wind", wind()
+    yield "wind of two columns, cut along", wind(across=2)
+    yield "other wind", wind(seed=1 + rank)
+    yield "wind too large", wind(across=1 << 24)
+    aborted = wind()
+    if rank == 1:
+        aborted.AddObserver("ProgressEvent", lambda caller, event: caller.SetAbortExecute(1))
+    yield "aborted wind", aborted
+
+
+def values_of(image, extent):
+    """What an image has in an extent: the bytes of its first array, and what its fields say."""
+    array = image.GetPointData().GetArray(0) or image.GetCellData().GetArray(0)
+    if array is None:
+        return ""
+    first, shape = image.GetExtent()[::2], image.GetDimensions()[::-1]
+    values = vtk_to_numpy(array).reshape(*shape, -1)
+    i, j, k = (slice(extent[2 * axis] - first[axis], extent[2 * axis + 1] + 1 - first[axis]) for axis in range(3))
+    fields = image.GetFieldData()
+    said = [fields.GetArray(n).GetTuple(0) for n in range(fields.GetNumberOfArrays()) if fields.GetArray(n)]
+    return hashlib.sha256(values[k, j, i].tobytes() + repr(said).encode()).hexdigest()[:12]
+
+
+def run_images(folder, rank, ranks):
+    """Writes what a rank has of each image, beside what it has of a copy that it is asked for as a whole."""
+    lines = []
+    for name, source in images(rank):
+        messages = Messages(source)
+        source.UpdatePiece(rank, ranks, 0)
+        extent = source.GetOutput().GetExtent()
+        found = values_of(source.GetOutput(), extent)
+        alone = next(other for own, other in images(-1 if "aborted" in name else rank) if own == name)
+        Messages(alone)
+        alone.Update()
+        lines.append([name, extent, found, values_of(alone.GetOutput(), extent), " ".join(messages.texts)])
+    with open(os.path.join(folder, f"images {rank}"), "w") as file:
+        json.dump(lines, file)
+
+
+def check_images(folder, ranks):
+    """Each rank has its part with the bytes of the whole; the first alone says what is wrong."""
+    covered = {}
+    for rank in range(ranks):
+        with open(os.path.join(folder, f"images {rank}")) as file:
+            for name, extent, found, wanted, said in json.load(file):
+                print(f"{name}, rank {rank}: {extent} {found} {said}")
+                if "aborted" in name:
+                    assert found == "" and not said, f"{name}: {found} {said}"
+                    continue
+                assert found == wanted, f"{name}: rank {rank} has {found}, one alone {wanted}"
+                assert ("the bound" in said) == ("large" in name and rank == 0), f"{name}: {said}"
+                covered[name] = covered.get(name, 0) + (extent[3] - extent[2] if found else 0)
+    assert covered["wind"] == 8, covered
+
+
 def run(folder, rank, ranks):
     """Writes what a rank has of each case, its processor time and its messages."""
+    if ranks > 1:
+        run_images(folder, rank, ranks)
     lines = []
     for name, filter in cases(rank):
         messages = Messages(filter)
@@ -122,6 +189,8 @@ def seen(ranks, launcher=()):
         command = [*launcher, sys.executable, os.path.abspath(__file__), folder, str(ranks)]
         subprocess.run(command, check=True, timeout=300, capture_output=True)
         found = {}
+        if ranks > 1:
+            check_images(folder, ranks)
         for rank in range(ranks):
             with open(os.path.join(folder, str(rank))) as file:
                 for name, *rest in json.load(file):

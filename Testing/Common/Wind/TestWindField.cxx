@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The spectral wind against its own model: spectra, coherence, profile, the reference method, bytes, bad input.
 #include "../OnThreads.h"
+#include "../ProcessTeam.h"
 #include "CholeskyWind.h"
 #include "Wind/WindLines.h"
 #include "WindSeries.h"
@@ -743,6 +744,33 @@ TEST(WindField, SameBytesForAnyThreads)
   WindSynthesis other;
   other.Seed = 2;
   EXPECT_NE(field, Wind(grid, other));
+}
+
+// Three processes, one with the last columns, one with a border in common, one with none at all: all samples of each
+// are those of one process, and so is what is said of the coherence.
+TEST(WindField, ProcessesShareTheBytesOfOne)
+{
+  const WindGrid grid = GridOf(600, 10, 6);
+  WindSynthesis synthesis;
+  synthesis.ShearStress = true;
+  synthesis.NormalizeVariance = true;
+  WindField alone({}, grid, synthesis);
+  const std::vector<float> whole = alone.Make();
+  const std::vector<WindColumns> columns{ { 4, 10 }, { 0, 5 }, {} };
+  littoral::testing::ProcessTeam(columns.size()).Run([&](const WorkShare& share) {
+    const WindColumns& own = columns[share.Rank];
+    WindField shared({}, grid, synthesis, own);
+    const std::vector<float> part = shared.MakeShared(share);
+    EXPECT_EQ(shared.GetCoherenceError(), alone.GetCoherenceError());
+    const auto line = static_cast<std::size_t>(3 * grid.Count[0]);
+    const auto width = static_cast<std::size_t>(own.Count());
+    ASSERT_EQ(part.size(), line * width * grid.Count[2]);
+    for (std::size_t n = 0; width > 0 && n < width * grid.Count[2]; ++n)
+    {
+      const std::size_t from = n / width * grid.Count[1] + own.First + n % width;
+      EXPECT_TRUE(std::equal(&part[n * line], &part[n * line] + line, &whole[from * line])) << share.Rank << " " << n;
+    }
+  });
 }
 
 TEST(WindField, SaysWhatIsWrong)
