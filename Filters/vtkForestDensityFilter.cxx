@@ -234,6 +234,7 @@ vtkForestDensityFilter::vtkForestDensityFilter()
   , Detail(Automatic)
   , LeafAreaIndex(0.0)
   , MaximumHeight(0.7)
+  , HeightsAboveGround(false)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(4);
@@ -377,7 +378,8 @@ int vtkForestDensityFilter::RequestData(
   const Frame frame = this->FrameOf(inputs[GridPort]);
   const littoral::CanopyGrid& grid = frame.Grid;
   const littoral::StandOptions options{ this->SpeciesNames ? this->SpeciesNames : "", this->LeafMassPerArea,
-    static_cast<littoral::FoliageDetail>(this->Detail), this->LeafAreaIndex, this->MaximumHeight };
+    static_cast<littoral::FoliageDetail>(this->Detail), this->LeafAreaIndex, this->MaximumHeight,
+    this->HeightsAboveGround };
   this->SetProgressText("Reading leaves");
   const std::unique_ptr<littoral::StandFoliage> stand =
     littoral::ReadStand(vtkDataObject::GetData(inputs[StandPort]), StandInput, options);
@@ -434,6 +436,10 @@ int vtkForestDensityFilter::RequestData(
     }
     output->GetCellData()->SetActiveScalars("LeafAreaDensity");
   }
+  if (this->HeightsAboveGround)
+  {
+    littoral::AddField(output, "HeightsAboveGround", { 1.0 });
+  }
   littoral::AddField(output, "LeafArea", { totals.Leaf });
   littoral::AddField(output, "LeafAreaOutside", { density.LeafOutside() });
   littoral::AddField(output, "LeafMass", { totals.Mass });
@@ -486,4 +492,5 @@ void vtkForestDensityFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Detail: " << this->Detail << "\n";
   os << indent << "LeafAreaIndex: " << this->LeafAreaIndex << "\n";
   os << indent << "MaximumHeight: " << this->MaximumHeight << "\n";
+  os << indent << "HeightsAboveGround: " << (this->HeightsAboveGround ? "on" : "off") << "\n";
 }

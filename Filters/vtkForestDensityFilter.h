@@ -8,8 +8,8 @@
  * - plants as blocks (vtkMultiBlockDataSet or vtkPartitionedDataSetCollection): one of a plant source, or those of
  *   vtkPlantScatterFilter, all of them in the level High. A leaf is a polygon of High/Leaves, times the part of it that
  *   its picture covers: texels of an opacity of at least a half, where renderers cut a leaf out.
- * - instances of vtkPlantScatterFilter, whose leaves are those of the level High, whatever their level; switch UseLevels
- *   off where sites have DBH, since the widths of far plants differ by some percent.
+ * - instances of vtkPlantScatterFilter, whose leaves are those of the level High, whatever their level; switch
+ * UseLevels off where sites have DBH, since the widths of far plants differ by some percent.
  * - trees without leaves (vtkPointSet), as of vtkStandInventoryFilter: point arrays `Height` [m], `CrownDiameter` [m]
  * or else `DBH` [m], and optionally `LeafArea` [m2] and `Species`. A tree is an upright cylinder with the leaf area
  *   `LeafArea`, else that of LeafAreaIndex, else that of its DBH (Jenkins et al. 2003); its density follows Lalic and
@@ -21,8 +21,8 @@
  * volume of a cell is the amount within the image. `LeafAreaDensity` [m2/m3], one-sided; `PlantAreaDensity` [m2/m3],
  * the same and half the surface of the wood; `BulkDensity` [kg/m3], the dry mass of the leaves; with BySpecies also
  * `LeafAreaDensity NAME` for each species. Field data: `LeafArea` [m2] and `LeafMass` [kg] in the image,
- * `LeafAreaOutside` [m2] of it, `LeafAreaIndex`, the first over the area of the image, and `SpeciesNames` with their
- * `LeafMassPerArea` [kg/m2].
+ * `LeafAreaOutside` [m2] of it, `LeafAreaIndex`, the first over the area of the image, `SpeciesNames` with their
+ * `LeafMassPerArea` [kg/m2], and with HeightsAboveGround an array of that name.
  *
  * Output 1: vtkTable, a row a layer of the image, the highest first: `Height` of its middle [m], `LeafAreaDensity` and
  * `PlantAreaDensity` [m2/m3] over the whole layer, and `CumulativeLeafArea` [m2/m2] down to its lower face.
@@ -117,7 +117,8 @@ public:
   /**
    * The way instances are counted, a DetailType; default Automatic: Leaves, where all plants together have at most 20
    * million triangles, else Parcels. Leaves: each leaf is cut at the faces of the cells. Parcels: leaves of a plant
-   * that lie together in two thirds of a cell are one box, for a million trees; totals are as exact, places within a cell.
+   * that lie together in two thirds of a cell are one box, for a million trees; totals are as exact, places within a
+   * cell.
    */
   vtkSetMacro(Detail, int);
   vtkGetMacro(Detail, int);
@@ -144,6 +145,16 @@ public:
   vtkGetMacro(MaximumHeight, double);
   ///@}
 
+  ///@{
+  /**
+   * Heights above the ground: z of the image is that above the foot of each plant, as codes on terrain-following grids
+   * take it (PALM's lad); default off, the z of the stand. All feet are then at z = 0, in the output of plants too.
+   */
+  vtkSetMacro(HeightsAboveGround, bool);
+  vtkGetMacro(HeightsAboveGround, bool);
+  vtkBooleanMacro(HeightsAboveGround, bool);
+  ///@}
+
   /// Connects an image whose cells those of the output are, port 1.
   void SetGridConnection(vtkAlgorithmOutput* grid) { this->SetInputConnection(1, grid); }
 
@@ -168,6 +179,7 @@ protected:
   int Detail;
   double LeafAreaIndex;
   double MaximumHeight;
+  bool HeightsAboveGround;
 
 private:
   vtkForestDensityFilter(const vtkForestDensityFilter&) = delete;

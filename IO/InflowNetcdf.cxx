@@ -174,6 +174,17 @@ void RequireAxes(const NetcdfFile& file, const NetcdfVariable& variable, const s
   }
 }
 
+/// Whether a variable can be a component of a wind in planes: over three axes, of which the last is no longitude.
+bool IsOverPlane(const NetcdfFile& file, const NetcdfVariable& variable)
+{
+  if (variable.Dimensions.size() != 3 || file.TextOf(variable, "standard_name").find("sea_water") != std::string::npos)
+  {
+    return false;
+  }
+  const NetcdfVariable* across = file.Find(file.Dimensions()[variable.Dimensions[2]].Name);
+  return !across || UnitOf(file, *across).rfind("degree", 0) != 0;
+}
+
 class Records : public InflowRecords
 {
 public:
@@ -435,18 +446,16 @@ std::unique_ptr<InflowRecords> OpenInflowNetcdf(const std::string& path)
   return std::make_unique<Records>(path);
 }
 
-bool HoldsInflow(const std::string& path)
+bool HoldsInflow(const NetcdfFile& file)
 {
-  try
+  bool holds = true;
+  for (const int component : { 0, 1, 2 })
   {
-    const NetcdfFile file(path);
-    return ComponentOf(file, 0).Dimensions.size() == 3 && ComponentOf(file, 1).Dimensions.size() == 3 &&
-      ComponentOf(file, 2).Dimensions.size() == 3;
+    const NetcdfVariable* variable = nullptr;
+    const std::string why = WhyRefused([&] { variable = &ComponentOf(file, component); });
+    holds = holds && why.empty() && IsOverPlane(file, *variable);
   }
-  catch (const InvalidInput&)
-  {
-    return false;
-  }
+  return holds;
 }
 
 FileOutcome WriteInflowNetcdf(const std::string& path, const InflowGrid& grid, const InflowSource& source)

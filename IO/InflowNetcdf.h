@@ -15,6 +15,8 @@
 namespace littoral
 {
 
+class NetcdfFile;
+
 /// Planes of a wind in a file that its own library reads.
 class InflowRecords
 {
@@ -35,8 +37,8 @@ public:
  */
 std::unique_ptr<InflowRecords> OpenInflowNetcdf(const std::string& path);
 
-/// Whether a netCDF file has the three components over three axes each.
-bool HoldsInflow(const std::string& path);
+/// Whether a netCDF file has the three components over planes.
+bool HoldsInflow(const NetcdfFile& file);
 
 /// Writes planes from a source record by record.
 FileOutcome WriteInflowNetcdf(const std::string& path, const InflowGrid& grid, const InflowSource& source);

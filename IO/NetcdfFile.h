@@ -67,6 +67,9 @@ public:
   /// An attribute that is a text; empty for none. A variable of Id -1 (NC_GLOBAL) is the file itself.
   std::string TextOf(const NetcdfVariable& variable, const char* attribute) const;
 
+  /// All numbers of an attribute.
+  std::vector<double> NumbersOf(const NetcdfVariable& variable, const char* attribute) const;
+
   /// The first number of an attribute, if it has one.
   std::optional<double> NumberOf(const NetcdfVariable& variable, const char* attribute) const;
 
@@ -83,7 +86,6 @@ public:
   const FileStamp& Stamp() const { return this->Opened; }
 
 private:
-  std::vector<double> NumbersOf(const NetcdfVariable& variable, const char* attribute) const;
   void RequireWhole() const;
   double BytesOfHeader(bool isLarge, bool isClassic) const;
   double BytesOfAttributes(int variable, double word) const;

@@ -4,6 +4,7 @@
 // Formats of netCDF, in a build without it.
 
 #include "InflowNetcdf.h"
+#include "NetcdfKind.h"
 #include "Numerics/InvalidInput.h"
 #include "PalmFile.h"
 
@@ -22,9 +23,9 @@ std::unique_ptr<InflowRecords> OpenInflowNetcdf(const std::string&)
   Refuse(NoNetcdf);
 }
 
-bool HoldsInflow(const std::string&)
+NetcdfKind KindOfNetcdf(const std::string&)
 {
-  return false;
+  return NetcdfKind::Other;
 }
 
 FileOutcome WriteInflowNetcdf(const std::string&, const InflowGrid&, const InflowSource&)

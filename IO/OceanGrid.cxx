@@ -6,6 +6,7 @@
 #include "Numerics/Constants.h"
 #include "Numerics/InvalidInput.h"
 #include "Numerics/ParameterCheck.h"
+#include "OceanProjection.h"
 #include "Pipeline/Memory.h"
 
 #include <algorithm>
@@ -124,6 +125,10 @@ public:
     , Placing(placing)
   {
     this->Grid.IsMesh = roles.Kind == OceanGridKind::Nodes || roles.Kind == OceanGridKind::Faces;
+    if (roles.PlaceKind == OceanPlaceKind::Projected)
+    {
+      this->Projection.emplace(roles.Map);
+    }
   }
 
   OceanGrid Make()
@@ -242,7 +247,7 @@ private:
     std::vector<double> ys = this->File.ReadAll(y);
     RequireNoGaps(xs, x.Name);
     RequireNoGaps(ys, y.Name);
-    const bool isOnEarth = this->Roles.PlaceKind != OceanPlaceKind::Metres;
+    const bool isOnEarth = !this->Projection && this->Roles.PlaceKind != OceanPlaceKind::Metres;
     if (!isPlane)
     {
       Require(xs.size() == width && ys.size() == height
@@ -294,15 +299,13 @@ private:
     const auto [west, east, south, north] = *this->Placing.Region;
     Require(
       this->Roles.PlaceKind == OceanPlaceKind::Metres ? "Region is in degrees, and its coordinates are lengths" : "");
-    const bool isRotated = this->Roles.PlaceKind == OceanPlaceKind::RotatedDegrees;
     const std::size_t width = this->Grid.LengthX;
     std::vector<char> hasX(width, 0), hasY(runY.First + runY.Count, 0);
     for (std::size_t j = runY.First; j < runY.First + runY.Count; ++j)
     {
       for (std::size_t i = runX.First; i < runX.First + runX.Count; ++i)
       {
-        EarthPlace place{ xs[isPlane ? j * width + i : i], ys[isPlane ? j * width + i : j] };
-        place = isRotated ? this->Roles.Pole.ToEarth(place) : place;
+        const EarthPlace place = this->EarthOf({ xs[isPlane ? j * width + i : i], ys[isPlane ? j * width + i : j] });
         if (place[1] >= south && place[1] <= north && IsLongitudeWithin(place[0], west, east))
         {
           hasX[i] = 1;
@@ -331,6 +334,24 @@ private:
     Require(runX.Count >= 2 && runY.Count >= 2 ? "" : "it has fewer than two rows in the Region; give a larger Region");
   }
 
+  /// The place on earth of coordinates of the file.
+  EarthPlace EarthOf(const std::array<double, 2>& place) const
+  {
+    if (this->Projection)
+    {
+      return this->Projection->ToEarth(
+        { this->Roles.MetresPerPlace * place[0], this->Roles.MetresPerPlace * place[1] });
+    }
+    const EarthPlace onEarth{ place[0], place[1] };
+    return this->Roles.PlaceKind == OceanPlaceKind::RotatedDegrees ? this->Roles.Pole.ToEarth(onEarth) : onEarth;
+  }
+
+  /// Whether the axes of velocities are those along which the coordinates grow, not the rows.
+  bool AreAxesOfCoordinates() const
+  {
+    return this->Projection || this->Roles.PlaceKind == OceanPlaceKind::RotatedDegrees;
+  }
+
   void MakeMap()
   {
     const std::size_t count = this->Raw[0].size();
@@ -346,12 +367,11 @@ private:
     }
     for (std::size_t n = 0; n < count; ++n)
     {
-      const EarthPlace place{ this->Raw[0][n], this->Raw[1][n] };
-      Require(std::abs(place[1]) <= 90.0 + 1e-6 && std::abs(place[0]) <= 1000.0
+      const std::array<double, 2> place{ this->Raw[0][n], this->Raw[1][n] };
+      Require(this->Projection || (std::abs(place[1]) <= 90.0 + 1e-6 && std::abs(place[0]) <= 1000.0)
           ? ""
           : "its point " + TextOf(place[0]) + ", " + TextOf(place[1]) + " is not on earth");
-      this->Earth.push_back(
-        this->Roles.PlaceKind == OceanPlaceKind::RotatedDegrees ? this->Roles.Pole.ToEarth(place) : place);
+      this->Earth.push_back(this->EarthOf(place));
     }
     const EarthPlace origin = this->Placing.Origin ? *this->Placing.Origin : MiddleOf(this->Earth);
     for (const EarthPlace& place : this->Earth)
@@ -390,7 +410,7 @@ private:
     grid.TurnsY = area < 0.0;
     if (this->Roles.IsAlongAxes)
     {
-      this->TurnAxes(area < 0.0 ? -1.0 : 1.0);
+      this->TurnAxes(area < 0.0 && !this->AreAxesOfCoordinates() ? -1.0 : 1.0);
     }
     if (grid.TurnsY)
     {
@@ -438,11 +458,11 @@ private:
   {
     const OceanGrid& grid = this->Grid;
     const std::size_t n = this->ColumnOf(i, j);
-    if (this->Roles.PlaceKind == OceanPlaceKind::RotatedDegrees)
+    if (this->AreAxesOfCoordinates())
     {
-      constexpr double step = 1e-4; // [degrees]
-      const EarthPlace from = this->Roles.Pole.ToEarth({ this->Raw[0][n] - step, this->Raw[1][n] });
-      const EarthPlace to = this->Roles.Pole.ToEarth({ this->Raw[0][n] + step, this->Raw[1][n] });
+      const double step = this->Projection ? 10.0 / this->Roles.MetresPerPlace : 1e-4; // 10 m or degrees
+      const EarthPlace from = this->EarthOf({ this->Raw[0][n] - step, this->Raw[1][n] });
+      const EarthPlace to = this->EarthOf({ this->Raw[0][n] + step, this->Raw[1][n] });
       const double latitude = 0.5 * (from[1] + to[1]) * Pi / 180.0;
       return std::atan2(to[1] - from[1], std::cos(latitude) * std::remainder(to[0] - from[0], 360.0));
     }
@@ -627,6 +647,7 @@ private:
   const NetcdfFile& File;
   const OceanRoles& Roles;
   const OceanPlacing& Placing;
+  std::optional<OceanProjection> Projection; ///< of projected places
   OceanGrid Grid;
   std::vector<double> Raw[2];    ///< coordinates of columns as the file has them
   std::vector<EarthPlace> Earth; ///< the same as longitudes and latitudes

@@ -6,6 +6,7 @@
 #include "Numerics/Constants.h"
 #include "Numerics/InvalidInput.h"
 #include "Numerics/Words.h"
+#include "OceanProjection.h"
 
 #include <algorithm>
 #include <cctype>
@@ -54,7 +55,10 @@ public:
   bool HasVelocities()
   {
     const NetcdfVariable* found[3];
-    return this->FindVelocities(found);
+    const bool isThere = this->FindVelocities(found) && found[0]->Dimensions.size() >= 2;
+    const std::string name = isThere ? this->StandardName(*found[0]) : "";
+    // u and v are names of winds, too
+    return isThere && (name.empty() || name.find("sea_water") != std::string::npos);
   }
 
   OceanRoles Find()
@@ -557,11 +561,12 @@ private:
       Refuse("the unit '", unit, "' of its ", x.Name, " is none of places, as degrees_east or m");
     }
     const NetcdfVariable* mapping = this->Named(this->Text(*roles.Velocity[0].Variable, "grid_mapping"));
-    Require(mapping ? "its coordinates are those of a map (grid_mapping " + mapping->Name +
-          "), and longitudes and latitudes beside them are missing"
-                    : "");
-    roles.PlaceKind = OceanPlaceKind::Metres;
     roles.MetresPerPlace = length->Metres;
+    roles.PlaceKind = mapping ? OceanPlaceKind::Projected : OceanPlaceKind::Metres;
+    Require(mapping && !this->MeshDimensions.empty()
+        ? "its mesh is on a map, and its longitudes and latitudes are missing"
+        : "");
+    roles.Map = mapping ? MapOfMapping(this->File, *mapping, length->Metres) : "";
   }
 
   void FindPole()

@@ -63,7 +63,8 @@ enum class OceanPlaceKind
 {
   Degrees,
   RotatedDegrees,
-  Metres,
+  Projected, ///< lengths on a map
+  Metres,    ///< lengths on no map
 };
 
 struct OceanRoles
@@ -81,6 +82,7 @@ struct OceanRoles
   const NetcdfVariable* PlaceY = nullptr;
   double MetresPerPlace = 1.0;
   RotatedPole Pole;
+  std::string Map; ///< of projected places, see MapOfMapping()
 
   LevelKind LevelsKind = LevelKind::Heights;
   const NetcdfVariable* S = nullptr; ///< heights, sigma or s; null: there is one level

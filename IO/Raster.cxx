@@ -743,6 +743,36 @@ bool Raster::Read(const std::array<int, 4>& window, float* heights, const Raster
   return true;
 }
 
+namespace
+{
+
+/// Whether values of a dataset, the first band, can be heights by the unit that is named.
+bool CanBeHeights(void* dataset)
+{
+  const std::string unit = NamedHeightUnit(dataset, GDALGetRasterBand(dataset, 1));
+  return unit.empty() || FindUnitOfHeight(unit);
+}
+
+/// Whether one of the datasets in a netCDF file can be heights. Those of other files are not asked.
+bool HoldsHeights(void* dataset, const std::vector<std::string>& names)
+{
+  const char* driver = GDALGetDriverShortName(GDALGetDatasetDriver(dataset));
+  if (std::string(driver ? driver : "") != "netCDF")
+  {
+    return true;
+  }
+  if (names.empty())
+  {
+    return CanBeHeights(dataset);
+  }
+  return std::any_of(names.begin(), names.end(), [](const std::string& name) {
+    const Dataset inner = OpenDataset(name);
+    return inner && GDALGetRasterCount(inner.get()) > 0 && CanBeHeights(inner.get());
+  });
+}
+
+}
+
 bool IsPlacedRaster(const std::string& path)
 {
   const GdalMessages quiet;
@@ -754,11 +784,12 @@ bool IsPlacedRaster(const std::string& path)
   }
   if (GDALGetRasterCount(dataset.get()) == 0)
   {
-    return !InnerNames(dataset.get()).empty();
+    const std::vector<std::string> names = InnerNames(dataset.get());
+    return !names.empty() && HoldsHeights(dataset.get(), names);
   }
   const GDALColorInterp color = GDALGetRasterColorInterpretation(GDALGetRasterBand(dataset.get(), 1));
   const bool isPicture = color == GCI_PaletteIndex || color == GCI_RedBand || color == GCI_YCbCr_YBand;
-  return Transform(dataset.get()).IsKnown && !isPicture;
+  return Transform(dataset.get()).IsKnown && !isPicture && HoldsHeights(dataset.get(), {});
 }
 
 }

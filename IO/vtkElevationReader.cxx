@@ -5,6 +5,7 @@
 #include "Data/Arrays.h"
 #include "Data/Georeference.h"
 #include "Data/Tables.h"
+#include "NetcdfKind.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
@@ -98,7 +99,7 @@ vtkElevationReader::~vtkElevationReader()
 //----------------------------------------------------------------------------
 int vtkElevationReader::CanReadFile(const char* name)
 {
-  return name && littoral::IsPlacedRaster(name) ? 1 : 0;
+  return name && littoral::IsPlacedRaster(name) && littoral::KindOfNetcdf(name) == littoral::NetcdfKind::Other ? 1 : 0;
 }
 
 //----------------------------------------------------------------------------

@@ -187,7 +187,8 @@ public:
   ///@}
 
   /**
-   * Whether a file is a raster with a place on a map, and not a picture: 1 or 0.
+   * Whether a file is a raster with a place on a map, and not a picture: 1 or 0. Of netCDF its values must be in a unit
+   * of heights or in none, and files with winds or with velocities of the sea are left to their own readers.
    */
   int CanReadFile(const char* name);
 

@@ -18,6 +18,7 @@
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,17 @@ std::size_t CheckDensities(vtkDataArray* array, const char* unit, const littoral
     filled += density > 0.0 ? 1 : 0;
   }
   return filled;
+}
+
+/// Level 0 of PALM is the ground: an image of heights above it must begin there. Throws InvalidInput.
+void RequireOnGround(vtkImageData* image, const littoral::CanopyGrid& grid)
+{
+  const bool isAboveGround = littoral::ArrayReader::OfFields(image, "the image").Has("HeightsAboveGround");
+  if (isAboveGround && std::abs(grid.Origin.z) > 1e-6 * grid.Spacing.z)
+  {
+    littoral::Refuse("the image begins at ", grid.Origin.z,
+      " m above the ground, and PALM's levels at the ground; let Bounds begin at z = 0");
+  }
 }
 
 /// A number of a tree that must be positive.
@@ -142,6 +154,7 @@ void vtkForestDensityWriter::WritePalm(vtkImageData* image)
   littoral::Require(check.Reason());
   littoral::RequireFit(image, "the image");
   const littoral::CanopyGrid grid = GridOf(image);
+  RequireOnGround(image, grid);
   const littoral::ArrayReader cells = littoral::ArrayReader::OfCells(image, "the image");
   vtkDataArray* leaves = cells.Need("LeafAreaDensity", 1);
   vtkDataArray* plants = cells.Find("PlantAreaDensity", 1);

@@ -5,6 +5,7 @@
 #include "Data/Arrays.h"
 #include "Data/Georeference.h"
 #include "Data/Tables.h"
+#include "NetcdfKind.h"
 #include "Numerics/ParameterCheck.h"
 #include "OceanGrid.h"
 #include "Pipeline/Mistakes.h"
@@ -479,15 +480,7 @@ int vtkOceanCurrentReader::ProcessRequest(
 //----------------------------------------------------------------------------
 int vtkOceanCurrentReader::CanReadFile(const char* name)
 {
-  try
-  {
-    const littoral::NetcdfFile file(name ? name : "");
-    return littoral::HasOceanVelocities(file) ? 1 : 0;
-  }
-  catch (const std::exception&)
-  {
-    return 0;
-  }
+  return name && littoral::KindOfNetcdf(name) == littoral::NetcdfKind::Sea ? 1 : 0;
 }
 
 //----------------------------------------------------------------------------

@@ -6,8 +6,9 @@
  *
  * Files by the conventions for climate and forecast (CF), of ROMS, of FVCOM, and by UGRID:
  *
- * - Grids of rows: longitudes and latitudes along axes, of each point, or on a grid with a rotated pole; lengths. C
- * grids (ROMS) have their velocities brought to the centres of cells, without the outermost ones.
+ * - Grids of rows: longitudes and latitudes along axes, of each point, or on a grid with a rotated pole; lengths on a
+ * map that a grid_mapping names (WKT, or one of eight mappings of CF), or on none. C grids (ROMS) have their velocities
+ * brought to the centres of cells, without the outermost ones.
  * - Meshes of triangles or quadrilaterals, with velocities at nodes or in faces; those in faces are brought to the
  * nodes.
  * - Levels: heights or depths, sigma, s by ROMS's transforms 1 and 2 with their stretching 1 to 5; none for a surface

@@ -6,7 +6,7 @@
 #include "Data/Tables.h"
 #include "InflowFile.h"
 #include "InflowImage.h"
-#include "InflowNetcdf.h"
+#include "NetcdfKind.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
@@ -278,7 +278,7 @@ int vtkWindFieldReader::CanReadFile(const char* name)
   const std::string path = name ? name : "";
   const bool isKnown = littoral::WhyRefused([&] { littoral::FormatOf(path); }).empty();
   const bool isNetcdf = isKnown && littoral::FormatOf(path) == littoral::InflowFormat::Netcdf;
-  return isKnown && (!isNetcdf || littoral::HoldsInflow(path)) ? 1 : 0;
+  return isKnown && (!isNetcdf || littoral::KindOfNetcdf(path) == littoral::NetcdfKind::Wind) ? 1 : 0;
 }
 
 //----------------------------------------------------------------------------

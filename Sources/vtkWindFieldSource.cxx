@@ -11,6 +11,7 @@
 #include "Wind/CarriedWind.h"
 #include "Wind/IecWind.h"
 #include "Wind/WindField.h"
+#include "Wind/WindVeer.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkExtentTranslator.h"
@@ -138,6 +139,7 @@ vtkWindFieldSource::vtkWindFieldSource()
   , AnnualMeanSpeed(10.0)
   , RotorDiameter(126.0)
   , ShearExponent(0.0)
+  , Veer(0.0)
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -156,6 +158,7 @@ vtkWindFieldSource::Recipe vtkWindFieldSource::MakeRecipe() const
   model.Spectrum = static_cast<littoral::WindSpectrumModel>(this->Spectrum);
   model.TurbulenceIntensity = this->TurbulenceIntensity;
   model.ShearExponent = this->ShearExponent;
+  model.Veer = this->Veer;
   model.Coherence = static_cast<littoral::WindCoherenceModel>(this->Coherence);
   model.Decay = { { { this->LongitudinalDecay[0], this->LongitudinalDecay[1] },
     { this->LateralDecay[0], this->LateralDecay[1] }, { this->VerticalDecay[0], this->VerticalDecay[1] } } };
@@ -289,6 +292,8 @@ bool vtkWindFieldSource::Freeze(const Recipe& recipe)
   {
     littoral::MakeEventWind(recipe.Model, recipe.Grid, recipe.Site, static_cast<littoral::IECEvent>(this->IECEvent),
       this->EventStart, frozen->Velocities.data(), littoral::AbortableFor(this));
+    littoral::TurnWithHeight(recipe.Model, recipe.Grid, littoral::VeerTurn::FromLocal, frozen->Velocities.data(),
+      littoral::AbortableFor(this));
     frozen->Made.Modified();
     this->Internals = std::move(frozen);
     return true;
@@ -310,6 +315,8 @@ bool vtkWindFieldSource::Freeze(const Recipe& recipe)
       return false;
     }
   }
+  littoral::TurnWithHeight(
+    recipe.Model, recipe.Grid, littoral::VeerTurn::FromLocal, frozen->Velocities.data(), littoral::AbortableFor(this));
   frozen->CoherenceError = field.GetCoherenceError();
   frozen->Made.Modified();
   this->Internals = std::move(frozen);
@@ -438,4 +445,5 @@ void vtkWindFieldSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AnnualMeanSpeed: " << this->AnnualMeanSpeed << "\n";
   os << indent << "RotorDiameter: " << this->RotorDiameter << "\n";
   os << indent << "ShearExponent: " << this->ShearExponent << "\n";
+  os << indent << "Veer: " << this->Veer << "\n";
 }

@@ -18,7 +18,8 @@
  * Field data: `CoherenceError` (maximum difference of the root coherence from the model), `FrictionVelocity` [m/s],
  * `ConvectionSpeed` [m/s], `Period` [s]; and of the model `ReferenceSpeed` [m/s], `ReferenceHeight` [m],
  * `RoughnessLength` [m], `Spectrum`, `TurbulenceIntensity`, `Coherence`, `LongitudinalDecay`, `LateralDecay` and
- * `VerticalDecay`, as the properties, and of a power law `ShearExponent`.
+ * `VerticalDecay`, as the properties, of a power law `ShearExponent`, and of a
+ * wind that veers `Veer` [degrees/m].
  *
  * The field is computed once and kept, so that another time is a copy. Any extent can be requested. Pieces are slabs
  * across the wind. Ranks of the global controller that ask for one piece each share the work: a rank makes the planes
@@ -178,6 +179,16 @@ public:
    */
   vtkSetMacro(ShearExponent, double);
   vtkGetMacro(ShearExponent, double);
+  ///@}
+
+  ///@{
+  /**
+   * Turn of the mean wind with height, clockwise seen from above [degrees/m], from -10 to 10; default 0. The direction
+   * is WindDirection at ReferenceHeight and WindDirection - Veer (z - ReferenceHeight) at a height z (Kelly and van der
+   * Laan 2023); negative: it backs. Gusts turn with the mean, so that spectra along and across it stay the same.
+   */
+  vtkSetMacro(Veer, double);
+  vtkGetMacro(Veer, double);
   ///@}
 
   ///@{
@@ -395,6 +406,7 @@ protected:
   double AnnualMeanSpeed;
   double RotorDiameter;
   double ShearExponent;
+  double Veer;
 
 private:
   vtkWindFieldSource(const vtkWindFieldSource&) = delete;

@@ -138,6 +138,7 @@ std::string WhyInvalid(const WindModel& model)
   check.Within("RoughnessLength", model.RoughnessLength, ValueInterval::Between(0.0, CoherenceHeight), "m");
   check.Finite("TurbulenceIntensity", model.TurbulenceIntensity); // also where it does not count: it is written
   check.Range("ShearExponent", model.ShearExponent, 0.0, 1.0);
+  check.Range("Veer", model.Veer, -10.0, 10.0, "degrees/m");
   check.Choice("Spectrum", static_cast<int>(model.Spectrum), NumberOfWindSpectra);
   check.Choice("Coherence", static_cast<int>(model.Coherence), NumberOfWindCoherences);
   if (!check.IsGood())

@@ -53,6 +53,7 @@ struct WindModel
   WindCoherenceModel Coherence = WindCoherenceModel::Exponential;
   std::array<WindDecay, WindComponents> Decay{ { { 10.0, 10.0 }, { 10.0, 10.0 }, { 8.0, 8.0 } } };
   double ShearExponent = 0.0; ///< of a power law of the mean, from 0 to 1; 0: the logarithmic law
+  double Veer = 0.0; ///< turn of the mean clockwise with height, 0 at ReferenceHeight [degrees/m], from -10 to 10
 };
 
 /// The row of a family of spectra: everything that sets it apart. A new family is an enumerator and a row.

@@ -34,7 +34,7 @@ public:
   {
     RequireWhole(blocks);
     this->ReadKinds(blocks, options);
-    this->ReadPlaces(instances);
+    this->ReadPlaces(instances, options.HeightsAboveGround);
     std::vector<double> triangles;
     for (const PlantFoliage& kind : this->Plants)
     {
@@ -142,7 +142,7 @@ private:
     return part;
   }
 
-  void ReadPlaces(vtkPolyData* instances)
+  void ReadPlaces(vtkPolyData* instances, bool aboveGround)
   {
     RequireFit(instances, "Instances of the stand");
     const ArrayReader points = ArrayReader::OfPoints(instances, "Instances of the stand");
@@ -160,6 +160,7 @@ private:
       FoliagePlace& place = this->Places[static_cast<std::size_t>(point)];
       place.Kind = static_cast<int>(species->GetComponent(point, 0));
       instances->GetPoint(point, &place.Foot.x);
+      place.Foot.z = aboveGround ? 0.0 : place.Foot.z;
       place.Rotation = glm::dquat(rotations->GetComponent(point, 0), rotations->GetComponent(point, 1),
         rotations->GetComponent(point, 2), rotations->GetComponent(point, 3));
       for (int axis = 0; axis < 3; ++axis)

@@ -40,6 +40,10 @@ public:
     this->Picture = ReadTexture(this->Leaves);
     this->ReadTable(blocks, options);
     this->Measure();
+    if (options.HeightsAboveGround)
+    {
+      this->LowerFeet();
+    }
   }
 
   double LeafArea() const override { return this->AreaOfLeaves; }
@@ -72,17 +76,18 @@ public:
       });
     };
     forAll(this->Leaves, &this->Picture, [&](const std::vector<FoliageTriangle>& leaf, FoliageTriangles& triangles) {
-      const int kind = this->KindOfPlant[this->PlantOf(this->PlantOfLeaf, triangles)];
+      const std::size_t plant = this->PlantOf(this->PlantOfLeaf, triangles);
       for (const FoliageTriangle& triangle : leaf)
       {
-        AddLeaf(triangle, kind, density);
+        AddLeaf(this->Lowered(triangle, plant), this->KindOfPlant[plant], density);
       }
       AddInclination(leaf, inclination);
     });
-    forAll(this->Skin, nullptr, [&](const std::vector<FoliageTriangle>& bark, FoliageTriangles&) {
+    forAll(this->Skin, nullptr, [&](const std::vector<FoliageTriangle>& bark, FoliageTriangles& triangles) {
+      const std::size_t plant = this->PlantOf(this->PlantOfBark, triangles);
       for (const FoliageTriangle& triangle : bark)
       {
-        AddWood(triangle, density);
+        AddWood(this->Lowered(triangle, plant), density);
       }
     });
   }
@@ -99,6 +104,30 @@ private:
     return row == this->RowOfPlant.end() ? 0 : row->second;
   }
 
+  /// The triangle above the foot of its plant, if heights are those above the ground.
+  FoliageTriangle Lowered(const FoliageTriangle& triangle, std::size_t plant) const
+  {
+    FoliageTriangle lowered = triangle;
+    for (Vector3& corner : lowered.Corners)
+    {
+      corner.z -= this->Lowering.empty() ? 0.0 : this->Lowering[plant];
+    }
+    return lowered;
+  }
+
+  /// Sets all feet on z = 0.
+  void LowerFeet()
+  {
+    Require(this->HasFeet || this->Feet.size() == 1 ? ""
+                                                    : "its plants have no field array Position, above which heights "
+                                                      "could be taken; switch HeightsAboveGround off.");
+    for (Vector3& foot : this->Feet)
+    {
+      this->Lowering.push_back(foot.z);
+      foot.z = 0.0;
+    }
+  }
+
   void ReadTable(vtkMultiBlockDataSet* blocks, const StandOptions& options)
   {
     this->PlantOfLeaf = this->Leaves ? FindPlantIds(this->Leaves) : nullptr;
@@ -110,6 +139,7 @@ private:
     vtkDataArray* feet = ids ? rows.Find("Position", 3) : nullptr;
     rows.NeedIds(species, VTK_INT_MAX, "species");
     rows.NeedFinite(feet);
+    this->HasFeet = feet != nullptr;
     std::size_t kinds = 1;
     for (vtkIdType row = 0; species && row < species->GetNumberOfTuples(); ++row)
     {
@@ -164,6 +194,8 @@ private:
   std::map<int, std::size_t> RowOfPlant;
   std::vector<int> KindOfPlant;
   std::vector<Vector3> Feet;
+  bool HasFeet = false;
+  std::vector<double> Lowering; ///< of each plant [m]; empty: none
   std::vector<CrownMeasure> Measures;
   double AreaOfLeaves = 0.0;
   double AreaOfWood = 0.0;

@@ -37,6 +37,7 @@ struct StandOptions
   FoliageDetail Detail = FoliageDetail::Automatic; ///< of instances
   double LeafAreaIndex = 0.0;                      ///< of crowns of trees without leaves; 0: by diameter
   double MaximumHeight = 0.7;                      ///< z_m / h of trees without leaves
+  bool HeightsAboveGround = false;                 ///< z of each plant is that above its own foot
 };
 
 /// A species, or a kind of plants.

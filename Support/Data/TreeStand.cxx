@@ -55,6 +55,7 @@ public:
       const int kind = species ? static_cast<int>(species->GetComponent(tree, 0)) : 0;
       StandCrown crown{ {}, kind, heights->GetComponent(tree, 0), 0.0, 0.0, options.MaximumHeight };
       trees->GetPoint(tree, &crown.Foot.x);
+      crown.Foot.z = options.HeightsAboveGround ? 0.0 : crown.Foot.z;
       ParameterCheck check;
       check.Positive("Height" + ofTree, crown.Height, "m", TallestTree);
       const double stem = stems ? stems->GetComponent(tree, 0) : 1.0;

@@ -7,6 +7,7 @@
 #include "Data/Tables.h"
 #include "Numerics/InvalidInput.h"
 #include "Pipeline/Pipeline.h"
+#include "Wind/WindVeer.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -85,6 +86,8 @@ WindModel ReadModel(vtkImageData* image)
   ForEachParameter(model, reader);
   vtkDataArray* exponent = reader.Fields.Find("ShearExponent", 1);
   model.ShearExponent = exponent ? exponent->GetComponent(0, 0) : 0.0;
+  vtkDataArray* veer = reader.Fields.Find("Veer", 1);
+  model.Veer = veer ? veer->GetComponent(0, 0) : 0.0;
   double families[2] = { 0.0, 0.0 };
   reader("Spectrum", families[0]);
   reader("Coherence", families[1]);
@@ -163,6 +166,10 @@ void WriteWindModel(const WindModel& model, vtkDataObject* data)
   {
     AddField(data, "ShearExponent", { model.ShearExponent });
   }
+  if (model.Veer != 0.0)
+  {
+    AddField(data, "Veer", { model.Veer });
+  }
   AddField(data, "Spectrum", { static_cast<double>(model.Spectrum) });
   AddField(data, "Coherence", { static_cast<double>(model.Coherence) });
 }
@@ -191,6 +198,7 @@ ModelledWind ReadModelledWind(vtkImageData* image)
     v[0] = static_cast<float>(cosine * x + sine * v[1]);
     v[1] = static_cast<float>(cosine * v[1] - sine * x);
   }
+  TurnWithHeight(wind.Model, wind.Grid, VeerTurn::ToLocal, wind.Velocities.data());
   return wind;
 }
 

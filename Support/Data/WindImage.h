@@ -29,7 +29,7 @@ struct ModelledWind
 {
   WindModel Model;
   WindGrid Grid;
-  std::vector<float> Velocities; ///< in the axes of the wind, as WindField::Make gives them
+  std::vector<float> Velocities; ///< along and across the mean of their layer, as WindField::Make gives them
 };
 
 /// Reads a wind field with the field data of WriteWindModel. Throws InvalidInput.

@@ -56,7 +56,7 @@ bool Fails(const char* word, Filter* filter)
   return errors->ExpectOneNaming(word) && Check(Output(filter, 0)->GetNumberOfRows() == 0, "output not empty");
 }
 
-/// The profile of a turned wind is that of the same wind along x; the model is read from the field data.
+/// The profile of a turned wind that veers is that of the same wind along x; the model is read from the field data.
 bool WindIsMeasured()
 {
   vtkNew<vtkWindFieldSource> wind;
@@ -71,6 +71,7 @@ bool WindIsMeasured()
   for (const int turn : { 0, 1 })
   {
     wind->SetWindDirection(55.0 * turn);
+    wind->SetVeer(1.5 * turn);
     statistics->Update();
     vtkTable* profile = Output(statistics, 2);
     good &= Check(profile->GetNumberOfRows() == 6, "not a row a layer");

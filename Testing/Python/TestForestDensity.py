@@ -212,6 +212,28 @@ class TestForestDensity(unittest.TestCase):
         self.assertEqual({names.GetValue(k) for k in range(names.GetNumberOfValues())}, {"Oak", "Pine"})
         self.assertGreater(field(read, "LeafMass"), 15.0)
 
+    def test_heights_above_ground(self):
+        """A stand on a slope has the bytes of the level one, in each form; feet are at z = 0."""
+        random = np.random.default_rng(5)
+        level = np.column_stack([random.uniform(0.0, 40.0, (30, 2)), np.zeros(30)])
+        slope = level + np.outer(0.4 * level[:, 0] - 7.0, (0.0, 0.0, 1.0))
+        sizes = dict(Height=random.uniform(8.0, 20.0, 30), DBH=random.uniform(0.1, 0.4, 30))
+        box = dict(bounds=(-5, 45, -5, 45, 0, 24), HeightsAboveGround=True)
+        flat, tilted = (density(points(places, **sizes), **box) for places in (level, slope))
+        self.assertTrue((cells(flat) == cells(tilted)).all())
+        for name in ("LeafAreaDensity", "PlantAreaDensity", "CumulativeLeafArea"):
+            self.assertTrue((column(flat.GetOutputDataObject(1), name) == column(tilted.GetOutputDataObject(1), name)).all())
+        self.assertEqual(tilted.GetOutputDataObject(3).GetBounds()[4:], (0.0, 0.0))
+        self.assertEqual(field(tilted, "HeightsAboveGround"), 1.0)
+        off = density(points(slope, **sizes), bounds=box["bounds"])
+        self.assertFalse((cells(off) == cells(flat)).all())
+        forms = [density(scattered(form), HeightsAboveGround=on) for form in (0, 1) for on in (False, True)]
+        merged, lowered, instances, lowered_instances = (cells(one).reshape(12, 20, 20) for one in forms)
+        self.assertLess(np.abs(lowered - lowered_instances).max(), 1e-4 * lowered.max())
+        # of the four plants, those at (9, 4) and (12, 15) stand 1 m and 0.5 m above the others
+        self.assertLess(np.abs(merged - lowered)[:, :, :8].max(), 1e-6)
+        self.assertGreater(np.abs(merged - lowered)[:, :, 9:].max(), 0.01)
+
     def test_bad_stands(self):
         def refusal(words, data, bounds=BOX, **settings):
             one = vtkForestDensityFilter()

@@ -129,6 +129,9 @@ class TestForestFiles(unittest.TestCase):
         self.assertTrue((bad.values[1:] == np.maximum(wood, 0.0).astype("f4")).all())
         self.assertGreater((bad.values > 0.0).sum(), 1)
         image.GetCellData().RemoveArray("PlantAreaDensity")
+        above = numpy_to_vtk(np.ones(1), deep=True)
+        above.SetName("HeightsAboveGround")
+        image.GetFieldData().AddArray(above)  # its lowest face is the ground
         written(image, "b.nc")
         self.assertNotIn("bad", read(os.path.join(FOLDER, "b.nc"))[2])
 
@@ -199,6 +202,12 @@ class TestForestFiles(unittest.TestCase):
         refusal("no cell array BulkDensity", plain, "b.bdf")
         refusal("no cell array LeafAreaDensity", plain, "b.nc")
         refusal("Latitude", image, "b.nc", Latitude=91.0)
+        raised = changed(0.5)
+        raised.SetOrigin(*raised.GetOrigin()[:2], 2.0)
+        above = numpy_to_vtk(np.ones(1), deep=True)
+        above.SetName("HeightsAboveGround")
+        raised.GetFieldData().AddArray(above)
+        refusal("begins at 2 m above the ground", raised, "b.nc")
         flat = vtkImageData()
         flat.SetDimensions(3, 3, 1)
         refusal("no cells", flat, "b.dat")

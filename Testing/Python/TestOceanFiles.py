@@ -226,6 +226,73 @@ class TestKinds(Reading):
         points, _ = self.check_flow(self.reader(origin), 0.0, tolerance=1e-6)
         np.testing.assert_allclose(points[:, :2], to_map(lon, lat, origin).reshape(2, -1).T, atol=1e-3)
 
+    def projected(self, mapping, x, y, to_earth, unit="m"):
+        """A file on the axes of a map of a flow along them; longitudes and latitudes of its points."""
+        a, b = np.meshgrid(x, y)
+        lon, lat = to_earth(a, b)
+        origin = (lon.mean(), lat.mean())
+        east, north = on_earth(lon, lat, origin, lambda x, y: turning(x, y, 0.0, 0.0))
+        # components along the map's axes: the direction of a small step along x
+        ahead, behind = to_earth(a + 5.0, b), to_earth(a - 5.0, b)
+        angle = np.arctan2(ahead[1] - behind[1], np.cos(np.radians(lat)) * (ahead[0] - behind[0]))
+        u, v = np.cos(angle) * east + np.sin(angle) * north, np.cos(angle) * north - np.sin(angle) * east
+        metres_per_unit = {"m": 1.0, "km": 1000.0}[unit]
+        write(self.path, {"y": len(y), "x": len(x)}, {
+            "crs": Variable("", np.array(0), "i4", **mapping),
+            "x": axis("x", x / metres_per_unit, units=unit, standard_name="projection_x_coordinate"),
+            "y": axis("y", y / metres_per_unit, units=unit, standard_name="projection_y_coordinate"),
+            "u": Variable("y x", u, "f8", units="m/s", standard_name="sea_water_x_velocity", grid_mapping="crs"),
+            "v": Variable("y x", v, "f8", units="m/s", standard_name="sea_water_y_velocity", grid_mapping="crs")})
+        return lon, lat, origin
+
+    def test_axes_of_a_map(self):
+        """Grid mappings without longitudes and latitudes beside them: Snyder's stereographic map, and maps of spheres."""
+        middle, radius = (9.0, 54.0), 6371229.0
+        number = {name: np.array(value) for name, value in (
+            ("latitude_of_projection_origin", middle[1]), ("longitude_of_projection_origin", middle[0]),
+            ("false_easting", 1.0e5), ("semi_major_axis", 6378137.0), ("inverse_flattening", 298.257223563))}
+        x, y = 1.0e5 + np.linspace(-9e4, -3e4, 11), np.linspace(7e4, 2e4, 9)  # y falls
+        lon, lat, origin = self.projected(dict(grid_mapping_name="stereographic", **number), x, y,
+                                          lambda a, b: inverse(a - 1.0e5, b, middle))
+        self.assertEqual(self.reader().CanReadFile(self.path), 1)
+        points, _ = self.check_flow(self.reader(origin), 0.0, tolerance=1e-6)
+        np.testing.assert_allclose(points[:, :2], to_map(lon, lat, origin)[:, ::-1].reshape(2, -1).T, atol=1e-3)
+        reader = self.reader(origin, GivenRegion=True, Region=(lon.min(), lon.max(), lat.min(), lat.mean()))
+        self.assertLess(self.arrays(reader)[0].shape[0], 99)
+
+        def polar(a, b):
+            """True to scale at 70 degrees north, 45 degrees west downwards."""
+            k = 0.5 * (1.0 + np.sin(np.radians(70.0)))
+            colatitude = 2.0 * np.arctan(np.hypot(a, b) / (2.0 * radius * k))
+            return np.degrees(np.arctan2(a, -b)) - 45.0, 90.0 - np.degrees(colatitude)
+
+        def conic(a, b):
+            """Lambert's, tangent at 50 degrees, about 10 degrees east, 48 degrees north."""
+            n, where = np.sin(np.radians(50.0)), lambda phi: np.tan(np.pi / 4 + np.radians(phi) / 2)
+            f = np.cos(np.radians(50.0)) * where(50.0)**n / n
+            up = radius * f / where(48.0)**n - b
+            phi = 2.0 * np.arctan((radius * f / np.hypot(a, up))**(1.0 / n)) - np.pi / 2
+            return 10.0 + np.degrees(np.arctan2(a, up)) / n, np.degrees(phi)
+
+        def numbers(**values):
+            return {name: np.array(value) for name, value in values.items()}
+
+        for name, to_earth, unit, mapping in (
+                ("polar_stereographic", polar, "km", numbers(
+                    standard_parallel=70.0, straight_vertical_longitude_from_pole=-45.0,
+                    latitude_of_projection_origin=90.0, earth_radius=radius)),
+                ("lambert_conformal_conic", conic, "m", numbers(
+                    standard_parallel=50.0, longitude_of_central_meridian=10.0, latitude_of_projection_origin=48.0,
+                    earth_radius=radius))):
+            lon, lat, origin = self.projected(dict(grid_mapping_name=name, **mapping), np.linspace(4.0e5, 4.6e5, 11),
+                                              np.linspace(-3.5e5, -3.0e5, 9), to_earth, unit)
+            points, _ = self.check_flow(self.reader(origin), 0.0, tolerance=1e-5)
+            np.testing.assert_allclose(points[:, :2], to_map(lon, lat, origin).reshape(2, -1).T, atol=1e-2)
+        for words, mapping in {"of a kind that is not read, 'cubed_sphere'": dict(grid_mapping_name="cubed_sphere"),
+                               "PROJ does not know the map": dict(crs_wkt="nonsense")}.items():
+            self.projected(mapping, x, y, lambda a, b: inverse(a - 1.0e5, b, middle))
+            self.refused(words)
+
     def test_axes_of_two_dimensions(self):
         # as HYCOM's: indices along the axes, and longitudes beyond 360 degrees at each point
         x, y = np.meshgrid(np.linspace(-20e3, 20e3, 9), np.linspace(-18e3, 18e3, 8))

@@ -543,11 +543,15 @@ class WindFiles(unittest.TestCase):
             np.testing.assert_allclose(head[9], 90.0)
         source.SetIECEventToOperatingGust()
         source.SetEventStart(1.0)
+        source.SetVeer(5.0)  # degrees/m: 10 degrees to the left below the hub, to the right above it
         self.assertEqual(writer.Write(), 1)
         hub = read_bts(writer.GetFileName())[1][:, 1, 4]
         # 2.4 and 5.3 s after the beginning
         np.testing.assert_allclose(hub[[10, 34, 63], 0] - 12.0, (0.0, -1.585, 4.383), atol=2e-3)
-        np.testing.assert_array_equal(abs(hub[:, 1:]) < 1e-6, True)
+        np.testing.assert_array_equal(abs(hub[:, 1:]) < 1e-3, True)
+        layers = read_bts(writer.GetFileName())[1][:, :, 4]
+        turns = np.degrees(np.arctan2(layers[..., 1], layers[..., 0]))
+        np.testing.assert_allclose(turns, np.broadcast_to((10.0, 0.0, -10.0), turns.shape), atol=0.01)
         source.SetIECClassToNoClass()
         self.refused(source, "IECEvent needs an IECClass")
 
