@@ -3,9 +3,9 @@
 """Drainage by tiles of ground that is made by extents, asked for in rows of tiles: processor time, the most memory, and
 whether the areas at the outlets sum to the grid's.
 
-    build/bin/littoral-env python3 Testing/Benchmarks/drainage_tiles.py WIDTH [TILE]
+    build/bin/littoral-env python3 Testing/Benchmarks/drainage_tiles.py WIDTH [TILE [FILE.tif]]
 
-With a TILE of 0 the ground drains as a whole.
+With a TILE of 0 the ground drains as a whole. With a FILE its areas are written in place of that sum.
 """
 
 import resource
@@ -13,7 +13,7 @@ import sys
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from littoral import vtkDrainageFilter, vtkTurningBandsTerrainSource
+from littoral import vtkDrainageFilter, vtkElevationWriter, vtkTurningBandsTerrainSource
 
 
 def terrain_of(width):
@@ -27,27 +27,43 @@ def terrain_of(width):
     return terrain
 
 
-def main(width, tile):
+def leaving(drainage, width, tile):
+    """Number of cells whose water leaves, and words on the depressions."""
+    cells = sunk = 0
+    for row in range(0, width, tile or width):
+        drainage.UpdateExtent((0, width - 1, row, min(row + (tile or width), width) - 1, 0, 0))
+        points = drainage.GetOutput().GetPointData()
+        areas, ways, depths = (vtk_to_numpy(points.GetArray(name))
+                               for name in ("DrainageArea", "FlowDirection", "DepressionDepth"))
+        cells += round(areas[ways < 0].sum() / 6400.0)
+        sunk += int((depths > 0.0).sum())
+    return cells, f"{sunk / width ** 2:.4f} in depressions; {'all' if cells == width ** 2 else 'NOT ALL'} water leaves"
+
+
+def write(drainage, name):
+    """Whether the areas are written, in place of a number of cells, and words on the file."""
+    writer = vtkElevationWriter()
+    writer.SetInputConnection(drainage.GetOutputPort())
+    writer.SetInputArrayToProcess(0, 0, 0, 0, "DrainageArea")
+    writer.SetFileName(name)
+    is_written = writer.Write()
+    return is_written, f"written to {name}" if is_written else "NOT written"
+
+
+def main(width, tile, name):
     drainage = vtkDrainageFilter()
     terrain = terrain_of(width)
     terrain.UpdateExtent((0, 63, 0, 63, 0, 0))
     drainage.SetInputConnection(terrain.GetOutputPort())
     drainage.CarveOff()
     drainage.SetTileSize(tile)
-    leaving = sunk = 0
-    for row in range(0, width, tile or width):
-        drainage.UpdateExtent((0, width - 1, row, min(row + (tile or width), width) - 1, 0, 0))
-        points = drainage.GetOutput().GetPointData()
-        areas, ways, depths = (vtk_to_numpy(points.GetArray(name))
-                               for name in ("DrainageArea", "FlowDirection", "DepressionDepth"))
-        leaving += round(areas[ways < 0].sum() / 6400.0)
-        sunk += int((depths > 0.0).sum())
+    good, words = write(drainage, name) if name else leaving(drainage, width, tile)
     used = resource.getrusage(resource.RUSAGE_SELF)
     print(f"{width}^2 cells, tiles of {tile}: {used.ru_utime:.1f} s user, {used.ru_stime:.1f} s system, "
-          f"{used.ru_maxrss / 1024.0 ** 2:.2f} GiB; {sunk / width ** 2:.4f} in depressions; "
-          f"{'all' if leaving == width ** 2 else 'NOT ALL'} water leaves")
-    return 0 if leaving == width ** 2 else 1
+          f"{used.ru_maxrss / 1024.0 ** 2:.2f} GiB; {words}")
+    return 0 if good == (1 if name else width ** 2) else 1
 
 
 if __name__ == "__main__":
-    sys.exit(main(int(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 1024))
+    sys.exit(main(int(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 1024,
+                  sys.argv[3] if len(sys.argv) > 3 else ""))
