@@ -18,10 +18,9 @@ def write_raster(file):
     """Hills with valleys as a GeoTIFF of some place."""
     hills = simple.TurningBandsTerrain(WholeExtent=[0, 90, 0, 80, 0, 0], Spacing=[90.0, 90.0, 1.0], Range=6000.0,
                                        FractalDimension=2.1, StandardDeviation=120.0, Mean=400.0, Seed=3)
-    simple.SaveData(file, proxy=simple.Drainage(Input=hills, MaximumNumberOfIterations=5))
+    simple.SaveData("hills.tif", proxy=simple.Drainage(Input=hills, MaximumNumberOfIterations=5))
     simple.ResetSession()
-    raster = gdal.Open(file, gdal.GA_Update)
-    set_place(raster, PLACE, SYSTEM)
+    set_place(gdal.GetDriverByName("GTiff").CreateCopy(file, gdal.Open("hills.tif")), PLACE, SYSTEM)
 
 
 def statistics(source):
