@@ -309,8 +309,10 @@ bool vtkWindFieldSource::Freeze(const Recipe& recipe)
       return false;
     }
     field.FinishPlanes();
-    if (!littoral::RunWithProgress(this, field.NumberOfPacks(), first + 0.2, first + 0.3,
-          [&](std::size_t pack) { field.MakeLines(pack, frozen->Velocities.data()); }))
+    if (!littoral::RunWithProgress(this, field.NumberOfPacks(), first + 0.2, first + 0.3, [&](std::size_t pack) {
+          littoral::LinePack room = field.RoomForLines();
+          field.MakeLines(pack, room, frozen->Velocities.data());
+        }))
     {
       return false;
     }

@@ -585,10 +585,9 @@ void WindField::TakeLayerFactors()
   }
 }
 
-void WindField::MakeLines(std::size_t pack, float* velocities) const
+LinePack WindField::RoomForLines() const
 {
-  LinePack room(static_cast<std::size_t>(this->Grid.Count[0]) / 2 + 1);
-  this->MakeLines(pack, room, velocities);
+  return LinePack(static_cast<std::size_t>(this->Grid.Count[0]) / 2 + 1); // half a line and a number
 }
 
 void WindField::MakeLines(std::size_t pack, LinePack& values, float* velocities) const
@@ -640,6 +639,17 @@ void WindField::MakeLines(std::size_t pack, LinePack& values, float* velocities)
   }
 }
 
+void WindField::MakeAllLines(float* velocities, const ParallelFor& parallel) const
+{
+  parallel(this->NumberOfPacks(), [&](std::size_t begin, std::size_t end) {
+    LinePack room = this->RoomForLines();
+    for (std::size_t pack = begin; pack < end; ++pack)
+    {
+      this->MakeLines(pack, room, velocities);
+    }
+  });
+}
+
 std::vector<float> WindField::Make(const ParallelFor& parallel)
 {
   std::vector<float> velocities(this->Grid.NumberOfLines() * this->Grid.Count[0] * WindComponents);
@@ -653,13 +663,7 @@ std::vector<float> WindField::Make(const ParallelFor& parallel)
       }
     });
     this->FinishPlanes();
-    parallel(this->NumberOfPacks(), [&](std::size_t begin, std::size_t end) {
-      LinePack values(static_cast<std::size_t>(this->Grid.Count[0]) / 2 + 1);
-      for (std::size_t pack = begin; pack < end; ++pack)
-      {
-        this->MakeLines(pack, values, velocities.data());
-      }
-    });
+    this->MakeAllLines(velocities.data(), parallel);
   }
   return velocities;
 }

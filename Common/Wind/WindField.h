@@ -112,9 +112,9 @@ public:
   void BeginComponent(int component);
   void MakePlanes(std::size_t block);
   void FinishPlanes();
+  /// Room for MakeLines, which one thread may use for pack after pack.
+  LinePack RoomForLines() const;
   /// Writes into velocities: (along, across, up) of each sample, the first index (x, downwind) fastest.
-  void MakeLines(std::size_t pack, float* velocities) const;
-  /// The same in room for half a line and a number: one thread may use it for pack after pack.
   void MakeLines(std::size_t pack, LinePack& room, float* velocities) const;
 
   /// All of it: (along, across, up) of each sample at time 0.
@@ -166,6 +166,7 @@ private:
     SingleRows Sent;
     SingleRows Received;
   };
+  void MakeAllLines(float* velocities, const ParallelFor& parallel) const;
   void ShareBlocks(std::size_t first, SharedPlanes& planes, const WorkShare& share, const ParallelFor& parallel);
   void SharePower(std::size_t first, const SharedPlanes& planes, const WorkShare& share);
   void Deal(SharedPlanes& planes, const WorkShare& share) const;

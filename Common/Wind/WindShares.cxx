@@ -142,12 +142,7 @@ std::vector<float> WindField::MakeShared(const WorkShare& share, const ParallelF
     {
       this->TakeLayerFactors();
     }
-    parallel(this->NumberOfPacks(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t pack = begin; pack < end; ++pack)
-      {
-        this->MakeLines(pack, velocities.data());
-      }
-    });
+    this->MakeAllLines(velocities.data(), parallel);
   }
   NumberRows errors(share.Ranks);
   errors[share.Rank] = { this->CoherenceError };

@@ -106,6 +106,15 @@ class Walk(Session):
             menu, action = ENTRIES[words]
             self.event(f"{WINDOW}/menubar/{menu}", "activate", action)
 
+    def take_input(self, port, source, item):
+        """In the dialog of a filter of several inputs: takes a source, an item of its tree, for a port."""
+        self.say(port)
+        self.event(f"{DIALOG}/buttonFrame/{port.replace(' ', '')}", "set_boolean", "true")
+        self.say(source)
+        self.event(f"{DIALOG}/pipelineView", "currentChanged", item)
+        self.say("OK")
+        self.event(f"{DIALOG}/buttonBox/1QPushButton0")
+
     def apply(self):
         self.say("Apply")
         super().apply()

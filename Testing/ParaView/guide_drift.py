@@ -9,7 +9,7 @@ import quick
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from guide import DIALOG, TOP, WINDOW
+from guide import TOP, WINDOW
 from guide_drainage import close_tables
 from player import difference, drawn
 
@@ -75,12 +75,7 @@ def walk(walk):
     walk.say("CurrentDrift1")
     walk.select(2, 0, 0)
     walk.entry("Filters > Littoral > Particle Orbits")
-    walk.say("Sea State")
-    walk.event(f"{DIALOG}/buttonFrame/SeaState", "set_boolean", "true")
-    walk.say("MeasuredSeaState1")
-    walk.event(f"{DIALOG}/pipelineView", "currentChanged", "/0/0/0|0")
-    walk.say("OK")
-    walk.event(f"{DIALOG}/buttonBox/1QPushButton0")
+    walk.take_input("Sea State", "MeasuredSeaState1", "/0/0/0|0")
     walk.apply()
     walk.eye(0, 0)
     walk.look("first")

@@ -5,7 +5,7 @@
 import quick
 from paraview import simple
 
-from guide import DIALOG, WINDOW, compare
+from guide import WINDOW, compare
 from player import difference
 
 PAGE = "forests"
@@ -31,12 +31,7 @@ def walk(walk):
     walk.next("Terrain")
     walk.select(0)
     walk.entry("Filters > Littoral > Plant Scatter")
-    walk.say("Prototypes")
-    walk.event(f"{DIALOG}/buttonFrame/Prototypes", "set_boolean", "true")
-    walk.say("Plant")
-    walk.event(f"{DIALOG}/pipelineView", "currentChanged", "/0/1/0|0")
-    walk.say("OK")
-    walk.event(f"{DIALOG}/buttonBox/1QPushButton0")
+    walk.take_input("Prototypes", "Plant", "/0/1/0|0")
     walk.apply()
     walk.look("wood")
     walk.next("Near Distance", "Far Distance", "Move Tolerance", "Turn Tolerance", "Interactive Detail")
