@@ -16,6 +16,7 @@
 #include "Drainage/GroundMeasures.h"
 #include "Drainage/StreamNetwork.h"
 #include "Landscapes/LandscapeGrowth.h"
+#include "Landscapes/LandscapeQuilting.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Pipeline.h"
 
@@ -194,7 +195,7 @@ vtkDrainageFilter::vtkDrainageFilter()
   , SeaLevel(0.0)
   , StreamThreshold(100)
   , Carve(true)
-  , Grow(false)
+  , Method(Carving)
   , UseRock(false)
   , UseLineHeights(false)
   , KeepHypsometry(false)
@@ -344,6 +345,7 @@ void vtkDrainageFilter::ReadGround(vtkInformationVector** inputVector, Ground& g
 {
   littoral::ParameterCheck check;
   check.Choice("Outlets", this->Outlets, { "border", "sea", "chosen", "lowest of border", "sea alone" });
+  check.Choice("Method", this->Method, { "carving", "growth", "quilting" });
   check.Finite("SeaLevel", this->SeaLevel, "m");
   check.Count("StreamThreshold", this->StreamThreshold, 2, MaximumStreamThreshold);
   check.Range("HypsometricIntegral", this->HypsometricIntegral, 0.0, 1.0);
@@ -355,13 +357,14 @@ void vtkDrainageFilter::ReadGround(vtkInformationVector** inputVector, Ground& g
   littoral::Require(check.Reason());
   auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Terrain");
   auto* given = littoral::OptionalInputOf<vtkPolyData>(inputVector[3], "Given");
-  const bool grows = this->Carve && this->Grow;
+  const bool grows = this->Carve && this->Method == Growth;
+  constexpr std::array<double (*)(int, int), 3> works{ &littoral::CarvingMemory, &littoral::GrowthMemory,
+    &littoral::QuiltMemory };
   const double cells = std::max(1.0, static_cast<double>(image->GetNumberOfPoints()));
   const double more = (this->UseRock ? RockBytesACell : 0.0) + (given ? littoral::MemoryOfGiven(given) / cells : 0.0);
-  ground.Heights = littoral::ReadHeights(image, this->GetInputArrayToProcess(0, inputVector),
-    this->GetInputArrayInformation(0), "Terrain",
-    MemoryOf(
-      image, grows ? &littoral::GrowthMemory : (this->Carve ? &littoral::CarvingMemory : nullptr), grows ? more : 0.0));
+  ground.Heights =
+    littoral::ReadHeights(image, this->GetInputArrayToProcess(0, inputVector), this->GetInputArrayInformation(0),
+      "Terrain", MemoryOf(image, this->Carve ? works[this->Method] : nullptr, grows ? more : 0.0));
   ground.Outlets = OutletsOf(this->Outlets, this->SeaLevel, image, ground.Heights);
   littoral::Require(littoral::WhyUndrainable(ground.Heights, ground.Outlets.Of(ground.Heights)));
   littoral::RequireRelief(ground.Heights, "Terrain");
@@ -445,6 +448,27 @@ void vtkDrainageFilter::GrowGround(vtkInformationVector** inputVector, Ground& g
 }
 
 //----------------------------------------------------------------------------
+void vtkDrainageFilter::QuiltGround(vtkInformationVector** inputVector, Ground& ground)
+{
+  auto* target = littoral::OptionalInputOf<vtkImageData>(inputVector[1], "Target");
+  littoral::Require(target ? "" : "There is no Target; connect a measured terrain of whose pieces it shall be.");
+  littoral::Require(
+    this->Outlets == Border ? "" : "Outlets is not Border; water leaves landscapes of pieces over all of it.");
+  const littoral::GridSamples place = ReadTarget(target, this->GetInputArrayInformation(0), &littoral::QuiltMemory);
+  littoral::InContext("The target is of no use. ", [&] {
+    littoral::Require(littoral::WhyNoTarget(place));
+    littoral::Require(littoral::WhyNoPlace(place));
+  });
+  littoral::Require(littoral::WhyNoQuilt(ground.Heights, place));
+  const littoral::Poll poll = littoral::PollOf(this);
+  const littoral::CarvingProgress progress = [&](double part) {
+    this->UpdateProgress(0.1 + 0.8 * part);
+    poll();
+  };
+  ground.Report = littoral::QuiltLandscape(ground.Heights, place, this->Seed, littoral::AbortableFor(this), progress);
+}
+
+//----------------------------------------------------------------------------
 void vtkDrainageFilter::WriteGround(vtkImageData* image, const Ground& ground, vtkImageData* output)
 {
   const littoral::CellLattice lattice(ground.Heights);
@@ -493,9 +517,13 @@ int vtkDrainageFilter::RequestData(
   }
   Ground ground;
   littoral::InContext("Cannot drain a terrain: ", [&] { this->ReadGround(inputVector, ground); });
-  if (this->Carve && this->Grow)
+  if (this->Carve && this->Method == Growth)
   {
     littoral::InContext("Cannot grow a landscape: ", [&] { this->GrowGround(inputVector, ground); });
+  }
+  else if (this->Carve && this->Method == Quilting)
+  {
+    littoral::InContext("Cannot quilt a landscape: ", [&] { this->QuiltGround(inputVector, ground); });
   }
   else if (this->Carve)
   {
@@ -549,7 +577,7 @@ void vtkDrainageFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SeaLevel: " << this->SeaLevel << "\n";
   os << indent << "StreamThreshold: " << this->StreamThreshold << "\n";
   os << indent << "Carve: " << (this->Carve ? "on" : "off") << "\n";
-  os << indent << "Grow: " << (this->Grow ? "on" : "off") << "\n";
+  os << indent << "Method: " << this->Method << "\n";
   os << indent << "UseRock: " << (this->UseRock ? "on" : "off") << "\n";
   os << indent << "UseLineHeights: " << (this->UseLineHeights ? "on" : "off") << "\n";
   os << indent << "KeepHypsometry: " << (this->KeepHypsometry ? "on" : "off") << "\n";

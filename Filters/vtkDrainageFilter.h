@@ -19,10 +19,13 @@
  * own, but for KeepHypsometry, HypsometricIntegral, ElevationSkewness and Concavity. After MaximumNumberOfIterations
  * the result nearest to the target is taken, and the statistics that it does not meet are in the field data.
  *
- * With Grow the terrain is grown anew instead, by an evolution of rivers and hillslopes over irregular points under an
- * uplift that follows the terrain's long waves, with the slopes, curvature, concavity, variogram and heights of the
- * target: ground whose valleys and ridges prefer no direction of the grid. Rivers, ridges and heights of input 3 are
- * held: water runs along the rivers and over no ridge, and the ground goes through the heights as far as it drains.
+ * With Method Growth the terrain is grown anew instead, by an evolution of rivers and hillslopes over irregular points
+ * under an uplift that follows the terrain's long waves, with the slopes, curvature, concavity, variogram and heights
+ * of the target: ground whose valleys and ridges prefer no direction of the grid. Rivers, ridges and heights of input 3
+ * are held: water runs along the rivers and over no ridge, and the ground goes through the heights as far as it drains.
+ *
+ * With Method Quilting the terrain becomes a quilt of overlapping pieces of the target, cut where they differ least,
+ * that follow the terrain's long waves: valleys, slopes and textures are the target's own, in another order.
  *
  * Output 0: the vtkImageData with the point arrays of the input and `Elevation` double [m], `DrainageArea` double [m^2]
  * (flow accumulation times the area of a cell, the cell included), `FlowDirection` signed char (D8: the receiving
@@ -117,23 +120,34 @@ public:
   vtkBooleanMacro(Carve, bool);
   ///@}
 
+  /// Ways in which a landscape is made of the terrain.
+  enum MethodType
+  {
+    Carving = 0,
+    Growth = 1,
+    Quilting = 2
+  };
+
   ///@{
   /**
-   * Growth in place of carving; default off. Used only with Carve; needs a target, Outlets Border and 16 rows and
-   * columns or more, as the target. ChannelThreshold and ValleyWidth do not count.
+   * Way in which a landscape is made of the terrain, 0 to 2; default Carving. Used only with Carve. Growth and Quilting
+   * need a target, Outlets Border, and 16 rows and columns or more, as the target; ChannelThreshold and ValleyWidth do
+   * not count. Quilting needs cells of the target's size.
    */
-  vtkSetMacro(Grow, bool);
-  vtkGetMacro(Grow, bool);
-  vtkBooleanMacro(Grow, bool);
+  vtkSetMacro(Method, int);
+  vtkGetMacro(Method, int);
+  void SetMethodToCarving() { this->SetMethod(Carving); }
+  void SetMethodToGrowth() { this->SetMethod(Growth); }
+  void SetMethodToQuilting() { this->SetMethod(Quilting); }
   ///@}
 
   ///@{
   /**
-   * Rock and faults of the terrain's point arrays; default off. Used only with Grow; needs one of these at least, each
-   * a number a point, finite where the terrain has heights: `Erodibility`, by which K of the rivers is multiplied, and
-   * `UpliftFactor`, by which the uplift is, both 0.001 to 1000 over their geometric mean, for slopes of rivers of a
-   * steady state that go with UpliftFactor / Erodibility; `FaultThrow` [m], by which faults lift the grown ground at
-   * last. Under factors that differ from place to place heights have the target's mean and deviation only.
+   * Rock and faults of the terrain's point arrays; default off. Used only with Method Growth; needs one of these at
+   * least, each a number a point, finite where the terrain has heights: `Erodibility`, by which K of the rivers is
+   * multiplied, and `UpliftFactor`, by which the uplift is, both 0.001 to 1000 over their geometric mean, for slopes of
+   * rivers of a steady state that go with UpliftFactor / Erodibility; `FaultThrow` [m], by which faults lift the grown
+   * ground at last. Under factors that differ from place to place heights have the target's mean and deviation only.
    */
   vtkSetMacro(UseRock, bool);
   vtkGetMacro(UseRock, bool);
@@ -143,7 +157,7 @@ public:
   ///@{
   /**
    * Heights of the points of input 3's lines, too; default off: lines are flat drawings, whose heights do not count.
-   * Those of a river must not rise towards its lower end. Used only with Grow.
+   * Those of a river must not rise towards its lower end. Used only with Method Growth.
    */
   vtkSetMacro(UseLineHeights, bool);
   vtkGetMacro(UseLineHeights, bool);
@@ -217,7 +231,7 @@ public:
   ///@{
   /**
    * Seed of the random waves that are added where the terrain has less than a tenth of the target's power, and of the
-   * points of growth, any integer; default 1.
+   * points of growth or the pieces of a quilt, any integer; default 1.
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
@@ -264,7 +278,7 @@ protected:
   double SeaLevel;
   int StreamThreshold;
   bool Carve;
-  bool Grow;
+  int Method;
   bool UseRock;
   bool UseLineHeights;
   bool KeepHypsometry;
@@ -289,6 +303,7 @@ private:
   void ReadGround(vtkInformationVector** inputVector, Ground& ground);
   void CarveGround(vtkInformationVector** inputVector, Ground& ground);
   void GrowGround(vtkInformationVector** inputVector, Ground& ground);
+  void QuiltGround(vtkInformationVector** inputVector, Ground& ground);
   void WriteGround(vtkImageData* image, const Ground& ground, vtkImageData* output);
 
   std::unique_ptr<vtkInternals> Internals;

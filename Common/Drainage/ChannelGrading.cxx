@@ -16,6 +16,15 @@ double ChannelLaw::SlopeAt(double cells) const
   return cells < this->ChannelThreshold ? this->HillslopeFraction * known : known;
 }
 
+ChannelLaw EvenLaw(double slope)
+{
+  ChannelLaw law;
+  law.Steepness = slope;
+  law.Concavity = 0.0;
+  law.HillslopeFraction = 1.0;
+  return law;
+}
+
 std::vector<double> GradeAlong(const GridSamples& heights, const FlowRouting& routing,
   const std::vector<CellIndex>& accumulation, const ChannelLaw& law, double cut, const ParallelFor& parallel,
   const Poll& poll)

@@ -27,6 +27,9 @@ struct ChannelLaw
   double SlopeAt(double cells) const;
 };
 
+/// One least slope along all flow paths [m/m].
+ChannelLaw EvenLaw(double slope);
+
 /**
  * Heights graded along the flow paths so that no slope is below the law, (1 - cut) z_fill + cut z_cut:
  *

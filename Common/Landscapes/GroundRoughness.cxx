@@ -141,16 +141,6 @@ double CurvatureShare(const RingSpectrum& spectrum, double spacing)
   return all > 0.0 ? rough / all : 0.0;
 }
 
-/// The least slope along all flow paths, by cut as much as by fill.
-ChannelLaw EvenLaw(double slope)
-{
-  ChannelLaw law;
-  law.Steepness = slope;
-  law.Concavity = 0.0;
-  law.HillslopeFraction = 1.0;
-  return law;
-}
-
 /// Standard deviations of the coefficients that each ring lacks.
 std::vector<double> MissingSizes(const RingSpectrum& is, const GroundRoughness& roughness, const GridSamples& ground)
 {

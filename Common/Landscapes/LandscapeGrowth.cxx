@@ -9,11 +9,11 @@
 #include "Landscapes/GridCourses.h"
 #include "Landscapes/GroundRoughness.h"
 #include "Landscapes/HeightCorrection.h"
-#include "Landscapes/HeightMatching.h"
 #include "Landscapes/LandscapeMeasures.h"
 #include "Landscapes/LandscapeStep.h"
 #include "Landscapes/LongWaves.h"
 #include "Landscapes/MeshCourses.h"
+#include "Landscapes/PlaceMatching.h"
 #include "Landscapes/RockHardness.h"
 #include "Numerics/ParameterCheck.h"
 #include "Numerics/RandomStream.h"
@@ -67,14 +67,6 @@ constexpr double LargestContrast = 8.0;
 /// Uplift at the start, and the growth of its logarithm by that of the squared relief that is missing.
 constexpr double FirstUplift = 0.25;
 constexpr double UpliftGain = 0.1;
-
-/// Steps of the part of the matching of heights that is not linear, the errors of hypsometric integral and skewness at
-/// which a part is enough, and the limits of the linear one.
-constexpr double PartStep = 0.125;
-constexpr double IntegralTolerance = 0.028;
-constexpr double SkewTolerance = 0.14;
-constexpr double LeastScale = 0.85;
-constexpr double GreatestScale = 1.15;
 
 /// Tolerance of Kolmogorov's distance of slopes.
 constexpr double SlopeTolerance = 0.04;
@@ -165,16 +157,6 @@ double RelativeError(double value, double wanted)
   return wanted > 0.0 ? std::abs(value / wanted - 1.0) : 0.0;
 }
 
-std::vector<double> Between(const std::vector<double>& from, const std::vector<double>& to, double part)
-{
-  std::vector<double> values;
-  for (std::size_t n = 0; n < from.size(); ++n)
-  {
-    values.push_back(from[n] + part * (to[n] - from[n]));
-  }
-  return values;
-}
-
 /// The steps of GrowLandscape(). Uplift is below 1, in any unit of time.
 class Grower
 {
@@ -190,7 +172,7 @@ public:
     , Progress(std::move(progress))
     , Target(TargetOf(place, {}, parallel))
     , Wanted(MeasureLandscape(place, parallel))
-    , PlaceHeights(ShapeOf(place.Values))
+    , Matching(place, this->Target)
     , SlopeProfile(SlopesByHeight(place, RockCells, parallel))
     , Roughness(RoughnessOf(place, parallel))
     , Waves(terrain, this->Target, this->ShortestWave(), parameters.Seed, parallel)
@@ -479,41 +461,10 @@ private:
     return ground;
   }
 
-  /// Maps heights by the straight line to the place's mean and deviation.
-  void ScaleToPlace(GridSamples& ground) const
-  {
-    const SampleShape is = ShapeOf(ground.Values);
-    for (double& height : ground.Values)
-    {
-      height =
-        this->PlaceHeights.Mean + this->PlaceHeights.StandardDeviation / is.StandardDeviation * (height - is.Mean);
-    }
-  }
-
-  /// Maps heights from a straight line through mean and deviation as far to the place's ranks as its hypsometry needs,
-  /// then scales them about the mean. The full map would stretch lowlands, whose slopes are the rock's.
   void MatchPlace(GridSamples& ground) const
   {
-    std::vector<double> matched = ground.Values;
-    MatchHeights(matched, this->Target.Heights);
-    const double mean = this->PlaceHeights.Mean;
-    this->ScaleToPlace(ground);
-    const std::vector<double> line = ground.Values;
     // ranks of a place of other rocks would take the contrast of slopes back
-    const double most = this->LogSteepness.empty() ? 1.0 : 0.0;
-    for (double part = most * PartStep; part <= 1.0; part += PartStep)
-    {
-      ground.Values = Between(line, matched, part);
-      if (part >= most || this->HasHypsometry(ShapeOf(ground.Values)))
-      {
-        break;
-      }
-    }
-    const double scale = std::clamp(std::sqrt(this->MissingSemivariance(ground)), LeastScale, GreatestScale);
-    for (double& height : ground.Values)
-    {
-      height = mean + scale * (height - mean);
-    }
+    this->Matching.Match(ground, this->LogSteepness.empty() ? 1.0 : 0.0, this->Parallel);
   }
 
   /// A poll that reports no further progress.
@@ -539,34 +490,6 @@ private:
     }
   }
 
-  bool HasHypsometry(const SampleShape& is) const
-  {
-    const auto integral = [](const SampleShape& of) { return (of.Mean - of.Minimum) / (of.Maximum - of.Minimum); };
-    return std::abs(integral(is) - integral(this->PlaceHeights)) < IntegralTolerance &&
-      std::abs(is.Skew - this->PlaceHeights.Skew) < SkewTolerance;
-  }
-
-  /// Geometric mean over the lags of the semivariances that are wanted over those that are.
-  double MissingSemivariance(const GridSamples& ground) const
-  {
-    const std::vector<int> lags = SemivarianceLags(ground.Width, ground.Height);
-    const std::vector<double> semivariance = SemivarianceAlongAxes(ground, lags, this->Parallel);
-    double sum = 0.0;
-    int count = 0;
-    for (std::size_t n = 0; n < lags.size(); ++n)
-    {
-      const double wanted = this->WantedSemivariance(ground, lags[n]);
-      sum += std::isnan(wanted) ? 0.0 : std::log(wanted / semivariance[n]);
-      count += std::isnan(wanted) ? 0 : 1;
-    }
-    return count > 0 ? std::exp(sum / count) : 1.0;
-  }
-
-  double WantedSemivariance(const GridSamples& ground, int lag) const
-  {
-    return this->Target.Measures.SemivarianceAt(lag * 0.5 * (ground.Spacing[0] + ground.Spacing[1]));
-  }
-
   /// Deviations from the place over their tolerances.
   Misfit MisfitOf(const GridSamples& ground, const LandscapeMeasures& is) const
   {
@@ -578,15 +501,7 @@ private:
     misfit.Add(std::abs(is.GentleFraction - shall.GentleFraction) / 0.05);
     misfit.Add(KolmogorovDistance(is.Slopes, shall.Slopes) / SlopeTolerance);
     misfit.Add(std::abs(is.Concavity - shall.Concavity) / 0.15);
-    const std::vector<int> lags = SemivarianceLags(ground.Width, ground.Height);
-    const std::vector<double> semivariance = SemivarianceAlongAxes(ground, lags, this->Parallel);
-    double most = 0.0;
-    for (std::size_t n = 0; n < lags.size(); ++n)
-    {
-      const double wanted = this->WantedSemivariance(ground, lags[n]);
-      most = std::isnan(wanted) ? most : std::max(most, RelativeError(semivariance[n], wanted));
-    }
-    misfit.Add(most / 0.1);
+    misfit.Add(this->Matching.SemivarianceError(ground, this->Parallel) / 0.1);
     return misfit;
   }
 
@@ -626,7 +541,7 @@ private:
   CarvingProgress Progress;
   CarvingTarget Target;
   LandscapeMeasures Wanted;
-  SampleShape PlaceHeights;
+  PlaceMatching Matching;
   std::vector<double> SlopeProfile; ///< of the place, by height
   GroundRoughness Roughness;        ///< of the place
   LongWaves Waves;

@@ -53,6 +53,7 @@ enum class RandomPurpose : std::uint32_t
   DrainageWaves = 80,
   LandscapePoints = 81,
   LandscapeRoughness = 82,
+  LandscapePieces = 83,
   StandDiameters = 90,
   StandHeights = 91,
   SitePreferences = 92,

@@ -21,7 +21,7 @@ def grown(place, seed):
     drainage.SetInputData(twin_of(place, seed))
     drainage.SetInputData(1, place)
     drainage.SetSeed(seed)
-    drainage.GrowOn()
+    drainage.SetMethodToGrowth()
     drainage.Update()
     return array_from_image(drainage.GetOutput())
 

@@ -133,7 +133,7 @@ def grow_fractal(place, fits, dimension):
 def erode(twin, place):
     """The twin with valleys: a landscape grown on its long waves, with the statistics of a place."""
     drainage = vtkDrainageFilter()
-    drainage.GrowOn()
+    drainage.SetMethodToGrowth()
     drainage.SetInputData(twin)
     drainage.SetInputData(1, place)
     drainage.Update()

@@ -277,7 +277,7 @@ bool GrownGroundDrains()
   vtkNew<vtkDrainageFilter> drainage;
   drainage->SetInputConnection(terrain->GetOutputPort());
   drainage->SetTargetConnection(place->GetOutputPort());
-  drainage->GrowOn();
+  drainage->SetMethodToGrowth();
   drainage->SetStreamThreshold(40);
   drainage->SetMaximumNumberOfIterations(2);
   drainage->Update();
@@ -324,7 +324,7 @@ bool RockIsUsed()
   vtkNew<vtkDrainageFilter> drainage;
   drainage->SetInputData(terrain);
   drainage->SetTargetConnection(place->GetOutputPort());
-  drainage->GrowOn();
+  drainage->SetMethodToGrowth();
   drainage->SetMaximumNumberOfIterations(1);
   const auto halves = [&](bool uses) {
     drainage->SetUseRock(uses);
@@ -388,7 +388,7 @@ bool GivenIsHeld()
   drainage->SetInputConnection(terrain->GetOutputPort());
   drainage->SetTargetConnection(place->GetOutputPort());
   drainage->SetInputData(3, given);
-  drainage->GrowOn();
+  drainage->SetMethodToGrowth();
   drainage->UseLineHeightsOn();
   drainage->SetMaximumNumberOfIterations(1);
   given->GetCellData()->RemoveArray("Ridge"); // the ridge is level, so it may be a river
@@ -651,7 +651,7 @@ bool BadInput()
   good &= Fails("MaximumNumberOfIterations", fine, [](Filter* filter) { filter->SetMaximumNumberOfIterations(0); });
   good &= Fails("ChannelThreshold", fine, [](Filter* filter) { filter->SetChannelThreshold(0.0); });
   good &= Fails("ValleyWidth", fine, [](Filter* filter) { filter->SetValleyWidth(-1.0); });
-  good &= Fails("no Target", fine, [](Filter* filter) { filter->GrowOn(); });
+  good &= Fails("no Target", fine, [](Filter* filter) { filter->SetMethodToGrowth(); });
   good &= Fails("Carve is on", fine, [](Filter* filter) { filter->SetTileSize(16); });
   const auto tiled = [](int size, int outlets) {
     return [size, outlets](Filter* filter) {
@@ -666,7 +666,7 @@ bool BadInput()
   good &= Fails("20 x 20 x 3", Image(20, 20, 3, Ramp), tiled(16, Filter::Sea));
   const auto grow = [](const vtkNew<vtkImageData>& place, int outlets) {
     return [&place, outlets](Filter* filter) {
-      filter->GrowOn();
+      filter->SetMethodToGrowth();
       filter->SetOutlets(outlets);
       filter->SetInputData(1, place);
     };
@@ -799,7 +799,7 @@ bool GivenIsCounted()
   given->SetPoints(points);
   vtkNew<vtkDrainageFilter> drainage;
   drainage->SetInputData(Image(30, 30, 1, Ramp));
-  drainage->GrowOn();
+  drainage->SetMethodToGrowth();
   vtkNew<ErrorCounter> errors;
   errors->Watch(drainage);
   long pages = 0;

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Are grown twins places? Gates of all measures, and a classifier, for places of different relief.
+"""Are twins places? Gates of all measures, and a classifier, for places of different relief.
 
-    ./littoral run python3 Testing/Landscapes/twin_gates.py [--seeds N] [--keep FOLDER] [--brief] [PLACE]...
+    ./littoral run python3 Testing/Landscapes/twin_gates.py [--method METHOD] [--seeds N] [--keep FOLDER] [--brief] [PLACE]...
 
-PLACE: of places.py; default, all that are not held back. Twins by seeds 1 to N, default 10, are fitted and grown as by
-a user, with all properties as they are. A row has the place's number, the medians of Gaussian and of grown twins, the
-grown twin that is furthest off, how far off it is and may be, and how many of the N are within that. --keep: a folder
+PLACE: of places.py; default, all that are not held back. Twins by seeds 1 to N, default 10, are fitted and made as
+by a user, by growth or quilting (default), with all properties as they are. A row has the place's number, the medians of
+Gaussian twins and of those, the one of them that is furthest off, how far off it is and may be, and how many of the N are within that. --keep: a folder
 of twins that are not grown again. --brief: rows that are not met alone.
 """
 
@@ -27,27 +27,29 @@ try:
 except ImportError:
     accuracy = None
 
+METHODS = {"growth": vtkDrainageFilter.Growth, "quilting": vtkDrainageFilter.Quilting}
 
-def twins_of(heights, spacing, seed):
-    """Heights of the Gaussian and of the grown twin by a seed."""
+
+def twins_of(heights, spacing, seed, method):
+    """Heights of the Gaussian twin and of the landscape that a method makes of it, by a seed."""
     image = image_from_array(heights, spacing)
     random = twin_of(image, seed)
     drainage = vtkDrainageFilter()
     drainage.SetInputData(random)
     drainage.SetInputData(1, image)
     drainage.SetSeed(seed)
-    drainage.GrowOn()
+    drainage.SetMethod(METHODS[method])
     drainage.Update()
     return [array_from_image(ground).astype(float) for ground in (random, drainage.GetOutput())]
 
 
-def kept_twins(name, heights, spacing, seed, folder):
+def kept_twins(name, heights, spacing, seed, method, folder):
     if folder is None:
-        return twins_of(heights, spacing, seed)
-    path = os.path.join(folder, f"{name}-{seed}.npz")
+        return twins_of(heights, spacing, seed, method)
+    path = os.path.join(folder, f"{name}-{method}-{seed}.npz")
     if not os.path.exists(path):
         os.makedirs(folder, exist_ok=True)
-        random, grown = twins_of(heights, spacing, seed)
+        random, grown = twins_of(heights, spacing, seed, method)
         np.savez(path, random=random, grown=grown)
     with np.load(path) as file:
         return [file["random"], file["grown"]]
@@ -58,7 +60,7 @@ def show_gates(heights, spacing, randoms, growns, brief):
     truth = ground_measures(heights, spacing)
     gaussians = [ground_measures(ground, spacing) for ground in randoms]
     grown = [ground_measures(ground, spacing) for ground in growns]
-    print(f"  {'gate':26} {'place':>7} {'Gauss':>7} {'grown':>7} {'worst':>7} {'off by':>7} {'limit':>7}  met")
+    print(f"  {'gate':26} {'place':>7} {'Gauss':>7} {'twin':>7} {'worst':>7} {'off by':>7} {'limit':>7}  met")
     all_met = median_met = count = 0
     for gate, number, off, limit in gates(heights, spacing, truth, gaussians):
         offs = np.array([off(ground) for ground in grown])
@@ -76,6 +78,7 @@ def show_gates(heights, spacing, randoms, growns, brief):
 
 parser = argparse.ArgumentParser()
 parser.add_argument("--seeds", type=int, default=10)
+parser.add_argument("--method", choices=METHODS, default="quilting")
 parser.add_argument("--keep")
 parser.add_argument("--brief", action="store_true")
 parser.add_argument("places", nargs="*", default=NAMES)
@@ -87,7 +90,7 @@ for name in arguments.places:
     except RuntimeError as error:
         print(f"{name}: left out: {error}")
         continue
-    twins = [kept_twins(name, heights, spacing, seed, arguments.keep) for seed in range(1, arguments.seeds + 1)]
+    twins = [kept_twins(name, heights, spacing, seed, arguments.method, arguments.keep) for seed in range(1, arguments.seeds + 1)]
     print(f"{name}: {heights.shape[1]} x {heights.shape[0]} cells of {spacing[0]:.1f} x {spacing[1]:.1f} m, "
           f"{arguments.seeds} seeds", flush=True)
     counts = show_gates(heights, spacing, *zip(*twins), arguments.brief)
@@ -95,7 +98,7 @@ for name in arguments.places:
     sums += counts
     has_patches = max(heights.shape) // 2 >= SIDE + 2 * RIM and min(heights.shape) >= SIDE + 2 * RIM
     asked = accuracy and arguments.seeds > 1 and has_patches
-    for kind, grounds in zip(("Gaussian", "grown"), zip(*twins)) if asked else ():
+    for kind, grounds in zip(("Gaussian", arguments.method), zip(*twins)) if asked else ():
         told, betrayals = accuracy(heights, grounds, spacing)
         words = ", ".join(f"{feature} {much:+.2f}" for feature, much, _ in betrayals)
         print(f"  classifier, {kind}: " + ", ".join(f"{by} {share:.2f}" for by, share in told.items()) + f" ({words})",

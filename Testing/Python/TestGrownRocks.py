@@ -30,7 +30,7 @@ def contrast(name, factor):
     drainage = vtkDrainageFilter()
     drainage.SetInputData(terrain)
     drainage.SetInputData(1, PLACE)
-    drainage.GrowOn()
+    drainage.SetMethodToGrowth()
     drainage.UseRockOn()
     drainage.Update()
     ground = drainage.GetOutput()

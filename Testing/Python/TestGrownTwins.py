@@ -73,7 +73,7 @@ twin.SetInputData(rounded(fit.GetOutput()))
 twin.UseMeasuredGridOn()
 drainage.SetInputConnection(twin.GetOutputPort())
 drainage.SetInputData(1, place)
-drainage.GrowOn()
+drainage.SetMethodToGrowth()
 for seed in SEEDS:
     twin.SetSeed(seed)
     drainage.SetSeed(seed)

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Landscapes/LandscapeQuilting.h"
+
+#include "Drainage/ChannelGrading.h"
+#include "Drainage/DepressionBreaching.h"
+#include "Drainage/FlowRouting.h"
+#include "Drainage/ValleySpreading.h"
+#include "Landscapes/GroundQuilt.h"
+#include "Landscapes/LandscapeMeasures.h"
+#include "Landscapes/LongWaves.h"
+#include "Landscapes/PlaceMatching.h"
+#include "Numerics/ParameterCheck.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace littoral
+{
+
+namespace
+{
+
+constexpr int MaximumRounds = 8;
+constexpr double SemivarianceTolerance = 0.1;
+constexpr double SlopeTolerance = 0.05;
+
+/// Part of the work that is done when the pieces are laid.
+constexpr double QuiltWork = 0.5;
+
+/// Least slope of rivers over the place's mean slope, and the deviation over which a change of their beds fades
+/// [cells].
+constexpr double LeastSlopeFactor = 0.002;
+constexpr double BedWidth = 1.0;
+
+/// Part of a depression that is cut at first, the least one, and its correction over what the mean slope lacks.
+constexpr double FirstCut = 0.75;
+constexpr double LeastCut = 0.3;
+constexpr double CutGain = 2.0;
+
+/// Cells whose sizes differ by less are of one size.
+constexpr double SpacingTolerance = 1e-3;
+
+std::string WhyTooSmall(const GridSamples& ground, const char* name)
+{
+  constexpr int leastCells = 16;
+  return std::min(ground.Width, ground.Height) >= leastCells
+    ? ""
+    : std::string(name) + " has fewer than 16 rows or columns; no pieces can be cut of it.";
+}
+
+std::string WhyOfOtherCells(const GridSamples& terrain, const GridSamples& place)
+{
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    if (std::abs(terrain.Spacing[axis] / place.Spacing[axis] - 1.0) > SpacingTolerance)
+    {
+      return "Terrain and Target have cells of other sizes; pieces need those of the target, " +
+        TextOf(place.Spacing[0]) + " x " + TextOf(place.Spacing[1]) + " m.";
+    }
+  }
+  return "";
+}
+
+GridSamples Smooth(GridSamples ground, double deviation, const ParallelFor& parallel)
+{
+  SmoothGrid(ground.Values, ground.Width, ground.Height, deviation, parallel);
+  return ground;
+}
+
+/// A ground and the long waves that it lacks.
+GridSamples Sum(GridSamples ground, const GridSamples& waves, const GridSamples& smooth)
+{
+  for (std::size_t n = 0; n < ground.Values.size(); ++n)
+  {
+    ground.Values[n] += waves.Values[n] - smooth.Values[n];
+  }
+  return ground;
+}
+
+/// Takes depressions away along the ways by which least is cut: a part is cut there, the rest is filled. Changes fade
+/// to the sides.
+void DrainDepressions(GridSamples& ground, double leastSlope, double cut, const ParallelFor& parallel, const Poll& poll)
+{
+  const OutletMask outlets = BorderOutlets(ground.Width, ground.Height);
+  GridSamples breached = ground;
+  BreachDepressions(breached, outlets, BreachPath::LeastCost, poll);
+  const FlowRouting routing = RouteFlow(breached, outlets, parallel, poll);
+  const std::vector<CellIndex> areas = FlowAccumulation(routing);
+  const auto grade = [&] { return GradeAlong(ground, routing, areas, EvenLaw(leastSlope), cut, parallel, poll); };
+  std::vector<double> changes = grade();
+  std::vector<double> weights;
+  for (std::size_t n = 0; n < changes.size(); ++n)
+  {
+    changes[n] -= ground.Values[n];
+    weights.push_back(changes[n] != 0.0 ? 1.0 : 0.0);
+  }
+  SpreadChanges(changes, weights, ground.Width, ground.Height, BedWidth, parallel);
+  for (std::size_t n = 0; n < changes.size(); ++n)
+  {
+    ground.Values[n] += changes[n];
+  }
+  ground.Values = grade();
+}
+
+}
+
+std::string WhyNoQuilt(const GridSamples& terrain, const GridSamples& place)
+{
+  ParameterCheck check;
+  check.Require(WhyTooSmall(terrain, "Terrain"));
+  check.Require(WhyTooSmall(place, "Target"));
+  check.Require(WhyOfOtherCells(terrain, place));
+  return check.Reason();
+}
+
+double QuiltMemory(int width, int height)
+{
+  constexpr double bytesPerCell = 120.0; // channels, waves, guide, quilt, the best, and one more to match
+  return bytesPerCell * width * height;
+}
+
+CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& measured, int seed, const ParallelFor& parallel,
+  const CarvingProgress& progress)
+{
+  GridSamples place = measured;
+  FillHoles(place);
+  const GridSamples given = terrain;
+  const OutletMask rim = RimOutlets(given);
+  FillHoles(terrain);
+  const CarvingTarget target = TargetOf(place, {}, parallel);
+  const PlaceMatching matching(place, target);
+  const int side = PieceSideFor(place);
+  const double smoothing = GuideSmoothing(side);
+  const double shortest = 1.0 / (4.0 * smoothing * std::max(terrain.Spacing[0], terrain.Spacing[1]));
+  LongWaves waves(terrain, target, shortest, seed, parallel);
+  GridSamples guide = Smooth(waves.Heights(parallel), smoothing, parallel);
+  const GridSamples quilt =
+    QuiltGround(place, guide, side, seed, parallel, [&](double part) { progress(QuiltWork * part); });
+  const GridSamples smooth = Smooth(quilt, smoothing, parallel);
+  const double meanSlope = MeasureLandscape(place, parallel).MeanSlope;
+  double least = std::numeric_limits<double>::infinity();
+  double cut = FirstCut;
+  CarvingReport report;
+  for (; report.Iterations < MaximumRounds && least > 1.0; ++report.Iterations)
+  {
+    const double done = QuiltWork + (1.0 - QuiltWork) * report.Iterations / MaximumRounds;
+    GridSamples ground = Sum(quilt, guide, smooth);
+    matching.Match(ground, 1.0, parallel);
+    DrainDepressions(ground, LeastSlopeFactor * meanSlope, cut, parallel, [&] { progress(done); });
+    const double steep = MeasureLandscape(ground, parallel).MeanSlope / meanSlope;
+    const double misfit = std::max(
+      matching.SemivarianceError(ground, parallel) / SemivarianceTolerance, std::abs(steep - 1.0) / SlopeTolerance);
+    // what is filled is flat, and what is cut is steep
+    cut = std::clamp(cut + CutGain * (1.0 - steep), LeastCut, 1.0);
+    waves.Correct(ground, target.Measures, parallel);
+    guide = Smooth(waves.Heights(parallel), smoothing, parallel);
+    if (misfit < least)
+    {
+      least = misfit;
+      terrain = std::move(ground);
+    }
+  }
+  for (std::size_t n = 0; n < given.Values.size(); ++n)
+  {
+    terrain.Values[n] = std::isnan(given.Values[n]) ? given.Values[n] : terrain.Values[n];
+  }
+  report.Before = MeasureGround(given, rim, parallel, NoPoll, target.Measures.MaximumArea);
+  report.After = MeasureGround(terrain, rim, parallel, NoPoll, target.Measures.MaximumArea);
+  report.UnmetTargets = UnmetTargets(report.After, target.Measures);
+  report.HasConverged = report.UnmetTargets.empty();
+  return report;
+}
+
+}

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralLandscapeQuilting_h
+#define LittoralLandscapeQuilting_h
+
+#include "Drainage/DrainageCarving.h"
+#include "Numerics/Parallel.h"
+#include "Terrain/GridSamples.h"
+
+#include <string>
+
+namespace littoral
+{
+
+/// Why a terrain cannot be quilted of a place; empty when it can.
+std::string WhyNoQuilt(const GridSamples& terrain, const GridSamples& place);
+
+/// Memory that quilting takes beside the terrain and the place [bytes].
+double QuiltMemory(int width, int height);
+
+/**
+ * Quilts a landscape of pieces of a place (Documentation/design/drainage.md). Its long waves are those of the terrain,
+ * a random field with the spectrum of the place; all that is shorter is the place's own.
+ *
+ * 1. Waves of the terrain that are longer than a piece, with the heights and the plane of the place, are the guide of
+ *    QuiltGround(). What the quilt lacks of them is added.
+ * 2. Heights are matched (PlaceMatching), and depressions taken away along the ways by which least is cut, partly by
+ *    cutting and partly by filling.
+ * 3. The long waves are corrected by the semivariances that are missing, and the part of cuts by the mean slope. After
+ *    at most eight rounds of 2 and 3 the best ground is taken.
+ *
+ * Missing heights are filled smoothly, and missing again; water leaves at the border and at their rim. The seed chooses
+ * pieces, and waves that the terrain lacks. The result does not depend on the threads.
+ */
+CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& place, int seed,
+  const ParallelFor& parallel = SerialFor, const CarvingProgress& progress = NoProgress);
+
+}
+
+#endif

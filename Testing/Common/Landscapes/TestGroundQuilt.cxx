@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../Drainage/RandomGround.h"
+#include "../OnThreads.h"
+#include "Drainage/DepressionFilling.h"
+#include "Drainage/DrainageOutlets.h"
+#include "Drainage/ValleySpreading.h"
+#include "Landscapes/GroundQuilt.h"
+#include "Landscapes/LandscapeQuilting.h"
+#include "Landscapes/PlaceMatching.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <vector>
+
+using namespace littoral;
+using namespace littoral::testing;
+
+namespace
+{
+
+/// Hills some ten cells wide, with a tenth of roughness from cell to cell.
+GridSamples Hills(int width, int height, int seed)
+{
+  GridSamples hills = RandomGround(width, height, { 10.0, 10.0 }, seed);
+  const GridSamples rough = hills;
+  SmoothGrid(hills.Values, width, height, 5.0);
+  for (std::size_t n = 0; n < hills.Values.size(); ++n)
+  {
+    hills.Values[n] = 100.0 * hills.Values[n] + rough.Values[n];
+  }
+  return hills;
+}
+
+GridSamples Smooth(GridSamples ground, double deviation)
+{
+  SmoothGrid(ground.Values, ground.Width, ground.Height, deviation);
+  return ground;
+}
+
+/// Root mean square of the differences from cell to cell.
+double Steepness(const GridSamples& ground)
+{
+  double sum = 0.0;
+  int count = 0;
+  for (int j = 1; j < ground.Height; ++j)
+  {
+    for (int i = 1; i < ground.Width; ++i)
+    {
+      sum += std::pow(ground.At(i, j) - ground.At(i - 1, j), 2) + std::pow(ground.At(i, j) - ground.At(i, j - 1), 2);
+      count += 2;
+    }
+  }
+  return std::sqrt(sum / count);
+}
+
+/// Corner of the square of a place whose differences from cell to cell are nearest to those of a square of a ground,
+/// and the root mean square by which they differ.
+struct Source
+{
+  int X = 0;
+  int Y = 0;
+  double Error = std::numeric_limits<double>::infinity();
+};
+
+Source SourceOf(const GridSamples& ground, int x, int y, int side, const GridSamples& place)
+{
+  Source best;
+  for (int row = 0; row + side < place.Height; ++row)
+  {
+    for (int column = 0; column + side < place.Width; ++column)
+    {
+      double sum = 0.0;
+      for (int j = 0; j < side; ++j)
+      {
+        for (int i = 0; i < side; ++i)
+        {
+          const double is = ground.At(x + i + 1, y + j) - ground.At(x + i, y + j);
+          const double shall = place.At(column + i + 1, row + j) - place.At(column + i, row + j);
+          sum += (is - shall) * (is - shall);
+        }
+      }
+      const double error = std::sqrt(sum / (side * side));
+      best = error < best.Error ? Source{ column, row, error } : best;
+    }
+  }
+  return best;
+}
+
+}
+
+TEST(GroundQuilt, RampIsARamp)
+{
+  // pieces with the guide's heights differ along y alone, and fit without a seam
+  const auto ramp = [](double x, double) { return 5.0 + 0.3 * x; };
+  const GridSamples place = Ground(100, 90, { 2.0, 3.0 }, [&](double x, double y) { return ramp(x - 50.0, y); });
+  const GridSamples guide = Ground(48, 70, { 2.0, 3.0 }, ramp);
+  const GridSamples quilt = QuiltGround(place, guide, PieceSideFor(place), 3);
+  ASSERT_EQ(quilt.Values.size(), guide.Values.size());
+  for (std::size_t n = 0; n < guide.Values.size(); ++n)
+  {
+    ASSERT_NEAR(quilt.Values[n], guide.Values[n], 1e-4);
+  }
+}
+
+TEST(GroundQuilt, PiecesAreThePlaceInAnotherOrder)
+{
+  const GridSamples place = Hills(100, 100, 1);
+  const int side = PieceSideFor(place);
+  ASSERT_EQ(side, 30);
+  const GridSamples guide = Smooth(Hills(80, 80, 2), GuideSmoothing(side));
+  const GridSamples quilt = QuiltGround(place, guide, side, 1);
+  EXPECT_NEAR(Steepness(quilt) / Steepness(place), 1.0, 0.05);
+  // squares begin each 19 cells, and are under no other from the 11th on
+  constexpr int step = 19;
+  constexpr int first = 11;
+  std::vector<Source> shifts;
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      const int x = column * step + first;
+      const int y = row * step + first;
+      const Source source = SourceOf(quilt, x, y, step - first - 1, place);
+      EXPECT_LT(source.Error, 0.2 * Steepness(place));
+      shifts.push_back({ source.X - x, source.Y - y, 0.0 });
+      const auto differs = [&](int across, int up) {
+        const Source& other = shifts[(row + up) * 3 + column + across];
+        return std::max(std::abs(shifts.back().X - other.X), std::abs(shifts.back().Y - other.Y)) >= side / 2;
+      };
+      EXPECT_TRUE(column == 0 || differs(-1, 0));
+      EXPECT_TRUE(row == 0 || differs(0, -1));
+      EXPECT_TRUE(row == 0 || column == 0 || differs(-1, -1));
+      EXPECT_TRUE(row == 0 || column == 2 || differs(1, -1));
+    }
+  }
+}
+
+TEST(GroundQuilt, FollowsItsGuide)
+{
+  const GridSamples place = Hills(100, 90, 1);
+  const int side = PieceSideFor(place);
+  const GridSamples guide = Smooth(Hills(110, 70, 2), GuideSmoothing(side));
+  const GridSamples quilt = Smooth(QuiltGround(place, guide, side, 1), GuideSmoothing(side));
+  const SampleMoments of[] = { Moments(quilt), Moments(guide) };
+  double sum = 0.0;
+  for (std::size_t n = 0; n < guide.Values.size(); ++n)
+  {
+    sum += (quilt.Values[n] - of[0].Mean) * (guide.Values[n] - of[1].Mean);
+  }
+  const double correlation =
+    sum / std::sqrt(of[0].Variance * of[1].Variance) / static_cast<double>(guide.Values.size());
+  EXPECT_GT(correlation, 0.8);
+}
+
+TEST(GroundQuilt, SeedsDifferAndThreadsDoNot)
+{
+  const GridSamples place = Hills(60, 50, 1);
+  const GridSamples guide = Smooth(Hills(64, 52, 2), 5.0);
+  const GridSamples one = QuiltGround(place, guide, 20, 1);
+  for (const int threads : { 2, 5 })
+  {
+    EXPECT_EQ(QuiltGround(place, guide, 20, 1, OnThreads(threads)).Values, one.Values);
+  }
+  EXPECT_NE(QuiltGround(place, guide, 20, 2).Values, one.Values);
+}
+
+TEST(LandscapeQuilting, LandscapeDrainsAndHasThePlacesHeights)
+{
+  const GridSamples place = Hills(120, 100, 1);
+  GridSamples terrain = Hills(110, 90, 2);
+  const CarvingReport report = QuiltLandscape(terrain, place, 1);
+  EXPECT_EQ(FloodDepressions(terrain, BorderOutlets(110, 90)).DepressionCells, 0u);
+  EXPECT_NEAR(report.After.StandardDeviation / std::sqrt(Moments(place).Variance), 1.0, 0.15);
+  const PlaceMatching matching(place, TargetOf(place));
+  EXPECT_LT(matching.SemivarianceError(terrain), 0.15);
+}
+
+TEST(LandscapeQuilting, HolesStay)
+{
+  GridSamples place = Hills(60, 60, 1);
+  GridSamples terrain = Hills(64, 60, 2);
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  for (int n = 20; n < 30; ++n)
+  {
+    place.At(n, 12) = terrain.At(5, n) = none;
+  }
+  QuiltLandscape(terrain, place, 1);
+  for (int j = 0; j < terrain.Height; ++j)
+  {
+    for (int i = 0; i < terrain.Width; ++i)
+    {
+      ASSERT_EQ(std::isnan(terrain.At(i, j)), i == 5 && j >= 20 && j < 30);
+    }
+  }
+}
+
+TEST(LandscapeQuilting, RefusesCellsOfOtherSizes)
+{
+  const GridSamples place = Hills(40, 40, 1);
+  GridSamples terrain = Hills(40, 40, 2);
+  EXPECT_EQ(WhyNoQuilt(terrain, place), "");
+  terrain.Spacing[1] = 12.0;
+  EXPECT_NE(WhyNoQuilt(terrain, place).find("10 x 10 m"), std::string::npos);
+  EXPECT_NE(WhyNoQuilt(Hills(40, 15, 2), place), "");
+  EXPECT_NE(WhyNoQuilt(place, Hills(15, 40, 2)), "");
+}
