@@ -195,11 +195,11 @@ ROWS = [
         inputs=lambda h: [h.terrain(60), h.terrain(50)],
         variants=[{"SetStreamThreshold": (8,)}, {"SetCarve": (False,), "SetStreamThreshold": (12,)},
                   {"SetOutlets": (1,), "SetSeaLevel": (180.0,), "SetMaximumNumberOfIterations": (2,)},
-                  {"SetMethod": (1,), "SetMaximumNumberOfIterations": (2,)}],
+                  {"SetMethod": (1,), "SetMaximumNumberOfIterations": (2,)}, {"SetMethod": (2,)}],
         mistakes=[
             Mistake("Drainage", lambda pv: dict(Input=pv.image()), "one layer"),
             Mistake("Drainage",
-                    lambda pv: dict(Input=pv.TurningBandsTerrain(WholeExtent=[0, 40, 0, 40, 0, 0]), Method=1),
+                    lambda pv: dict(Input=pv.TurningBandsTerrain(WholeExtent=[0, 40, 0, 40, 0, 0]), Method=2),
                     "no Target"),
             Mistake("Drainage",
                     lambda pv: dict(Input=pv.TurningBandsTerrain(WholeExtent=[0, 40, 0, 40, 0, 0]),

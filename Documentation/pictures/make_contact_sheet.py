@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draw contact-sheet.jpg: places and grown twins of them as hillshades without names, each lit from two sides.
+"""Draw contact-sheet.jpg: places and quilted twins of them as hillshades without names, each lit from two sides.
 
     ./littoral run python3 Documentation/pictures/make_contact_sheet.py [--answers] [--out FOLDER] [FILE SPACING]...
 
@@ -13,7 +13,7 @@ import argparse
 import os
 
 import numpy as np
-from make_shades import grown, hillshade, write_jpeg
+from make_shades import hillshade, twin, write_jpeg
 
 from littoral.elevation import array_from_image, image_from_array, read_elevation
 
@@ -43,7 +43,7 @@ for file, spacing in zip(arguments.grounds[::2], arguments.grounds[1::2]):
 random = np.random.default_rng(ORDER_SEED)
 rows = []
 for place in places:
-    grounds = [array_from_image(place).astype(float), grown(place, 1), grown(place, 2)]
+    grounds = [array_from_image(place).astype(float), twin(place, 1), twin(place, 2)]
     slope = np.hypot(*np.gradient(grounds[0], *reversed(place.GetSpacing()[:2]))).mean()
     order = random.permutation(3)
     if arguments.answers:

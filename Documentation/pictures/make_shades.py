@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Hillshades of places and their twins, for make_grown_twins.py and make_contact_sheet.py."""
+"""Hillshades of places and their twins, for make_twins.py and make_contact_sheet.py."""
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -15,13 +15,13 @@ SUN_ELEVATION = 40.0  # degrees
 GAP = 4  # pixels
 
 
-def grown(place, seed):
-    """Heights of a grown twin of a place."""
+def twin(place, seed, method=vtkDrainageFilter.Quilting):
+    """Heights of a twin of a place."""
     drainage = vtkDrainageFilter()
     drainage.SetInputData(twin_of(place, seed))
     drainage.SetInputData(1, place)
     drainage.SetSeed(seed)
-    drainage.SetMethodToGrowth()
+    drainage.SetMethod(method)
     drainage.Update()
     return array_from_image(drainage.GetOutput())
 

@@ -131,9 +131,9 @@ def grow_fractal(place, fits, dimension):
 
 
 def erode(twin, place):
-    """The twin with valleys: a landscape grown on its long waves, with the statistics of a place."""
+    """The twin with valleys: pieces of a place laid along its long waves."""
     drainage = vtkDrainageFilter()
-    drainage.SetMethodToGrowth()
+    drainage.SetMethodToQuilting()
     drainage.SetInputData(twin)
     drainage.SetInputData(1, place)
     drainage.Update()

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Cost of carving valleys, of growing landscapes, and of its steps, by the number of cells: time, rounds, memory a
-// cell.
+// Cost of carving valleys, of growing and quilting landscapes, and of its steps, by the number of cells: time, rounds,
+// memory a cell.
 #include "Drainage/DepressionBreaching.h"
 #include "Drainage/DepressionFilling.h"
 #include "Drainage/DrainageCarving.h"
 #include "Drainage/FlowRouting.h"
 #include "Drainage/TiledDrainage.h"
 #include "Landscapes/LandscapeGrowth.h"
+#include "Landscapes/LandscapeQuilting.h"
 #include "Terrain/TurningBands.h"
 
 #include <benchmark/benchmark.h>
@@ -123,7 +124,8 @@ void CarveAlone(benchmark::State& state)
 }
 
 /// Landscapes of the kind of ground into which valleys were carved.
-void GrowLikePlace(benchmark::State& state)
+template <typename Method>
+void MakeLikePlace(benchmark::State& state, const Method& method)
 {
   GridSamples place = Hills(256, 7);
   CarveDrainage(place, TargetOf(place, TargetStatistics(), {}, OnTwoThreads), {}, OnTwoThreads);
@@ -134,11 +136,23 @@ void GrowLikePlace(benchmark::State& state)
     GridSamples ground = hills;
     ForgetMostMemory();
     const double before = MostMemory();
-    report = GrowLandscape(ground, place, {}, OnTwoThreads);
+    report = method(ground, place);
     state.counters["bytes_a_cell"] = (MostMemory() - before) / static_cast<double>(state.range(0));
   }
   state.counters["rounds"] = report.Iterations;
   state.SetLabel(report.UnmetTargets);
+}
+
+void GrowLikePlace(benchmark::State& state)
+{
+  MakeLikePlace(state,
+    [](GridSamples& ground, const GridSamples& place) { return GrowLandscape(ground, place, {}, OnTwoThreads); });
+}
+
+void QuiltLikePlace(benchmark::State& state)
+{
+  MakeLikePlace(state,
+    [](GridSamples& ground, const GridSamples& place) { return QuiltLandscape(ground, place, 1, OnTwoThreads); });
 }
 
 void Flood(benchmark::State& state)
@@ -222,6 +236,7 @@ void Sizes(benchmark::internal::Benchmark* bench)
 
 BENCHMARK(CarveLikePlace)->Apply(Sizes);
 BENCHMARK(CarveAlone)->Apply(Sizes);
+BENCHMARK(QuiltLikePlace)->Apply(Sizes);
 BENCHMARK(GrowLikePlace)
   ->ArgName("size")
   ->Arg(1 << 16)

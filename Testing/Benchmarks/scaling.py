@@ -10,7 +10,7 @@ import re
 STEEP = 1.1  # exponent above which a benchmark is flagged
 #: Benchmarks (regular expressions of program and name) whose work is n log n, and what makes it so: from 256^2 to 2048^2
 #: its exponent is 1.08.
-LOGARITHMIC = (("bench_drainage", r"(Flood|Breach|RouteByTiles|Carve\w+|GrowLikePlace)/.*", "a queue by height"),
+LOGARITHMIC = (("bench_drainage", r"(Flood|Breach|RouteByTiles|Carve\w+|GrowLikePlace|QuiltLikePlace)/.*", "a queue by height"),
                ("bench_terrain", r"MeasureVariogram/.*", "Fourier transforms"),
                ("bench_wind", r".*", "Fourier transforms"))
 

@@ -300,6 +300,25 @@ bool GrownGroundDrains()
   return good && Check(Value(first, "Elevation", 999) != Value(drainage->GetOutput(), "Elevation", 999), "one seed");
 }
 
+/// A quilted landscape drains, has cells of the target's size, and seeds differ; other cells are refused.
+bool QuiltedGroundDrains()
+{
+  const auto terrain = Terrain(70, 3);
+  const auto place = Terrain(60, 7);
+  vtkNew<vtkDrainageFilter> drainage;
+  drainage->SetInputConnection(terrain->GetOutputPort());
+  drainage->SetTargetConnection(place->GetOutputPort());
+  drainage->SetMethodToQuilting();
+  drainage->SetStreamThreshold(40);
+  drainage->Update();
+  vtkNew<vtkImageData> first;
+  first->DeepCopy(drainage->GetOutput());
+  bool good = Drains(first) && RiversFall(drainage, 40);
+  drainage->SetSeed(2);
+  drainage->Update();
+  return good && Check(Value(first, "Elevation", 999) != Value(drainage->GetOutput(), "Elevation", 999), "one seed");
+}
+
 /// An array of the terrain by place, of a value west of the middle and another east of it.
 void AddHalves(vtkImageData* image, const char* name, double west, double east)
 {
@@ -652,6 +671,8 @@ bool BadInput()
   good &= Fails("ChannelThreshold", fine, [](Filter* filter) { filter->SetChannelThreshold(0.0); });
   good &= Fails("ValleyWidth", fine, [](Filter* filter) { filter->SetValleyWidth(-1.0); });
   good &= Fails("no Target", fine, [](Filter* filter) { filter->SetMethodToGrowth(); });
+  good &= Fails("no Target", fine, [](Filter* filter) { filter->SetMethodToQuilting(); });
+  good &= Fails("Method is 3", fine, [](Filter* filter) { filter->SetMethod(3); });
   good &= Fails("Carve is on", fine, [](Filter* filter) { filter->SetTileSize(16); });
   const auto tiled = [](int size, int outlets) {
     return [size, outlets](Filter* filter) {
@@ -672,6 +693,18 @@ bool BadInput()
     };
   };
   good &= Fails("Outlets is not Border", fine, grow(fine, Filter::LowestOfBorder));
+  const auto quilt = [](const vtkNew<vtkImageData>& place, int outlets) {
+    return [&place, outlets](Filter* filter) {
+      filter->SetMethodToQuilting();
+      filter->SetOutlets(outlets);
+      filter->SetInputData(1, place);
+    };
+  };
+  const auto wide = Image(24, 20, 1, rough);
+  wide->SetSpacing(20.0, 10.0, 1.0);
+  good &= Fails("cells of other sizes", fine, quilt(wide, Filter::Border));
+  good &= Fails("Outlets is not Border", fine, quilt(fine, Filter::Sea));
+  good &= Fails("Target has fewer than 16", fine, quilt(Image(24, 9, 1, rough), Filter::Border));
   good &= Fails("The target is a plane", fine, grow(Image(24, 20, 1, Ramp), Filter::Border));
   good &= Fails("The target has fewer than 16", fine, grow(Image(24, 9, 1, rough), Filter::Border));
   good &= Fails("The terrain has fewer than 16", Image(9, 24, 1, rough), grow(fine, Filter::Border));
@@ -827,9 +860,9 @@ bool GivenIsCounted()
 
 int TestDrainageFilter(int, char*[])
 {
-  return CarvedGroundDrains() && TargetIsTaken() && GrownGroundDrains() && RockIsUsed() && GivenIsHeld() &&
-      StatisticsAreTaken() && OutletsAreChosen() && PartsAreOfOneWhole() && TilesAreOfOneWhole() && HolesAreOutside() &&
-      BadInput() && BadTiles() && MemoryIsAsked() && GivenIsCounted()
+  return CarvedGroundDrains() && TargetIsTaken() && GrownGroundDrains() && QuiltedGroundDrains() && RockIsUsed() &&
+      GivenIsHeld() && StatisticsAreTaken() && OutletsAreChosen() && PartsAreOfOneWhole() && TilesAreOfOneWhole() &&
+      HolesAreOutside() && BadInput() && BadTiles() && MemoryIsAsked() && GivenIsCounted()
     ? EXIT_SUCCESS
     : EXIT_FAILURE;
 }

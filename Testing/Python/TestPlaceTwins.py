@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: python3 args=window
 # run-with: python3 tier=all
-"""Twins that are grown have the slopes, curvature, variogram and heights of their place, and no grain of the grid.
+"""Grown and quilted twins have the slopes, curvature, variogram and heights of their place, and no grain of the grid.
 
-    python3 TestGrownTwins.py [window | SEED...]
+    python3 TestPlaceTwins.py [window | SEED...]
 
 Place: the Jacksboro fault, or its middle with `window`. The fitted model is rounded to four digits: a fit ends in other
 digits with another mathematical library, and growth makes another twin of each. All is measured here by NumPy: shares
@@ -13,6 +13,7 @@ gentle slopes, means of blocks, curvature at two cells, semivariance, heights.
 """
 
 import sys
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -73,10 +74,11 @@ twin.SetInputData(rounded(fit.GetOutput()))
 twin.UseMeasuredGridOn()
 drainage.SetInputConnection(twin.GetOutputPort())
 drainage.SetInputData(1, place)
-drainage.SetMethodToGrowth()
-for seed in SEEDS:
+METHODS = {"grown": vtkDrainageFilter.Growth, "quilted": vtkDrainageFilter.Quilting}
+for seed, method in product(SEEDS, METHODS):
     twin.SetSeed(seed)
     drainage.SetSeed(seed)
+    drainage.SetMethod(METHODS[method])
     drainage.Update()
     random = np.abs(slopes_of(array_from_image(twin.GetOutput()).astype(float), spacing))
     grown = array_from_image(drainage.GetOutput())
@@ -90,7 +92,7 @@ for seed in SEEDS:
     ratios = semivariances(grown) / semivariances(heights)
     integral = [(ground.mean() - ground.min()) / np.ptp(ground) for ground in (grown, heights)]
     sunk = np.mean(drainage.GetOutput().GetPointData().GetArray("DepressionDepth").GetRange())
-    print(f"seed {seed}: aspects {shares[0]:.3f} {shares[1]:.3f} ({aspect_share(slopes, 4):.3f} "
+    print(f"{method}, seed {seed}: aspects {shares[0]:.3f} {shares[1]:.3f} ({aspect_share(slopes, 4):.3f} "
           f"{aspect_share(slopes, 8):.3f}), slopes {far[0]:.3f} (Gaussian {far[1]:.3f}), gentle {gentle[0]:.3f} "
           f"({gentle[1]:.3f}), blocks {blocks:.2f}, curvature {curved:.2f}, semivariance {ratios.min():.2f} to "
           f"{ratios.max():.2f}, integral {integral[0]:.3f} ({integral[1]:.3f}), skew {skew(grown):.2f} "
