@@ -106,6 +106,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void WriteInput() override;
+  vtkSmartPointer<vtkDataObject> GatherInput(vtkDataObject* own) override;
 
 private:
   vtkForestTilesWriter(const vtkForestTilesWriter&) = delete;

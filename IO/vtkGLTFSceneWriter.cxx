@@ -70,6 +70,7 @@ public:
 vtkGLTFSceneWriter::vtkGLTFSceneWriter()
   : vtkSingleFileWriter("a scene")
 {
+  this->SetController(nullptr);
 }
 
 //----------------------------------------------------------------------------
