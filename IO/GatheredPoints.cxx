@@ -2,15 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GatheredPoints.h"
 
+#include "Data/Arrays.h"
 #include "Numerics/InvalidInput.h"
 #include "Pipeline/Memory.h"
 #include "PlainData.h"
 
 #include "vtkAppendPolyData.h"
+#include "vtkDataArray.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <numeric>
 #include <vector>
 
@@ -67,6 +72,47 @@ vtkSmartPointer<vtkPolyData> GatherPoints(const WriterRanks& ranks, vtkPolyData*
   joined->Update();
   joined->GetOutput()->SetFieldData(first->GetFieldData());
   return joined->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> InOrder(vtkPolyData* points, const char* name)
+{
+  vtkDataArray* numbers = points->GetPointData()->GetArray(name);
+  if (!numbers)
+  {
+    return points;
+  }
+  std::vector<vtkIdType> order;
+  SetSize(order, points->GetNumberOfPoints());
+  std::iota(order.begin(), order.end(), 0);
+  const auto isBefore = [&](vtkIdType a, vtkIdType b) {
+    return numbers->GetComponent(a, 0) < numbers->GetComponent(b, 0);
+  };
+  std::stable_sort(order.begin(), order.end(), isBefore);
+  const auto sorted = [&](vtkDataArray* array) {
+    auto copy = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+    copy->SetName(array->GetName());
+    copy->SetNumberOfComponents(array->GetNumberOfComponents());
+    SetTuples(copy, array->GetNumberOfTuples());
+    for (std::size_t place = 0; place < order.size(); ++place)
+    {
+      copy->SetTuple(static_cast<vtkIdType>(place), order[place], array);
+    }
+    return copy;
+  };
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->CopyStructure(points);
+  result->SetFieldData(points->GetFieldData());
+  vtkNew<vtkPoints> places;
+  places->SetData(sorted(points->GetPoints()->GetData()));
+  result->SetPoints(places);
+  for (int index = 0; index < points->GetPointData()->GetNumberOfArrays(); ++index)
+  {
+    if (vtkDataArray* array = points->GetPointData()->GetArray(index))
+    {
+      result->GetPointData()->AddArray(sorted(array));
+    }
+  }
+  return result;
 }
 
 }

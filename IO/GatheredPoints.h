@@ -19,6 +19,9 @@ namespace littoral
  */
 vtkSmartPointer<vtkPolyData> GatherPoints(const WriterRanks& ranks, vtkPolyData* own);
 
+/// Points, each of which is a cell, in the order of the numbers of an array; as they are where there is none.
+vtkSmartPointer<vtkPolyData> InOrder(vtkPolyData* points, const char* name);
+
 }
 
 #endif

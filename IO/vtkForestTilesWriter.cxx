@@ -134,7 +134,7 @@ vtkSmartPointer<vtkDataObject> vtkForestTilesWriter::GatherInput(vtkDataObject* 
     ranks.GetController()->Receive(received, filled, PrototypesTag);
     blocks = received;
   }
-  return WithTrees(blocks, all);
+  return WithTrees(blocks, littoral::InOrder(all, "PlantId")); // parts are cells of the forest, each in that order
 }
 
 //----------------------------------------------------------------------------
