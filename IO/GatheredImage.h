@@ -35,10 +35,10 @@ public:
   GatheredImage(const GatheredImage&) = delete;
   GatheredImage& operator=(const GatheredImage&) = delete;
 
-  /// For the first rank, as long as this object is there. Throws InvalidInput where the parts are not those of an
-  /// image.
+  /// The image for the first rank, as long as this object is there. Throws InvalidInput where the parts are not those
+  /// of an image.
   ImageParts Parts();
-  /// For the others: answers until the first rank needs nothing more.
+  /// Answers, on the others, until the first rank needs nothing more.
   void Serve();
 
 private:
@@ -53,7 +53,7 @@ private:
     int Components = 0;
   };
 
-  /// What a rank has.
+  /// The shape of a rank's part.
   struct Part
   {
     Box Announced{ { 0, -1, 0, -1, 0, -1 } };

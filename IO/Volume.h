@@ -46,7 +46,7 @@ struct VolumeBlock
   const unsigned char* Ghosts = nullptr;  ///< a byte a sample; null: all samples count
   unsigned char Hidden = 0;               ///< bits of Ghosts that take a sample away
   std::vector<std::shared_ptr<void>> Own; ///< owners of the memory that the pointers lead to
-  /// Where Values lie elsewhere: the samples of a box of the block. Throws InvalidInput.
+  /// The samples of a box of the block, where Values lie elsewhere. Throws InvalidInput.
   std::function<VolumeBlock(const std::array<int, 6>& box)> Load;
 
   std::size_t Count(int axis) const

@@ -190,7 +190,7 @@ const Number* ReceiveInto(
   return numbers->data();
 }
 
-/// What a rank is asked for: the numbers of a volume and of a block of it, and a box; a volume below 0 ends it.
+/// The numbers of a volume and of a block of it, and a box, that a rank is asked for; a volume below 0 ends it.
 using Request = std::array<int, 8>;
 
 /// A box of a block of another rank.

@@ -148,7 +148,7 @@ int vtkSingleFileWriter::WriteOwnParts(const std::function<vtkDataObject*()>& ow
 }
 
 //----------------------------------------------------------------------------
-/// Of a series each file has its image by itself, but is asked for by the input of the series.
+/// Each file of a series has its image by itself, but is asked for by the input of the series.
 void vtkSingleFileWriter::NoteExtent(vtkInformation* input)
 {
   if (input && input->Has(Pipeline::WHOLE_EXTENT()))
@@ -158,7 +158,7 @@ void vtkSingleFileWriter::NoteExtent(vtkInformation* input)
 }
 
 //----------------------------------------------------------------------------
-/// What became of the file, on each rank.
+/// Tells each rank what became of the file.
 void vtkSingleFileWriter::ShareOutcome()
 {
   const littoral::WriterRanks ranks(this->Controller);

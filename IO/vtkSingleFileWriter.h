@@ -47,7 +47,8 @@ public:
 
   ///@{
   /**
-   * Controller of the ranks that write together; default the global controller. With null each rank writes by itself.
+   * Controller of the ranks that write together; default the global controller, and null of vtkGLTFSceneWriter. With
+   * null each rank writes by itself.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);

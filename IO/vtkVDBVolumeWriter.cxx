@@ -216,7 +216,7 @@ int vtkVDBVolumeWriter::Write()
 }
 
 //----------------------------------------------------------------------------
-/// Of a series each file has its image by itself, but is asked for by the input of the series.
+/// Each file of a series has its image by itself, but is asked for by the input of the series.
 void vtkVDBVolumeWriter::NoteExtent(vtkInformation* input, bool isOfSeries)
 {
   if (input->Has(Pipeline::WHOLE_EXTENT()) && (isOfSeries || this->Announced[1] < this->Announced[0]))
@@ -297,7 +297,10 @@ void vtkVDBVolumeWriter::WritePart(vtkDataObject* data, bool hasFailed)
     input = littoral::ReadVolumes(data, this->PointDataArraySelection, this->CellDataArraySelection);
   }
   const std::string reason = this->HasFileName() ? this->WhyInvalid() : "FileName is empty.";
-  input.Reason = reason.empty() ? input.Reason : reason;
+  if (!reason.empty())
+  {
+    input.Reason = reason;
+  }
   if (hasFailed && !ranks.IsAlone())
   {
     input.Reason = "the input has failed on rank " + std::to_string(ranks.GetRank()) + ".";

@@ -3,7 +3,7 @@
 #ifndef LittoralSupportFailedInput_h
 #define LittoralSupportFailedInput_h
 
-// What a rank asks before it takes an empty part for one without data. Private: never installed, never wrapped.
+// A failure upstream, told from a part without data. Private: never installed, never wrapped.
 
 class vtkAlgorithm;
 
