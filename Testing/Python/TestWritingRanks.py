@@ -105,7 +105,7 @@ def velocities(image, i, j, k):
 
 
 def smoke(image, i, j, k):
-    density = np.maximum(0.0, 60.0 - np.abs(i - 50) - np.abs(j - 40) - np.abs(k - 100))
+    density = np.maximum(0.0, 20.0 - np.abs(i - 50) - np.abs(j - 9)) * (1.0 + k % 7)
     add(image.GetPointData(), "density", density.ravel())
 
 
