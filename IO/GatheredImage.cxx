@@ -444,24 +444,41 @@ void GatheredImage::Serve()
 void GatheredImage::Answer(const Box& box)
 {
   vtkMultiProcessController* controller = this->Ranks.GetController();
-  const std::string reason = WhyRefused([&] { RequireMemory(this->BytesOf(box), "a part of the image", ""); });
+  std::vector<vtkSmartPointer<vtkDataArray>> packed;
+  const std::string reason = WhyRefused([&] {
+    RequireMemory(this->BytesOf(box), "a part of the image", "");
+    for (const Column& column : this->Columns)
+    {
+      packed.push_back(this->Packed(column, box));
+    }
+  });
   const int isGood = static_cast<int>(reason.empty());
   controller->Send(&isGood, 1, 0, StateTag);
-  for (const Column& column : this->Columns)
+  for (const vtkSmartPointer<vtkDataArray>& array : packed)
   {
-    const Box extent = ExtentOf(this->Image);
-    const Box values = column.IsOfCells ? CellsOf(box, this->Whole) : box;
-    if (isGood == 0 || IsEmpty(values))
+    if (isGood != 0 && array)
     {
-      continue;
+      controller->Send(array, 0, ValuesTag);
     }
-    const auto sent = Zeros(column.Type, column.Components, column.Name, CountOf(values));
-    if (vtkDataArray* own = this->Own(column))
-    {
-      CopyBox(own, column.IsOfCells ? CellsOf(extent, this->Whole) : extent, sent, values, values);
-    }
-    controller->Send(sent, 0, ValuesTag);
   }
+}
+
+//----------------------------------------------------------------------------
+/// The values of this rank in a box; null where there are none, as cells of a single layer of points.
+vtkSmartPointer<vtkDataArray> GatheredImage::Packed(const Column& column, const Box& box) const
+{
+  const auto among = [&](const Box& points) { return column.IsOfCells ? CellsOf(points, this->Whole) : points; };
+  const Box values = among(box);
+  if (IsEmpty(values))
+  {
+    return nullptr;
+  }
+  const vtkSmartPointer<vtkDataArray> packed = Zeros(column.Type, column.Components, column.Name, CountOf(values));
+  if (vtkDataArray* own = this->Own(column))
+  {
+    CopyBox(own, among(ExtentOf(this->Image)), packed, values, values);
+  }
+  return packed;
 }
 
 //----------------------------------------------------------------------------

@@ -76,6 +76,7 @@ private:
   vtkDataArray* Own(const Column& column) const;
   double BytesOf(const Box& box) const;
   void Answer(const Box& box);
+  vtkSmartPointer<vtkDataArray> Packed(const Column& column, const Box& box) const;
   void ReceiveBox(int rank, const Box& box, vtkImageData* image);
   void TakeOwnBox(const Box& box, vtkImageData* image);
   vtkImageData* Get(const Box& asked);

@@ -20,6 +20,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <exception>
 #include <new>
 
 vtkCxxSetObjectMacro(vtkSingleFileWriter, Controller, vtkMultiProcessController);
@@ -235,6 +236,10 @@ void vtkSingleFileWriter::WriteOrRefuse(const std::function<void()>& write)
   catch (const std::bad_alloc&)
   {
     reason = "there is not enough memory";
+  }
+  catch (const std::exception& error) // other ranks wait for what becomes of it
+  {
+    reason = error.what();
   }
   if (!reason.empty())
   {

@@ -262,6 +262,21 @@ def full_disks(rank, ranks):
     yield "rows.amrwind", rows, "File too large"
 
 
+def short_of_memory(rank, ranks):
+    """Writers whose last rank has its part, and no memory to hand it over."""
+    sources = [("short.tif", "vtkElevationWriter", Image((600, 7500, 1), heights), "has no memory to hand over")]
+    sources += [("short.vdb", "vtkVDBVolumeWriter", Image((128, 230, 256), smoke), "A part of the volumes needs")]
+    for name, kind, source, words in sources[0 if HAS_RASTERS else 1:2 if HAS_VOLUMES else 1]:
+        source.UpdatePiece(rank, ranks, 0)
+        limits = resource.getrlimit(resource.RLIMIT_AS)
+        with open("/proc/self/statm", encoding="ascii") as statm:
+            used = int(statm.read().split()[0]) * resource.getpagesize()
+        if rank == ranks - 1:
+            resource.setrlimit(resource.RLIMIT_AS, (used + (6 << 20), limits[1]))
+        yield name, writer(kind, source), words
+        resource.setrlimit(resource.RLIMIT_AS, limits)
+
+
 def write(made, folder, name):
     """The answer of a writer, its messages and those of its source."""
     said = Messages(made)
@@ -278,7 +293,9 @@ def run(folder, rank, ranks):
         seen.append([name, *write(made, folder, name), None])
     if ranks > 1:
         bad = os.path.join(folder, "bad")
-        for name, made, words in bad_files(rank, ranks):
+        for name, made, words in [*bad_files(rank, ranks)]:
+            seen.append([name, *write(made, bad, name), words])
+        for name, made, words in short_of_memory(rank, ranks):
             seen.append([name, *write(made, bad, name), words])
         limits = resource.getrlimit(resource.RLIMIT_FSIZE)
         signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
