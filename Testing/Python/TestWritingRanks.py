@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: python3 args=2
 # run-with: python3 tier=all name=three args=3
+# run-with: python3 tier=all name=memory args=3 args=memory
 """Ranks write one file together: the bytes of one rank. What one of them cannot do ends on all, with one message on the
 first, and nothing is left: a part that fails, an input on one rank alone or on none, a full disk, parts that do not fit.
+No rank takes the memory of the whole.
 
 The file starts itself on one rank and on several; each writes what it has seen."""
 
@@ -308,7 +310,37 @@ def run(folder, rank, ranks):
         json.dump(seen, file)
 
 
-def on_ranks(folder):
+def peak():
+    """The most memory that this process had [bytes]."""
+    with open("/proc/self/status", encoding="ascii") as status:
+        return next(int(line.split()[1]) for line in status if line.startswith("VmHWM")) * 1024
+
+
+def sparse(image, i, j, k):
+    density = np.zeros(np.broadcast_shapes(i.shape, j.shape, k.shape), np.float32)
+    density[::16, :64, :64] = 1.5
+    add(image.GetPointData(), "density", density.ravel())
+
+
+def run_memory(folder, rank, ranks):
+    """Writes what memory the writers of large files take of a rank, over that of the whole, besides its part."""
+    seen = []
+    cases = [("large.bts", "vtkWindFieldWriter", Image((27000, 40, 40), velocities, fields=WIND), 3)]
+    cases += [("large.vdb", "vtkVDBVolumeWriter", Image((384, 384, 384), sparse), 1)] if HAS_VOLUMES else []
+    for name, kind, source, components in cases:
+        source.UpdatePiece(rank, ranks, 0)
+        with open("/proc/self/clear_refs", "w", encoding="ascii") as file:
+            file.write("5")
+        before = peak()
+        answer, said = write(writer(kind, source), folder, name)
+        assert answer == 1, said
+        counts = [source.whole[2 * axis + 1] - source.whole[2 * axis] + 1 for axis in range(3)]
+        seen.append([name, (peak() - before) / (4.0 * components * np.prod(counts))])
+    with open(os.path.join(folder, f"seen {rank}"), "w") as file:
+        json.dump(seen, file)
+
+
+def on_ranks(folder, task):
     from mpi4py import MPI  # noqa: F401, begins and ends MPI
     from vtkmodules.vtkParallelCore import vtkMultiProcessController
     from vtkmodules.vtkParallelMPI import vtkMPIController
@@ -316,7 +348,7 @@ def on_ranks(folder):
     controller = vtkMPIController()
     controller.Initialize()
     vtkMultiProcessController.SetGlobalController(controller)
-    run(folder, controller.GetLocalProcessId(), controller.GetNumberOfProcesses())
+    task(folder, controller.GetLocalProcessId(), controller.GetNumberOfProcesses())
 
 
 def contents(folder):
@@ -330,23 +362,36 @@ def contents(folder):
     return found
 
 
+def started(task, folder, ranks):
+    """What each rank has seen."""
+    launcher = ["mpirun", "-np", str(ranks)] if ranks > 1 else []
+    command = [*launcher, sys.executable, os.path.abspath(__file__), "on", folder, str(ranks), task]
+    environment = {**os.environ, "OMPI_MCA_mpi_yield_when_idle": "1"}
+    ran = subprocess.run(command, check=False, timeout=LIMIT, capture_output=True, text=True, env=environment)
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+    seen = []
+    for rank in range(ranks):
+        with open(os.path.join(folder, f"seen {rank}")) as file:
+            seen.append(json.load(file))
+    return seen
+
+
+def check_memory(ranks):
+    with tempfile.TemporaryDirectory() as folder:
+        for case in zip(*started("memory", folder, ranks)):
+            print(f"{case[0][0]}: {[round(share, 2) for _, share in case]} of the whole", flush=True)
+            assert all(share < 0.4 for _, share in case), case
+
+
 def start(folder, ranks):
     os.makedirs(os.path.join(folder, "bad"))
     kept = os.path.join(folder, "bad", "wind.bts")
     with open(kept, "w") as file:
         file.write("as it was")
-    launcher = ["mpirun", "-np", str(ranks)] if ranks > 1 else []
-    command = [*launcher, sys.executable, os.path.abspath(__file__), "on", folder, str(ranks)]
-    environment = {**os.environ, "OMPI_MCA_mpi_yield_when_idle": "1"}
-    ran = subprocess.run(command, check=False, timeout=LIMIT, capture_output=True, text=True, env=environment)
-    assert ran.returncode == 0, ran.stdout + ran.stderr
+    seen = started("files", folder, ranks)
     assert os.listdir(os.path.join(folder, "bad")) == ["wind.bts"], f"left: {os.listdir(os.path.join(folder, 'bad'))}"
     with open(kept) as file:
         assert file.read() == "as it was"
-    seen = []
-    for rank in range(ranks):
-        with open(os.path.join(folder, f"seen {rank}")) as file:
-            seen.append(json.load(file))
     return contents(folder), seen
 
 
@@ -362,7 +407,7 @@ def check_seen(seen):
         assert not words or words in said[0], f"{name}: {said}, wanted is {words}"
 
 
-def main(ranks):
+def main(ranks, task="files"):
     try:
         import mpi4py  # noqa: F401
         import vtkmodules.vtkParallelMPI  # noqa: F401
@@ -372,6 +417,9 @@ def main(ranks):
     if not shutil.which("mpirun"):
         print("there is no mpirun")
         sys.exit(125)
+    if task == "memory":
+        check_memory(ranks)
+        return
     with tempfile.TemporaryDirectory() as folder:
         alone, of_one = start(os.path.join(folder, "1"), 1)
         shared, of_all = start(os.path.join(folder, str(ranks)), ranks)
@@ -385,8 +433,8 @@ def main(ranks):
 
 if __name__ == "__main__":
     if sys.argv[1] != "on":
-        main(int(sys.argv[1]))
+        main(int(sys.argv[1]), *sys.argv[2:])
     elif sys.argv[3] == "1":
         run(sys.argv[2], 0, 1)
     else:
-        on_ranks(sys.argv[2])
+        on_ranks(sys.argv[2], run_memory if sys.argv[4] == "memory" else run)
