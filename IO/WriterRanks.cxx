@@ -61,13 +61,12 @@ int WriterRanks::GetNumberOfRanks() const
 }
 
 //----------------------------------------------------------------------------
-std::vector<int> WriterRanks::AllOf(bool isSo) const
+std::vector<int> WriterRanks::AllOf(int number) const
 {
-  const int own = isSo ? 1 : 0;
-  std::vector<int> all(this->GetNumberOfRanks(), own);
+  std::vector<int> all(this->GetNumberOfRanks(), number);
   if (!this->IsAlone())
   {
-    this->Controller->AllGather(&own, all.data(), 1);
+    this->Controller->AllGather(&number, all.data(), 1);
   }
   return all;
 }
@@ -75,9 +74,16 @@ std::vector<int> WriterRanks::AllOf(bool isSo) const
 //----------------------------------------------------------------------------
 int WriterRanks::FirstWith(bool isSo) const
 {
-  const std::vector<int> all = this->AllOf(isSo);
+  const std::vector<int> all = this->AllOf(isSo ? 1 : 0);
   const auto first = std::find(all.begin(), all.end(), 1);
   return first == all.end() ? -1 : static_cast<int>(first - all.begin());
+}
+
+//----------------------------------------------------------------------------
+int WriterRanks::Largest(int number) const
+{
+  const std::vector<int> all = this->AllOf(number);
+  return *std::max_element(all.begin(), all.end());
 }
 
 //----------------------------------------------------------------------------
@@ -129,7 +135,7 @@ vtkDataObject* WriterRanks::PartOfInput(vtkAlgorithm* writer) const
 {
   int port = 0;
   vtkAlgorithm* producer = writer->GetNumberOfInputConnections(0) > 0 ? writer->GetInputAlgorithm(0, 0, port) : nullptr;
-  const std::vector<int> haveInput = this->AllOf(producer != nullptr);
+  const std::vector<int> haveInput = this->AllOf(producer ? 1 : 0);
   const auto before = haveInput.begin() + this->GetRank();
   const int piece = std::accumulate(haveInput.begin(), before, 0);
   const int pieces = std::accumulate(before, haveInput.end(), piece);

@@ -34,6 +34,8 @@ public:
 
   /// The first rank that says so; -1 where none does.
   int FirstWith(bool isSo) const;
+  /// The largest of the numbers of all.
+  int Largest(int number) const;
   /// A number of the first rank, on each.
   int Shared(int number) const;
   /// Ends the work of all for the first reason; none where all are empty.
@@ -45,7 +47,7 @@ public:
   vtkDataObject* PartOfInput(vtkAlgorithm* writer) const;
 
 private:
-  std::vector<int> AllOf(bool isSo) const;
+  std::vector<int> AllOf(int number) const;
 
   vtkMultiProcessController* Controller;
 };

@@ -53,6 +53,12 @@ double BytesOf(const std::vector<littoral::Volume>& volumes)
   return grids + box;
 }
 
+/// The time steps of an input.
+int StepsOf(vtkInformation* input)
+{
+  return input && input->Has(Pipeline::TIME_STEPS()) ? input->Length(Pipeline::TIME_STEPS()) : 0;
+}
+
 /// Whether one extent lies in another; one without points does.
 bool Holds(const std::array<int, 6>& outer, const int inner[6])
 {
@@ -150,13 +156,16 @@ vtkTypeBool vtkVDBVolumeWriter::ProcessRequest(
   }
   if (this->WriteAllTimeSteps && input && request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
   {
-    this->NumberOfSteps = input->Has(Pipeline::TIME_STEPS()) ? input->Length(Pipeline::TIME_STEPS()) : 0;
-    this->CurrentStep = 0;
+    if (!this->IsStepping)
+    {
+      this->NumberOfSteps = StepsOf(input);
+      this->CurrentStep = 0;
+    }
     return 1;
   }
   if (this->WriteAllTimeSteps && input && request->Has(Pipeline::REQUEST_UPDATE_EXTENT()))
   {
-    if (this->CurrentStep < this->NumberOfSteps)
+    if (this->CurrentStep < StepsOf(input))
     {
       input->Set(Pipeline::UPDATE_TIME_STEP(), input->Get(Pipeline::TIME_STEPS())[this->CurrentStep]);
     }
@@ -180,12 +189,11 @@ int vtkVDBVolumeWriter::RequestData(vtkInformation* request, vtkInformationVecto
   this->InvokeEvent(vtkCommand::EndEvent);
   this->WriteTime.Modified();
   const bool written = this->GetErrorCode() == vtkErrorCode::NoError;
-  if (written && ++this->CurrentStep < this->NumberOfSteps)
+  if (written && !this->IsStepping && ++this->CurrentStep < this->NumberOfSteps)
   {
-    this->IsAwaited = true;
     request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
   }
-  else
+  else if (!this->IsStepping)
   {
     request->Remove(Pipeline::CONTINUE_EXECUTING());
     this->CurrentStep = 0;
@@ -197,22 +205,50 @@ int vtkVDBVolumeWriter::RequestData(vtkInformation* request, vtkInformationVecto
 //----------------------------------------------------------------------------
 int vtkVDBVolumeWriter::Write()
 {
-  const bool isAlone = littoral::WriterRanks(this->Controller).IsAlone();
+  const littoral::WriterRanks ranks(this->Controller);
   const bool hasInput = this->GetNumberOfInputConnections(0) > 0;
-  if (!hasInput && isAlone)
+  if (!hasInput && ranks.IsAlone())
   {
     this->Refuse("there is no input.");
     this->SetErrorCode(vtkErrorCode::UnknownError);
     return 0;
   }
-  this->IsAwaited = !isAlone;
+  if (hasInput && this->WriteAllTimeSteps)
+  {
+    this->GetInputAlgorithm()->UpdateInformation();
+  }
+  const bool isSeries = hasInput && this->WriteAllTimeSteps;
+  this->NumberOfSteps = ranks.Largest(isSeries ? StepsOf(this->GetInputInformation(0, 0)) : 0);
+  // Step by step: where the input fails, VTK's executive would never end a loop of its own.
+  this->IsStepping = true;
+  bool isWritten = true;
+  for (this->CurrentStep = 0; isWritten && this->CurrentStep < std::max(1, this->NumberOfSteps); ++this->CurrentStep)
+  {
+    isWritten = this->WriteStep(hasInput);
+  }
+  this->IsStepping = false;
+  this->CurrentStep = 0;
+  return isWritten ? 1 : 0;
+}
+
+//----------------------------------------------------------------------------
+bool vtkVDBVolumeWriter::WriteStep(bool hasInput)
+{
+  this->IsAwaited = true;
   this->SetErrorCode(vtkErrorCode::NoError);
-  const int written = hasInput ? this->Superclass::Write() : 0;
-  if (this->IsAwaited) // the input has failed here, and others wait for it
+  if (hasInput)
+  {
+    this->Superclass::Write();
+  }
+  if (this->IsAwaited && littoral::WriterRanks(this->Controller).IsAlone())
+  {
+    this->SetErrorCode(vtkErrorCode::UnknownError); // the input has failed, and has told why
+  }
+  else if (this->IsAwaited) // the input has failed here, and others wait for it
   {
     this->WritePart(nullptr, hasInput);
   }
-  return isAlone ? written : static_cast<int>(this->GetErrorCode() == vtkErrorCode::NoError);
+  return this->GetErrorCode() == vtkErrorCode::NoError;
 }
 
 //----------------------------------------------------------------------------
@@ -270,6 +306,7 @@ void vtkVDBVolumeWriter::Refuse(const std::string& reason)
 //----------------------------------------------------------------------------
 void vtkVDBVolumeWriter::WriteData()
 {
+  this->IsAwaited = false;
   vtkDataObject* data = this->GetInput();
   if (!data && littoral::WriterRanks(this->Controller).IsAlone())
   {

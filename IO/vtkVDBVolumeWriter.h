@@ -176,6 +176,7 @@ private:
   /// One message naming the file, on the first rank.
   void Refuse(const std::string& reason);
   void NoteExtent(vtkInformation* input, bool isOfSeries);
+  bool WriteStep(bool hasInput);
   void WritePart(vtkDataObject* data, bool hasFailed);
   littoral::FileOutcome WriteGathered(littoral::VolumeInput& input);
 
@@ -191,6 +192,7 @@ private:
   vtkMultiProcessController* Controller = nullptr;
   int NumberOfSteps = 0; ///< of a series; 0 where there is none
   int CurrentStep = 0;
+  bool IsStepping = false;                    ///< by Write()
   bool IsAwaited = false;                     ///< by other ranks, for what this one has to write
   int Announced[6] = { 0, -1, 0, -1, 0, -1 }; ///< extent of the image whose part was asked for
 };

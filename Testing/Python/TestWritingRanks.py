@@ -51,26 +51,29 @@ class Messages:
 class Image(VTKPythonAlgorithmBase):
     """An image of any part that is asked for, whose values follow from their places."""
 
-    def __init__(self, points, fill, fails=False, spacing=(2.0, 3.0, 4.0), fields=()):
+    def __init__(self, points, fill, fails=False, spacing=(2.0, 3.0, 4.0), fields=(), times=()):
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkImageData")
         self.whole = [bound for count in points for bound in (-2, count - 3)]
-        self.fill, self.fails, self.spacing, self.fields, self.largest = fill, fails, spacing, fields, 0
+        self.fill, self.fails, self.spacing, self.fields, self.times = fill, fails, spacing, fields, times
 
     def RequestInformation(self, request, inputs, outputs):
         info = outputs.GetInformationObject(0)
         info.Set(Pipeline.WHOLE_EXTENT(), self.whole, 6)
         info.Set(self.CAN_PRODUCE_SUB_EXTENT(), 1)
+        if self.times:
+            info.Set(Pipeline.TIME_STEPS(), self.times, len(self.times))
+            info.Set(Pipeline.TIME_RANGE(), [self.times[0], self.times[-1]], 2)
         return 1
 
     def RequestData(self, request, inputs, outputs):
-        if self.fails:
+        info = outputs.GetInformationObject(0)
+        if self.fails and not (self.times and info.Get(Pipeline.UPDATE_TIME_STEP()) == self.times[0]):
             self.GetOutputDataObject(0).Initialize()
             return 0
         image = vtkImageData.GetData(outputs)
         extent = [0] * 6
-        outputs.GetInformationObject(0).Get(Pipeline.UPDATE_EXTENT(), extent)
+        info.Get(Pipeline.UPDATE_EXTENT(), extent)
         fill_image(image, extent, self.fill, self.spacing, self.fields)
-        self.largest = max(self.largest, image.GetNumberOfPoints())
         return 1
 
 
@@ -194,6 +197,8 @@ def files(rank, ranks):
     if HAS_VOLUMES:
         yield "smoke.vdb", writer("vtkVDBVolumeWriter", Image((128, 230, 256), smoke))
         yield "wind.vdb", writer("vtkVDBVolumeWriter", Image((40, 7, 6), velocities, fields=WIND))
+        series = Image((40, 7, 6), velocities, times=(0.0, 1.0, 2.0))
+        yield "series.vdb", writer("vtkVDBVolumeWriter", series, WriteAllTimeSteps=True)
         yield "cells.vdb", writer("vtkVDBVolumeWriter", Image((20, 17, 30), leaves))
 
 
@@ -249,10 +254,17 @@ def bad_files(rank, ranks):
         yield "empty.json", writer("vtkForestTilesWriter", forest(trees(30)), **{**PLACE, "CoordinateSystem": "EPSG:0"}), "EPSG:0"
     if HAS_VOLUMES:
         yield "failed.vdb", writer("vtkVDBVolumeWriter", Image((40, 7, 6), velocities, fails=last)), failed
+        yield "late.vdb", late(fails=last), failed
         yield "mute.vdb", writer("vtkVDBVolumeWriter", Image((40, 7, 6), velocities, fails=first)), ""
         fill = spoiled_smoke if last else smoke
         yield "spoiled.vdb", writer("vtkVDBVolumeWriter", Image((40, 20, 16), fill)), "not a finite"
         yield "none.vdb", writer("vtkVDBVolumeWriter", None), "input"
+
+
+def late(fails):
+    """The writer of a series whose input fails after the first time."""
+    source = Image((40, 7, 6), velocities, fails=fails, times=(0.0, 1.0, 2.0))
+    return writer("vtkVDBVolumeWriter", source, WriteAllTimeSteps=True)
 
 
 def full_disks(rank, ranks):
@@ -293,8 +305,10 @@ def run(folder, rank, ranks):
     seen = []
     for name, made in [*files(rank, ranks), *sole_files(rank, ranks)]:
         seen.append([name, *write(made, folder, name), None])
+    bad = os.path.join(folder, "bad")
+    if ranks == 1 and HAS_VOLUMES:
+        seen.append(["late.vdb", *write(late(fails=True), bad, "late.vdb"), ""])
     if ranks > 1:
-        bad = os.path.join(folder, "bad")
         for name, made, words in [*bad_files(rank, ranks)]:
             seen.append([name, *write(made, bad, name), words])
         for name, made, words in short_of_memory(rank, ranks):
@@ -306,6 +320,8 @@ def run(folder, rank, ranks):
         for name, made, words in full_disks(rank, ranks):
             seen.append([name, *write(made, bad, name), words])
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    if HAS_VOLUMES and rank == 0:
+        os.remove(os.path.join(bad, "late_0000.vdb"))  # the first of the series was whole
     with open(os.path.join(folder, f"seen {rank}"), "w") as file:
         json.dump(seen, file)
 
