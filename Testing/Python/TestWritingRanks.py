@@ -306,6 +306,10 @@ def run(folder, rank, ranks):
     for name, made in [*files(rank, ranks), *sole_files(rank, ranks)]:
         seen.append([name, *write(made, folder, name), None])
     bad = os.path.join(folder, "bad")
+    if ranks == 1 and hasattr(littoral, "vtkGLTFSceneWriter"):
+        ground = Image((40, 30, 1), heights, fails=True, times=(0.0, 1.0, 2.0))
+        motion = writer("vtkGLTFSceneWriter", ground, WriteMotion=True, EndTime=2.0, FramesPerSecond=1.0)
+        seen.append(["late.glb", *write(motion, bad, "late.glb"), ""])
     if ranks == 1 and HAS_VOLUMES:
         seen.append(["late.vdb", *write(late(fails=True), bad, "late.vdb"), ""])
     if ranks > 1:
