@@ -3,9 +3,7 @@
 #include "FolderOfFiles.h"
 
 #include "Numerics/InvalidInput.h"
-#include "ReplacedFile.h"
 
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -39,31 +37,19 @@ void RequireDone(const std::error_code& error)
 
 //----------------------------------------------------------------------------
 FolderOfFiles::FolderOfFiles(const std::string& beside)
-  : Hash(FirstHash)
+  : Hidden(beside)
+  , Hash(FirstHash)
 {
-  static std::atomic<unsigned> counter{ 0 };
   const fs::path file(beside);
   this->Folder = file.has_parent_path() ? file.parent_path().string() : ".";
   this->Prefix = file.stem().string() + "-tiles-";
-  this->Hidden =
-    (fs::path(this->Folder) / (".littoral-" + OwnNumber() + "-" + std::to_string(counter++) + ".tiles")).string();
-  std::error_code error;
-  const bool isMade = fs::create_directory(this->Hidden, error);
-  RequireDone(error);
-  Require(isMade ? "" : this->Hidden + " is there already");
-}
-
-//----------------------------------------------------------------------------
-FolderOfFiles::~FolderOfFiles()
-{
-  std::error_code ignored;
-  fs::remove_all(this->Hidden, ignored);
+  Require(this->Hidden.WhyFailed());
 }
 
 //----------------------------------------------------------------------------
 void FolderOfFiles::Add(const std::string& name, const std::string& bytes)
 {
-  Require(WhyNotWritten((fs::path(this->Hidden) / name).string(), bytes));
+  Require(WhyNotWritten((fs::path(this->Hidden.Path()) / name).string(), bytes));
   for (const std::string* text : { &name, &bytes })
   {
     for (const char letter : *text)
@@ -87,7 +73,7 @@ void FolderOfFiles::Commit()
   if (!this->WasThere)
   {
     std::error_code error;
-    fs::rename(this->Hidden, named, error);
+    fs::rename(this->Hidden.Path(), named, error);
     RequireDone(error);
   }
   this->IsNamed = true;

@@ -3,6 +3,8 @@
 #ifndef LittoralFolderOfFiles_h
 #define LittoralFolderOfFiles_h
 
+#include "ReplacedFile.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -20,9 +22,6 @@ class FolderOfFiles
 public:
   /// Makes the folder. Throws InvalidInput with the words of the system.
   explicit FolderOfFiles(const std::string& beside);
-  ~FolderOfFiles();
-  FolderOfFiles(const FolderOfFiles&) = delete;
-  FolderOfFiles& operator=(const FolderOfFiles&) = delete;
 
   /// Adds a file. Throws InvalidInput with the words of the system.
   void Add(const std::string& name, const std::string& bytes);
@@ -38,7 +37,7 @@ public:
 private:
   std::string Folder; // beside which
   std::string Prefix; // of the name
-  std::string Hidden;
+  HiddenFolder Hidden;
   std::uint64_t Hash;
   bool IsNamed = false;
   bool WasThere = false;

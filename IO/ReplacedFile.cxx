@@ -24,12 +24,13 @@ namespace
 
 constexpr const char* PartPrefix = ".littoral-";
 constexpr const char* PartSuffix = ".part";
+constexpr const char* FolderSuffix = ".tiles";
 
 /// A name beside the target, of its own and short: names of files end at 255 bytes.
-std::string TemporaryName(const std::filesystem::path& target)
+std::string TemporaryName(const std::filesystem::path& target, const char* suffix)
 {
   static std::atomic<unsigned> counter{ 0 };
-  const std::string own = PartPrefix + std::to_string(::getpid()) + "-" + std::to_string(counter++) + PartSuffix;
+  const std::string own = PartPrefix + std::to_string(::getpid()) + "-" + std::to_string(counter++) + suffix;
   return (target.parent_path() / own).string();
 }
 
@@ -41,12 +42,13 @@ std::string FolderOf(const std::filesystem::path& file)
 
 bool IsPart(const std::string& name)
 {
-  const std::string suffix = PartSuffix;
-  return name.rfind(PartPrefix, 0) == 0 && name.size() > suffix.size() &&
-    name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0;
+  const auto endsIn = [&](const std::string& suffix) {
+    return name.size() > suffix.size() && name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0;
+  };
+  return name.rfind(PartPrefix, 0) == 0 && (endsIn(PartSuffix) || endsIn(FolderSuffix));
 }
 
-/// Removes what killed processes have left in a folder: new files that nobody holds.
+/// Removes what killed processes have left in a folder: new files and folders that nobody holds.
 void RemoveLeft(const std::string& folder)
 {
   namespace fs = std::filesystem;
@@ -60,7 +62,8 @@ void RemoveLeft(const std::string& folder)
     const int descriptor = ::open(entry->path().c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0)
     {
-      ::unlink(entry->path().c_str());
+      std::error_code ignored;
+      fs::remove_all(entry->path(), ignored);
     }
     if (descriptor >= 0)
     {
@@ -197,7 +200,7 @@ ReplacedFile::ReplacedFile(const std::string& target)
     return;
   }
   this->Target = Followed(target);
-  this->Temporary = TemporaryName(this->Target);
+  this->Temporary = TemporaryName(this->Target, PartSuffix);
   RemoveLeft(FolderOf(this->Target));
   if (!this->CreateWithoutName() && !this->CreateWithName())
   {
@@ -316,9 +319,31 @@ bool ReplacedFile::Commit()
 }
 
 //----------------------------------------------------------------------------
-std::string OwnNumber()
+HiddenFolder::HiddenFolder(const std::string& beside)
+  : Name(TemporaryName(beside, FolderSuffix))
 {
-  return std::to_string(::getpid());
+  std::error_code error;
+  const bool isMade = std::filesystem::create_directory(this->Name, error);
+  this->Reason = error ? error.message() : isMade ? "" : this->Name + " is there already";
+  this->Descriptor = ::open(this->Name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (this->Descriptor >= 0)
+  {
+    ::flock(this->Descriptor, LOCK_EX); // tells the folder from one that was left
+  }
+}
+
+//----------------------------------------------------------------------------
+HiddenFolder::~HiddenFolder()
+{
+  if (this->Reason.empty())
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(this->Name, ignored);
+  }
+  if (this->Descriptor >= 0)
+  {
+    ::close(this->Descriptor);
+  }
 }
 
 //----------------------------------------------------------------------------

@@ -76,8 +76,26 @@ private:
   std::ostream Output;
 };
 
-/// Number of this process, for names of its own.
-std::string OwnNumber();
+/// A folder beside a file, under a hidden name, which goes with this object or, where the process was killed, with the
+/// next new file there.
+class HiddenFolder
+{
+public:
+  /// Makes the folder. WhyFailed() tells whether that went well.
+  explicit HiddenFolder(const std::string& beside);
+  ~HiddenFolder();
+  HiddenFolder(const HiddenFolder&) = delete;
+  HiddenFolder& operator=(const HiddenFolder&) = delete;
+
+  /// Why there is no folder, as the system says it; empty if there is one.
+  const std::string& WhyFailed() const { return this->Reason; }
+  const std::string& Path() const { return this->Name; }
+
+private:
+  std::string Name;
+  std::string Reason;
+  int Descriptor = -1; // which holds it
+};
 
 /// Writes a new file to the disk. Why that failed, as the system says it; empty if it did not.
 std::string WhyNotWritten(const std::string& path, const std::string& bytes);

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -45,6 +46,8 @@ struct VolumeBlock
   const unsigned char* Ghosts = nullptr;  ///< a byte a sample; null: all samples count
   unsigned char Hidden = 0;               ///< bits of Ghosts that take a sample away
   std::vector<std::shared_ptr<void>> Own; ///< owners of the memory that the pointers lead to
+  /// The samples of a box of the block, where Values lie elsewhere. Throws InvalidInput.
+  std::function<VolumeBlock(const std::array<int, 6>& box)> Load;
 
   std::size_t Count(int axis) const
   {
@@ -57,6 +60,15 @@ struct VolumeBlock
     return x - this->Extent[0] + this->Count(0) * (y - this->Extent[2] + this->Count(1) * (z - this->Extent[4]));
   }
 };
+
+/**
+ * The boxes in which a block is loaded, one after the other: of whole leaves of 8 samples a side, along x all of them,
+ * and of no more bytes than 16 MiB, or those of a row of leaves.
+ */
+std::vector<std::array<int, 6>> BoxesToLoad(const VolumeBlock& block, int components);
+
+/// The most bytes of such a box, with marks of ghosts.
+double BytesToLoad(const VolumeBlock& block, int components);
 
 /// An array of one block of the input, in one or several boxes.
 struct Volume

@@ -231,6 +231,24 @@ std::uint32_t ToleranceBits(double tolerance)
   return static_cast<double>(limit) > tolerance ? bits - 1 : bits;
 }
 
+/// Visits the blocks of a volume, of those that lie elsewhere box by box.
+template <typename Visit>
+void EachLoaded(const Volume& volume, const Visit& visit)
+{
+  for (const VolumeBlock& block : volume.Blocks)
+  {
+    if (!block.Load)
+    {
+      visit(block);
+      continue;
+    }
+    for (const std::array<int, 6>& box : BoxesToLoad(block, volume.Components))
+    {
+      visit(block.Load(box));
+    }
+  }
+}
+
 template <typename Grid>
 openvdb::GridBase::Ptr MakeGrid(const Volume& volume, const VolumeFileOptions& options, const ParallelFor& parallelFor)
 {
@@ -238,8 +256,7 @@ openvdb::GridBase::Ptr MakeGrid(const Volume& volume, const VolumeFileOptions& o
   auto grid = Grid::create();
   auto& tree = grid->tree();
   const std::uint32_t toleranceBits = ToleranceBits(options.Tolerance);
-  for (const VolumeBlock& block : volume.Blocks)
-  {
+  EachLoaded(volume, [&](const VolumeBlock& block) {
     const LeafBox box(block);
     std::vector<LeafDraft<Leaf>> drafts(box.Count());
     parallelFor(drafts.size(), [&](std::size_t begin, std::size_t end) {
@@ -261,7 +278,7 @@ openvdb::GridBase::Ptr MakeGrid(const Volume& volume, const VolumeFileOptions& o
         Insert(tree, draft);
       }
     }
-  }
+  });
   openvdb::tools::pruneTiles(tree);
   return grid;
 }

@@ -19,11 +19,7 @@ namespace
 constexpr int HeadTag = 78120;
 constexpr int ValuesTag = 78121;
 constexpr int GhostsTag = 78122;
-
-bool IsAlone(vtkMultiProcessController* controller)
-{
-  return !controller || controller->GetNumberOfProcesses() < 2;
-}
+constexpr int RequestTag = 78123;
 
 void Put(vtkMultiProcessStream& stream, const VolumeRemarks& remarks)
 {
@@ -131,12 +127,7 @@ void Take(vtkMultiProcessStream& stream, Volume& volume)
   }
 }
 
-bool IsDense(const VolumeBlock& block, int components)
-{
-  return block.Stride == static_cast<std::size_t>(components);
-}
-
-/// Why there is no memory to send one block after the other; empty if there is.
+/// Why there is no memory to send a box of a block; empty if there is.
 std::string WhyNotPacked(const std::vector<Volume>& volumes)
 {
   double bytes = 0.0;
@@ -144,35 +135,48 @@ std::string WhyNotPacked(const std::vector<Volume>& volumes)
   {
     for (const VolumeBlock& block : volume.Blocks)
     {
-      const bool dense = IsDense(block, volume.Components);
-      bytes = std::max(bytes, dense ? 0.0 : sizeof(float) * volume.Components * static_cast<double>(block.Count()));
+      bytes = std::max(bytes, BytesToLoad(block, volume.Components));
     }
   }
   return WhyRefused([&] { RequireMemory(bytes, "A part of the volumes", "take a smaller or coarser grid"); });
 }
 
-/// A block's values without gaps between the samples.
-std::vector<float> Packed(const VolumeBlock& block, int components)
+/// Visits the rows of a box of a block: the places of their first samples, and their lengths.
+template <typename Visit>
+void EachRow(const VolumeBlock& block, const std::array<int, 6>& box, const Visit& visit)
 {
-  std::vector<float> values;
-  values.reserve(block.Count() * components);
-  for (std::size_t sample = 0; sample < block.Count(); ++sample)
+  for (int z = box[4]; z <= box[5]; ++z)
   {
-    const float* from = block.Values + sample * block.Stride;
-    values.insert(values.end(), from, from + components);
+    for (int y = box[2]; y <= box[3]; ++y)
+    {
+      visit(block.Place(box[0], y, z), static_cast<std::size_t>(box[1] - static_cast<long long>(box[0]) + 1));
+    }
   }
-  return values;
 }
 
-void SendBlock(vtkMultiProcessController* controller, const VolumeBlock& block, int components)
+void SendBox(
+  vtkMultiProcessController* controller, const VolumeBlock& block, int components, const std::array<int, 6>& box)
 {
-  const bool dense = IsDense(block, components);
-  const std::vector<float> packed = dense ? std::vector<float>() : Packed(block, components);
-  controller->Send(
-    dense ? block.Values : packed.data(), static_cast<vtkIdType>(block.Count()) * components, 0, ValuesTag);
-  if (block.Ghosts && block.Hidden)
+  VolumeBlock part;
+  part.Extent = box;
+  std::vector<float> values;
+  std::vector<unsigned char> ghosts;
+  values.reserve(part.Count() * components);
+  EachRow(block, box, [&](std::size_t first, std::size_t length) {
+    for (std::size_t sample = first; sample < first + length; ++sample)
+    {
+      const float* from = block.Values + sample * block.Stride;
+      values.insert(values.end(), from, from + components);
+    }
+    if (block.Ghosts && block.Hidden)
+    {
+      ghosts.insert(ghosts.end(), block.Ghosts + first, block.Ghosts + first + length);
+    }
+  });
+  controller->Send(values.data(), static_cast<vtkIdType>(values.size()), 0, ValuesTag);
+  if (!ghosts.empty())
   {
-    controller->Send(block.Ghosts, static_cast<vtkIdType>(block.Count()), 0, GhostsTag);
+    controller->Send(ghosts.data(), static_cast<vtkIdType>(ghosts.size()), 0, GhostsTag);
   }
 }
 
@@ -186,21 +190,53 @@ const Number* ReceiveInto(
   return numbers->data();
 }
 
-void ReceiveBlock(vtkMultiProcessController* controller, VolumeBlock& block, int components, int rank)
+/// The numbers of a volume and of a block of it, and a box, that a rank is asked for; a volume below 0 ends it.
+using Request = std::array<int, 8>;
+
+/// A box of a block of another rank.
+VolumeBlock LoadedBox(
+  vtkMultiProcessController* controller, int rank, const Request& request, int components, int hidden)
 {
-  block.Stride = components;
-  block.Values = ReceiveInto<float>(controller, block, block.Count() * components, rank, ValuesTag);
-  if (block.Hidden)
+  controller->Send(request.data(), static_cast<vtkIdType>(request.size()), rank, RequestTag);
+  VolumeBlock part;
+  std::copy(request.begin() + 2, request.end(), part.Extent.begin());
+  part.Stride = static_cast<std::size_t>(components);
+  part.Values = ReceiveInto<float>(controller, part, part.Count() * components, rank, ValuesTag);
+  part.Hidden = static_cast<unsigned char>(hidden);
+  if (hidden != 0)
   {
-    block.Ghosts = ReceiveInto<unsigned char>(controller, block, block.Count(), rank, GhostsTag);
+    part.Ghosts = ReceiveInto<unsigned char>(controller, part, part.Count(), rank, GhostsTag);
   }
+  return part;
+}
+
+bool IsEmpty(const std::array<int, 6>& extent)
+{
+  return extent[1] < extent[0] || extent[3] < extent[2] || extent[5] < extent[4];
+}
+
+std::array<int, 6> Union(const std::array<int, 6>& a, const std::array<int, 6>& b)
+{
+  std::array<int, 6> both = IsEmpty(a) ? b : a;
+  for (int axis = 0; axis < 3 && !IsEmpty(b); ++axis)
+  {
+    both[2 * axis] = std::min(both[2 * axis], b[2 * axis]);
+    both[2 * axis + 1] = std::max(both[2 * axis + 1], b[2 * axis + 1]);
+  }
+  return both;
 }
 
 void SendShapes(vtkMultiProcessController* controller, const VolumeInput& input)
 {
   vtkMultiProcessStream head;
   const std::string reason = input.Reason.empty() ? WhyNotPacked(input.Volumes) : input.Reason;
-  head << reason << static_cast<vtkTypeInt64>(input.Samples) << static_cast<int>(input.Volumes.size());
+  head << reason << static_cast<vtkTypeInt64>(input.Samples);
+  for (const int bound : input.Extent)
+  {
+    head << bound;
+  }
+  Put(head, input.Remarks);
+  head << static_cast<int>(input.Volumes.size());
   for (const Volume& volume : input.Volumes)
   {
     Put(head, volume);
@@ -214,9 +250,19 @@ void ReceiveShapes(vtkMultiProcessController* controller, VolumeInput& input, in
   controller->Receive(head, rank, HeadTag);
   std::string reason;
   vtkTypeInt64 samples;
+  std::array<int, 6> extent;
+  VolumeRemarks remarks;
   int volumes;
-  head >> reason >> samples >> volumes;
+  head >> reason >> samples;
+  for (int& bound : extent)
+  {
+    head >> bound;
+  }
+  Take(head, remarks);
+  head >> volumes;
+  input.Remarks = input.Samples == 0 ? remarks : input.Remarks; // of the first rank that has samples
   input.Samples += static_cast<std::size_t>(samples);
+  input.Extent = Union(input.Extent, extent);
   if (input.Reason.empty())
   {
     input.Reason = reason;
@@ -226,60 +272,58 @@ void ReceiveShapes(vtkMultiProcessController* controller, VolumeInput& input, in
     Volume volume;
     volume.Rank = rank;
     Take(head, volume);
+    for (std::size_t index = 0; index < volume.Blocks.size(); ++index)
+    {
+      VolumeBlock& block = volume.Blocks[index];
+      block.Load = [=, components = volume.Components, hidden = static_cast<int>(block.Hidden)](
+                     const std::array<int, 6>& box) {
+        Request request{ { n, static_cast<int>(index) } };
+        std::copy(box.begin(), box.end(), request.begin() + 2);
+        return LoadedBox(controller, rank, request, components, hidden);
+      };
+    }
     input.Volumes.push_back(volume);
   }
 }
 
 }
 
-bool IsFirstRank(vtkMultiProcessController* controller)
+void GatherShapes(const WriterRanks& ranks, VolumeInput& input)
 {
-  return IsAlone(controller) || controller->GetLocalProcessId() == 0;
-}
-
-void GatherShapes(vtkMultiProcessController* controller, VolumeInput& input)
-{
-  if (IsAlone(controller))
+  for (int rank = 1; ranks.IsFirst() && rank < ranks.GetNumberOfRanks(); ++rank)
   {
-    return;
+    ReceiveShapes(ranks.GetController(), input, rank);
   }
-  if (!IsFirstRank(controller))
+  if (!ranks.IsFirst())
   {
-    SendShapes(controller, input);
-    return;
-  }
-  for (int rank = 1; rank < controller->GetNumberOfProcesses(); ++rank)
-  {
-    ReceiveShapes(controller, input, rank);
+    SendShapes(ranks.GetController(), input);
   }
 }
 
-void GatherValues(vtkMultiProcessController* controller, VolumeInput& input)
+VolumeServing::~VolumeServing()
 {
-  for (Volume& volume : input.Volumes)
+  const Request end{ { -1 } };
+  for (int rank = 1; this->Ranks.IsFirst() && rank < this->Ranks.GetNumberOfRanks(); ++rank)
   {
-    for (VolumeBlock& block : volume.Blocks)
+    this->Ranks.GetController()->Send(end.data(), static_cast<vtkIdType>(end.size()), rank, RequestTag);
+  }
+}
+
+void VolumeServing::Serve(const VolumeInput& input) const
+{
+  for (;;)
+  {
+    Request request;
+    this->Ranks.GetController()->Receive(request.data(), static_cast<vtkIdType>(request.size()), 0, RequestTag);
+    if (request[0] < 0)
     {
-      if (!IsFirstRank(controller))
-      {
-        SendBlock(controller, block, volume.Components);
-      }
-      else if (volume.Rank != 0)
-      {
-        ReceiveBlock(controller, block, volume.Components, volume.Rank);
-      }
+      return;
     }
+    const Volume& volume = input.Volumes[request[0]];
+    std::array<int, 6> box;
+    std::copy(request.begin() + 2, request.end(), box.begin());
+    SendBox(this->Ranks.GetController(), volume.Blocks[request[1]], volume.Components, box);
   }
-}
-
-bool ShareAnswer(vtkMultiProcessController* controller, bool answer)
-{
-  int shared = answer;
-  if (!IsAlone(controller))
-  {
-    controller->Broadcast(&shared, 1, 0);
-  }
-  return shared != 0;
 }
 
 }

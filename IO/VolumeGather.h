@@ -4,26 +4,35 @@
 #define LittoralVolumeGather_h
 
 #include "VolumeInput.h"
-
-class vtkMultiProcessController;
+#include "WriterRanks.h"
 
 namespace littoral
 {
 
 /**
- * Brings what the ranks hold to rank 0, which then has Samples, the first Reason of all, and Volumes whose blocks have
- * extents but, those of other ranks, no values. Each rank must call this. Null, or one rank: nothing to do.
+ * Tells rank 0 what the ranks hold, which then has Samples, Extent, the first Reason of all, and Volumes whose blocks
+ * of other ranks are loaded box by box, while those ranks serve. Each rank must call this. On one rank: nothing to do.
  */
-void GatherShapes(vtkMultiProcessController* controller, VolumeInput& input);
+void GatherShapes(const WriterRanks& ranks, VolumeInput& input);
 
-/// Brings the values to rank 0, which has asked for their memory; each rank must call this, or none.
-void GatherValues(vtkMultiProcessController* controller, VolumeInput& input);
+/// As long as rank 0 has one, blocks of others can be loaded. Each rank must make one, and those others Serve().
+class VolumeServing
+{
+public:
+  explicit VolumeServing(const WriterRanks& ranks)
+    : Ranks(ranks)
+  {
+  }
+  ~VolumeServing();
+  VolumeServing(const VolumeServing&) = delete;
+  VolumeServing& operator=(const VolumeServing&) = delete;
 
-/// Rank 0's answer, on each rank.
-bool ShareAnswer(vtkMultiProcessController* controller, bool answer);
+  /// Hands over what rank 0 asks for, until that lets go.
+  void Serve(const VolumeInput& input) const;
 
-/// Whether this rank is the one that has it all.
-bool IsFirstRank(vtkMultiProcessController* controller);
+private:
+  WriterRanks Ranks;
+};
 
 }
 

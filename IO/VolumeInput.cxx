@@ -364,6 +364,10 @@ VolumeInput ReadVolumes(vtkDataObject* input, vtkDataArraySelection* points, vtk
 {
   VolumeInput result;
   result.Remarks = RemarksOf(input);
+  if (auto* image = vtkImageData::SafeDownCast(input))
+  {
+    image->GetExtent(result.Extent.data());
+  }
   Read(input, {}, {}, { points, cells }, result);
   return result;
 }

@@ -5,6 +5,7 @@
 
 #include "Volume.h"
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -19,9 +20,10 @@ namespace littoral
 struct VolumeInput
 {
   std::vector<Volume> Volumes;
-  VolumeRemarks Remarks;   ///< of the input as a whole
-  std::size_t Samples = 0; ///< points and cells, with or without arrays
-  std::string Reason;      ///< why it cannot be written, in words for a user; empty if it can
+  VolumeRemarks Remarks;                                ///< of the input as a whole
+  std::size_t Samples = 0;                              ///< points and cells, with or without arrays
+  std::array<int, 6> Extent{ { 0, -1, 0, -1, 0, -1 } }; ///< of an input that is an image
+  std::string Reason; ///< why it cannot be written, in words for a user; empty if it can
 };
 
 /// Volumes of an image, or of the images in a composite. The selections may hold switched-off names.

@@ -175,6 +175,12 @@ void vtkElevationWriter::WriteInput()
 }
 
 //----------------------------------------------------------------------------
+void vtkElevationWriter::WriteTogether(vtkDataObject* own)
+{
+  this->WritePartsTogether(own, [this](const littoral::ImageParts& parts) { this->WriteHeights(parts); });
+}
+
+//----------------------------------------------------------------------------
 int vtkElevationWriter::Write()
 {
   return this->WriteParts([this](const littoral::ImageParts& parts) { this->WriteHeights(parts); });

@@ -83,6 +83,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void WriteInput() override;
+  void WriteTogether(vtkDataObject* own) override;
 
 private:
   vtkElevationWriter(const vtkElevationWriter&) = delete;

@@ -228,8 +228,8 @@ void vtkForestDensityWriter::WriteInput()
   littoral::ParameterCheck check;
   check.Range("DragCoefficient", this->DragCoefficient, 0.0, 10.0);
   littoral::Require(check.Reason());
-  auto* image = vtkImageData::SafeDownCast(this->GetInput());
-  auto* trees = vtkPointSet::SafeDownCast(this->GetInput());
+  auto* image = vtkImageData::SafeDownCast(this->GetWholeInput());
+  auto* trees = vtkPointSet::SafeDownCast(this->GetWholeInput());
   littoral::Require(image || trees ? "" : "there is no input");
   const bool isOfCells = extension == ".bdf" || extension == ".dat" || extension == ".nc";
   littoral::Require(isOfCells || extension == ".amrwind" ? "" : "FileName must end in .bdf, .dat, .nc or .amrwind");

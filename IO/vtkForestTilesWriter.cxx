@@ -6,15 +6,20 @@
 #include "Data/Georeference.h"
 #include "Data/Inputs.h"
 #include "ForestTileFiles.h"
+#include "GatheredPoints.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Memory.h"
 #include "Pipeline/Pipeline.h"
+#include "PlainData.h"
 #include "SceneBlocks.h"
 #include "SceneInput.h"
+#include "WriterRanks.h"
 
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -25,6 +30,7 @@ namespace
 {
 
 constexpr int Levels = 3;
+constexpr int PrototypesTag = 78160;
 /// A tree in memory: as read, on earth, in the order, and in a file of places.
 constexpr double BytesOfTree = 400.0;
 
@@ -38,6 +44,22 @@ void RequireForest(vtkMultiBlockDataSet* blocks)
   littoral::RequireMemory(
     BytesOfTree * static_cast<double>(points->GetNumberOfPoints()), "the tiles of the trees", "take fewer");
   littoral::RequireScene({}, { { "the forest", littoral::SceneKind::Automatic, blocks } }, {});
+}
+
+/// The same blocks with other instances.
+vtkSmartPointer<vtkDataObject> WithTrees(vtkMultiBlockDataSet* blocks, vtkPolyData* trees)
+{
+  auto copy = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  copy->ShallowCopy(blocks);
+  vtkPolyData* before = littoral::InstancesOf(copy);
+  for (unsigned int index = 0; index < copy->GetNumberOfBlocks(); ++index)
+  {
+    if (copy->GetBlock(index) == before)
+    {
+      copy->SetBlock(index, trees);
+    }
+  }
+  return copy;
 }
 
 /// The instances of blocks with the prototypes of each level.
@@ -88,6 +110,34 @@ int vtkForestTilesWriter::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //----------------------------------------------------------------------------
+/// The prototypes of the first rank that has trees, and the trees of all.
+vtkSmartPointer<vtkDataObject> vtkForestTilesWriter::GatherInput(vtkDataObject* own)
+{
+  const littoral::WriterRanks ranks(this->GetController());
+  vtkSmartPointer<vtkMultiBlockDataSet> blocks;
+  ranks.Agree(littoral::WhyRefused(
+    [&] { blocks = own ? littoral::BlocksOf(own, "the forest") : vtkSmartPointer<vtkMultiBlockDataSet>::New(); }));
+  vtkPolyData* trees = littoral::InstancesOf(blocks);
+  const vtkSmartPointer<vtkPolyData> all = littoral::GatherPoints(ranks, trees);
+  const int filled = ranks.FirstWith(trees && trees->GetNumberOfPoints() > 0);
+  if (filled > 0 && ranks.GetRank() == filled)
+  {
+    ranks.GetController()->Send(littoral::PlainData(blocks), 0, PrototypesTag);
+  }
+  if (!ranks.IsFirst() || filled < 0)
+  {
+    return blocks;
+  }
+  vtkNew<vtkMultiBlockDataSet> received;
+  if (filled > 0)
+  {
+    ranks.GetController()->Receive(received, filled, PrototypesTag);
+    blocks = received;
+  }
+  return WithTrees(blocks, littoral::InOrder(all, "PlantId")); // parts are cells of the forest, each in that order
+}
+
+//----------------------------------------------------------------------------
 void vtkForestTilesWriter::WriteInput()
 {
   const std::string path = this->NeedFileName();
@@ -101,7 +151,7 @@ void vtkForestTilesWriter::WriteInput()
   check.Finite("CoordinateOffset[0]", this->CoordinateOffset[0], "m");
   check.Finite("CoordinateOffset[1]", this->CoordinateOffset[1], "m");
   littoral::Require(check.Reason());
-  const vtkSmartPointer<vtkMultiBlockDataSet> blocks = littoral::BlocksOf(this->GetInput(), "the forest");
+  const vtkSmartPointer<vtkMultiBlockDataSet> blocks = littoral::BlocksOf(this->GetWholeInput(), "the forest");
   RequireForest(blocks);
   littoral::Georeference place = littoral::ReadGeoreference(littoral::InstancesOf(blocks));
   if (!this->CoordinateSystem.empty())

@@ -29,7 +29,7 @@
  *
  * The files are written under other names and renamed when all are complete; the tileset comes last. On failure, an
  * existing tileset of this name is unchanged, one error tells why, and Write() returns 0. An older folder of this name
- * goes. The same input gives the same bytes. Trees on other ranks than the first are not written.
+ * goes. The same input gives the same bytes. On several ranks the first one gathers the trees of all.
  *
  * @sa vtkGLTFSceneWriter vtkPlantScatterFilter
  */
@@ -106,6 +106,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void WriteInput() override;
+  vtkSmartPointer<vtkDataObject> GatherInput(vtkDataObject* own) override;
 
 private:
   vtkForestTilesWriter(const vtkForestTilesWriter&) = delete;

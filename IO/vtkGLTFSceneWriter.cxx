@@ -70,6 +70,7 @@ public:
 vtkGLTFSceneWriter::vtkGLTFSceneWriter()
   : vtkSingleFileWriter("a scene")
 {
+  this->SetController(nullptr);
 }
 
 //----------------------------------------------------------------------------
@@ -152,7 +153,10 @@ int vtkGLTFSceneWriter::RequestData(vtkInformation* request, vtkInformationVecto
   this->WriteData();
   if (this->GetErrorCode() == vtkErrorCode::NoError && this->Frame > 0)
   {
-    request->Set(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING(), 1);
+    if (!this->IsStepping)
+    {
+      request->Set(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING(), 1);
+    }
     return 1;
   }
   request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
@@ -165,7 +169,17 @@ int vtkGLTFSceneWriter::RequestData(vtkInformation* request, vtkInformationVecto
 int vtkGLTFSceneWriter::Write()
 {
   this->End();
-  return this->Superclass::Write();
+  // Frame by frame: where an input fails, VTK's executive would never end a loop of its own.
+  this->IsStepping = true;
+  int written = 0;
+  for (int before = -1; this->Frame > before;)
+  {
+    before = this->Frame;
+    written = this->Superclass::Write();
+  }
+  this->IsStepping = false;
+  this->End();
+  return written;
 }
 
 //----------------------------------------------------------------------------

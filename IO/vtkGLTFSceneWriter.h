@@ -332,6 +332,7 @@ private:
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals; // the scene while it is read
   int Frame = 0;                           // of the motion
+  bool IsStepping = false;                 // by Write()
 };
 
 #endif

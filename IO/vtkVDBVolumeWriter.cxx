@@ -4,17 +4,20 @@
 
 #include "NumberedSuffix.h"
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/FailedInput.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "VolumeFile.h"
 #include "VolumeGather.h"
 #include "VolumeInput.h"
+#include "WriterRanks.h"
 
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArraySelection.h"
 #include "vtkDataObject.h"
 #include "vtkErrorCode.h"
+#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -33,20 +36,38 @@ namespace
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-/// Memory of the values that come from other ranks, of the grids, and of what becomes of them while they are written
+/// Memory of the grids, with what becomes of them while they are written, and of the largest box of other ranks
 /// [bytes].
 double BytesOf(const std::vector<littoral::Volume>& volumes)
 {
-  double bytes = 0.0;
+  double grids = 0.0;
+  double box = 0.0;
   for (const littoral::Volume& volume : volumes)
   {
     for (const littoral::VolumeBlock& block : volume.Blocks)
     {
-      const double values = sizeof(float) * volume.Components * static_cast<double>(block.Count());
-      bytes += 1.1 * values + (volume.Rank != 0 ? values + static_cast<double>(block.Count()) : 0.0);
+      grids += 1.1 * sizeof(float) * volume.Components * static_cast<double>(block.Count());
+      box = std::max(box, block.Load ? littoral::BytesToLoad(block, volume.Components) : 0.0);
     }
   }
-  return bytes;
+  return grids + box;
+}
+
+/// The time steps of an input.
+int StepsOf(vtkInformation* input)
+{
+  return input && input->Has(Pipeline::TIME_STEPS()) ? input->Length(Pipeline::TIME_STEPS()) : 0;
+}
+
+/// Whether one extent lies in another; one without points does.
+bool Holds(const std::array<int, 6>& outer, const int inner[6])
+{
+  bool holds = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    holds = holds && outer[2 * axis] <= inner[2 * axis] && outer[2 * axis + 1] >= inner[2 * axis + 1];
+  }
+  return holds || inner[1] < inner[0] || inner[3] < inner[2] || inner[5] < inner[4];
 }
 
 /// Why the input of all ranks cannot be written; empty if it can.
@@ -130,19 +151,21 @@ vtkTypeBool vtkVDBVolumeWriter::ProcessRequest(
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
   if (input && this->Controller && request->Has(Pipeline::REQUEST_UPDATE_EXTENT()))
   {
-    input->Set(Pipeline::UPDATE_PIECE_NUMBER(), this->Controller->GetLocalProcessId());
-    input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), this->Controller->GetNumberOfProcesses());
-    input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    littoral::WriterRanks(this->Controller).AskForPart(input);
+    this->NoteExtent(input, inputVector[0] != this->GetExecutive()->GetInputInformation(0));
   }
   if (this->WriteAllTimeSteps && input && request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
   {
-    this->NumberOfSteps = input->Has(Pipeline::TIME_STEPS()) ? input->Length(Pipeline::TIME_STEPS()) : 0;
-    this->CurrentStep = 0;
+    if (!this->IsStepping)
+    {
+      this->NumberOfSteps = StepsOf(input);
+      this->CurrentStep = 0;
+    }
     return 1;
   }
   if (this->WriteAllTimeSteps && input && request->Has(Pipeline::REQUEST_UPDATE_EXTENT()))
   {
-    if (this->CurrentStep < this->NumberOfSteps)
+    if (this->CurrentStep < StepsOf(input))
     {
       input->Set(Pipeline::UPDATE_TIME_STEP(), input->Get(Pipeline::TIME_STEPS())[this->CurrentStep]);
     }
@@ -166,11 +189,11 @@ int vtkVDBVolumeWriter::RequestData(vtkInformation* request, vtkInformationVecto
   this->InvokeEvent(vtkCommand::EndEvent);
   this->WriteTime.Modified();
   const bool written = this->GetErrorCode() == vtkErrorCode::NoError;
-  if (written && ++this->CurrentStep < this->NumberOfSteps)
+  if (written && !this->IsStepping && ++this->CurrentStep < this->NumberOfSteps)
   {
     request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
   }
-  else
+  else if (!this->IsStepping)
   {
     request->Remove(Pipeline::CONTINUE_EXECUTING());
     this->CurrentStep = 0;
@@ -182,13 +205,60 @@ int vtkVDBVolumeWriter::RequestData(vtkInformation* request, vtkInformationVecto
 //----------------------------------------------------------------------------
 int vtkVDBVolumeWriter::Write()
 {
-  if (this->GetNumberOfInputConnections(0) > 0)
+  const littoral::WriterRanks ranks(this->Controller);
+  const bool hasInput = this->GetNumberOfInputConnections(0) > 0;
+  if (!hasInput && ranks.IsAlone())
   {
-    return this->Superclass::Write();
+    this->Refuse("there is no input.");
+    this->SetErrorCode(vtkErrorCode::UnknownError);
+    return 0;
   }
-  this->Refuse("there is no input.");
-  this->SetErrorCode(vtkErrorCode::UnknownError);
-  return 0;
+  if (hasInput && this->WriteAllTimeSteps)
+  {
+    this->GetInputAlgorithm()->UpdateInformation();
+  }
+  const bool isSeries = hasInput && this->WriteAllTimeSteps;
+  this->NumberOfSteps = ranks.Largest(isSeries ? StepsOf(this->GetInputInformation(0, 0)) : 0);
+  // Step by step: where the input fails, VTK's executive would never end a loop of its own.
+  this->IsStepping = true;
+  bool isWritten = true;
+  for (this->CurrentStep = 0; isWritten && this->CurrentStep < std::max(1, this->NumberOfSteps); ++this->CurrentStep)
+  {
+    isWritten = this->WriteStep(hasInput);
+  }
+  this->IsStepping = false;
+  this->CurrentStep = 0;
+  return isWritten ? 1 : 0;
+}
+
+//----------------------------------------------------------------------------
+bool vtkVDBVolumeWriter::WriteStep(bool hasInput)
+{
+  this->IsAwaited = true;
+  this->SetErrorCode(vtkErrorCode::NoError);
+  if (hasInput)
+  {
+    this->Superclass::Write();
+  }
+  if (this->IsAwaited && littoral::WriterRanks(this->Controller).IsAlone())
+  {
+    this->SetErrorCode(vtkErrorCode::UnknownError); // the input has failed, and has told why
+  }
+  else if (this->IsAwaited) // the input has failed here, and others wait for it
+  {
+    this->WritePart(nullptr, hasInput);
+  }
+  return this->GetErrorCode() == vtkErrorCode::NoError;
+}
+
+//----------------------------------------------------------------------------
+/// Each file of a series has its image by itself, but is asked for by the input of the series.
+void vtkVDBVolumeWriter::NoteExtent(vtkInformation* input, bool isOfSeries)
+{
+  if (input->Has(Pipeline::WHOLE_EXTENT()) && (isOfSeries || this->Announced[1] < this->Announced[0]))
+  {
+    input->Get(Pipeline::WHOLE_EXTENT(), this->Announced);
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -226,7 +296,7 @@ std::string vtkVDBVolumeWriter::StepFileName() const
 //----------------------------------------------------------------------------
 void vtkVDBVolumeWriter::Refuse(const std::string& reason)
 {
-  if (littoral::IsFirstRank(this->Controller))
+  if (littoral::WriterRanks(this->Controller).IsFirst())
   {
     vtkErrorMacro(<< littoral::FileMessage(
                     "write", this->HasFileName() ? this->StepFileName() : "", "a volume", reason));
@@ -236,53 +306,94 @@ void vtkVDBVolumeWriter::Refuse(const std::string& reason)
 //----------------------------------------------------------------------------
 void vtkVDBVolumeWriter::WriteData()
 {
+  this->IsAwaited = false;
   vtkDataObject* data = this->GetInput();
-  std::string reason = this->HasFileName() ? this->WhyInvalid() : "FileName is empty.";
-  if (!reason.empty() || !data)
+  if (!data && littoral::WriterRanks(this->Controller).IsAlone())
   {
-    this->Refuse(data ? reason : "there is no input.");
+    this->Refuse("there is no input.");
     this->SetErrorCode(vtkErrorCode::UnknownError);
     return;
   }
-  littoral::VolumeInput input =
-    littoral::ReadVolumes(data, this->PointDataArraySelection, this->CellDataArraySelection);
-  littoral::GatherShapes(this->Controller, input);
+  this->WritePart(data, littoral::HasFailedInput(this));
+}
 
+//----------------------------------------------------------------------------
+/// Writes what all ranks have, each of which calls this.
+void vtkVDBVolumeWriter::WritePart(vtkDataObject* data, bool hasFailed)
+{
+  this->IsAwaited = false;
+  const littoral::WriterRanks ranks(this->Controller);
+  if (!ranks.IsAlone() && ranks.FirstWith(hasFailed) == 0) // it has told why
+  {
+    this->SetErrorCode(vtkErrorCode::UnknownError);
+    return;
+  }
+  littoral::VolumeInput input;
+  if (data)
+  {
+    input = littoral::ReadVolumes(data, this->PointDataArraySelection, this->CellDataArraySelection);
+  }
+  const std::string reason = this->HasFileName() ? this->WhyInvalid() : "FileName is empty.";
+  if (!reason.empty())
+  {
+    input.Reason = reason;
+  }
+  if (hasFailed && !ranks.IsAlone())
+  {
+    input.Reason = "the input has failed on rank " + std::to_string(ranks.GetRank()) + ".";
+  }
+  littoral::GatherShapes(ranks, input);
   littoral::FileOutcome outcome;
-  const bool isFirst = littoral::IsFirstRank(this->Controller);
-  outcome.Reason = isFirst ? WhyUnfit(input) : "";
-  if (littoral::ShareAnswer(this->Controller, outcome.Reason.empty()))
   {
-    littoral::GatherValues(this->Controller, input);
-  }
-  if (isFirst)
-  {
-    if (outcome.Reason.empty())
+    const littoral::VolumeServing serving(ranks);
+    if (ranks.IsFirst())
     {
-      littoral::JoinVolumes(input.Volumes);
-      outcome.Reason = NameVolumes(input.Volumes, this->GridName);
+      outcome = this->WriteGathered(input);
     }
-    if (outcome.Reason.empty())
+    else
     {
-      const double steps = std::max(1, this->NumberOfSteps);
-      this->SetProgressText("Writing volumes");
-      outcome = littoral::WriteVolumes(this->StepFileName(), input.Volumes, input.Remarks,
-        { this->HalfFloat, this->Tolerance, static_cast<littoral::VolumeCompression>(this->Compression) },
-        littoral::SmpFor, [&](double share) {
-          this->UpdateProgress((this->CurrentStep + share) / steps);
-          return !littoral::IsAborted(this);
-        });
-    }
-    if (!outcome.Reason.empty())
-    {
-      this->Refuse(outcome.Reason);
+      serving.Serve(input);
     }
   }
-  if (!littoral::ShareAnswer(this->Controller, outcome.Written))
+  std::fill_n(this->Announced, 6, -1);
+  this->Announced[0] = 0;
+  const bool isWritten = ranks.Shared(outcome.Written ? 1 : 0) != 0;
+  const bool isAborted = ranks.Shared(!outcome.Written && outcome.Reason.empty() ? 1 : 0) != 0;
+  if (!outcome.Reason.empty())
   {
-    const bool aborted = !outcome.Written && outcome.Reason.empty() && littoral::IsAborted(this);
-    this->SetErrorCode(aborted ? vtkErrorCode::UserError : vtkErrorCode::CannotOpenFileError);
+    this->Refuse(outcome.Reason);
   }
+  if (!isWritten)
+  {
+    this->SetErrorCode(isAborted ? vtkErrorCode::UserError : vtkErrorCode::CannotOpenFileError);
+  }
+}
+
+//----------------------------------------------------------------------------
+littoral::FileOutcome vtkVDBVolumeWriter::WriteGathered(littoral::VolumeInput& input)
+{
+  std::string reason = WhyUnfit(input);
+  if (reason.empty() && input.Extent[1] >= input.Extent[0] && !Holds(input.Extent, this->Announced))
+  {
+    reason = "a rank has not its part of the image.";
+  }
+  if (reason.empty())
+  {
+    littoral::JoinVolumes(input.Volumes);
+    reason = NameVolumes(input.Volumes, this->GridName);
+  }
+  if (!reason.empty())
+  {
+    return { false, reason };
+  }
+  const double steps = std::max(1, this->NumberOfSteps);
+  this->SetProgressText("Writing volumes");
+  return littoral::WriteVolumes(this->StepFileName(), input.Volumes, input.Remarks,
+    { this->HalfFloat, this->Tolerance, static_cast<littoral::VolumeCompression>(this->Compression) }, littoral::SmpFor,
+    [&](double share) {
+      this->UpdateProgress((this->CurrentStep + share) / steps);
+      return !littoral::IsAborted(this);
+    });
 }
 
 //----------------------------------------------------------------------------

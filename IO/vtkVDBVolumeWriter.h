@@ -26,7 +26,9 @@
  * file of this name is unchanged, one error names file and reason, and Write() returns 0. The same input gives the same
  * bytes.
  *
- * On several ranks each sends its part to rank 0, which writes one file. Write() must be called on all of them.
+ * On several ranks the first one writes one file, with the bytes of one rank: it makes the grids of the parts that it
+ * asks the others for, 16 MiB at a time. What one rank cannot do ends on all of them, with one error on the first.
+ * Write() must be called on all of them.
  */
 #ifndef vtkVDBVolumeWriter_h
 #define vtkVDBVolumeWriter_h
@@ -39,6 +41,12 @@
 
 class vtkDataArraySelection;
 class vtkMultiProcessController;
+
+namespace littoral
+{
+struct FileOutcome;
+struct VolumeInput;
+}
 
 class LITTORALIO_EXPORT vtkVDBVolumeWriter : public vtkWriter
 {
@@ -167,6 +175,10 @@ private:
   std::string StepFileName() const;
   /// One message naming the file, on the first rank.
   void Refuse(const std::string& reason);
+  void NoteExtent(vtkInformation* input, bool isOfSeries);
+  bool WriteStep(bool hasInput);
+  void WritePart(vtkDataObject* data, bool hasFailed);
+  littoral::FileOutcome WriteGathered(littoral::VolumeInput& input);
 
   char* FileName = nullptr;
   bool HalfFloat = false;
@@ -180,6 +192,9 @@ private:
   vtkMultiProcessController* Controller = nullptr;
   int NumberOfSteps = 0; ///< of a series; 0 where there is none
   int CurrentStep = 0;
+  bool IsStepping = false;                    ///< by Write()
+  bool IsAwaited = false;                     ///< by other ranks, for what this one has to write
+  int Announced[6] = { 0, -1, 0, -1, 0, -1 }; ///< extent of the image whose part was asked for
 };
 
 #endif

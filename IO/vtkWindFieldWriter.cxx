@@ -39,6 +39,12 @@ void vtkWindFieldWriter::WriteInput()
 }
 
 //----------------------------------------------------------------------------
+void vtkWindFieldWriter::WriteTogether(vtkDataObject* own)
+{
+  this->WritePartsTogether(own, [this](const littoral::ImageParts& parts) { this->WritePlanes(parts); });
+}
+
+//----------------------------------------------------------------------------
 int vtkWindFieldWriter::Write()
 {
   return this->WriteParts([this](const littoral::ImageParts& parts) { this->WritePlanes(parts); });

@@ -88,6 +88,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void WriteInput() override;
+  void WriteTogether(vtkDataObject* own) override;
 
 private:
   vtkWindFieldWriter(const vtkWindFieldWriter&) = delete;

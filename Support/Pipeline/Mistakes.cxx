@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/Mistakes.h"
 
+#include "Pipeline/FailedInput.h"
 #include "Pipeline/SharedKey.h"
 
 #include "vtkAlgorithm.h"
@@ -86,6 +87,13 @@ std::string Essence(std::string text)
   return text;
 }
 
+/// Whether one of them is an error.
+vtkInformationIntegerKey* HasErred()
+{
+  static auto* key = SharedKey<vtkInformationIntegerKey>("HAS_ERRED");
+  return key;
+}
+
 bool HasMistakes(vtkAlgorithm* algorithm)
 {
   vtkInformation* info = algorithm->GetInformation();
@@ -104,7 +112,13 @@ bool IsEmpty(vtkDataObject* data)
   return true;
 }
 
-bool IsDueToUpstream(vtkAlgorithm* algorithm)
+bool HasErrors(vtkAlgorithm* algorithm)
+{
+  return HasMistakes(algorithm) && algorithm->GetInformation()->Has(HasErred());
+}
+
+/// Whether an upstream algorithm of which something is true has no output.
+bool IsDueToUpstream(vtkAlgorithm* algorithm, bool (*isSo)(vtkAlgorithm*) = HasMistakes)
 {
   for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
   {
@@ -112,7 +126,7 @@ bool IsDueToUpstream(vtkAlgorithm* algorithm)
     {
       vtkAlgorithm* producer = algorithm->GetInputAlgorithm(port, index);
       if (producer &&
-        ((HasMistakes(producer) && IsEmpty(producer->GetOutputDataObject(0))) || IsDueToUpstream(producer)))
+        ((isSo(producer) && IsEmpty(producer->GetOutputDataObject(0))) || IsDueToUpstream(producer, isSo)))
       {
         return true;
       }
@@ -178,6 +192,14 @@ bool IsNewMistake(vtkAlgorithm* algorithm, const std::string& message, bool isEr
   }
   const std::string line = Essence(message) + "\n";
   const std::string printed = HasMistakes(algorithm) ? info->Get(Mistakes()) : "";
+  if (printed.empty())
+  {
+    info->Remove(HasErred());
+  }
+  if (isError)
+  {
+    info->Set(HasErred(), 1);
+  }
   if (isFurther || printed.find(line) != std::string::npos || IsDueToUpstream(algorithm))
   {
     return false;
@@ -185,6 +207,11 @@ bool IsNewMistake(vtkAlgorithm* algorithm, const std::string& message, bool isEr
   info->Set(Mistakes(), (printed + line).c_str());
   info->Set(MistakesTime(), static_cast<vtkIdType>(algorithm->GetMTime()));
   return true;
+}
+
+bool HasFailedInput(vtkAlgorithm* algorithm)
+{
+  return IsDueToUpstream(algorithm, HasErrors);
 }
 
 void KeepMistakes(vtkAlgorithm* algorithm, vtkMTimeType before)

@@ -331,6 +331,21 @@ class Tiles(unittest.TestCase):
             self.assertEqual(writer.Write(), 0)
             self.assertEqual(os.listdir(folder), [])
 
+    def test_what_a_killed_writer_leaves_goes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            name = os.path.join(folder, "killed.json")
+            program = ("import os; import TestForestTiles as tests; "
+                       f"writer = tests.writer_of(tests.forest()[0], {name!r}); "
+                       "writer.AddObserver('ProgressEvent', lambda *_: writer.GetProgress() > 0.6 and os.kill(os.getpid(), 9)); "
+                       "writer.Write()")
+            path = os.pathsep.join((os.path.dirname(os.path.abspath(__file__)), os.environ.get("PYTHONPATH", "")))
+            killed = subprocess.run([sys.executable, "-c", program], check=False, env={**os.environ, "PYTHONPATH": path})
+            self.assertEqual(killed.returncode, -signal.SIGKILL)
+            left = os.listdir(folder)
+            self.assertTrue(left and all(one.startswith(".littoral-") for one in left), left)
+            self.assertEqual(writer_of(self.scattered, name).Write(), 1)
+            self.assertEqual(sorted(one.partition("-")[0] for one in os.listdir(folder)), ["killed", "killed.json"])
+
 
 if __name__ == "__main__":
     unittest.main()

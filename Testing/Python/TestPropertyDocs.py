@@ -25,6 +25,7 @@ WEAK = {"of", "by", "from", "to", "in", "on", "at", "with", "for", "that", "what
 WITHOUT_DEFAULT = {"vtkSuspendedParticleSource::SetBoxName", "vtkViewDependentAlgorithm::SetCamera"}
 # Defaults that are no value of a Get method, or that subclasses have.
 IN_WORDS = {"vtkVDBVolumeWriter::SetController", "vtkLandscapePass::SetController",
+            "vtkSingleFileWriter::SetController",
             "vtkGLTFSceneWriter::SetSourceName", "vtkGLTFSceneWriter::SetSourceKind",
             "vtkPlantScatterFilter::SetWeight", "vtkRandomFieldAlgorithm::SetModel",
             "vtkConditionalTerrainFilter::SetModelToFittedToData",
