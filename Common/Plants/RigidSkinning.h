@@ -3,6 +3,7 @@
 #ifndef LittoralRigidSkinning_h
 #define LittoralRigidSkinning_h
 
+#include "Numerics/VectorRange.h"
 #include "Plants/Skinning.h"
 
 #include <cstddef>
@@ -33,10 +34,18 @@ private:
   std::vector<Run> Runs;
 };
 
+/// Ranges of the vertices of a skin.
+struct SkinRanges
+{
+  VectorRangeSum Points;
+  VectorRangeSum Normals;
+};
+
 /// Moves the vertices [begin, end) of a skin each with one joint alone, as MoveSkin does with a rigidity of 1 but for
-/// the rounding, at a third of its cost. Normals keep their lengths to some 1e-7.
+/// the rounding, at a third of its cost. Normals keep their lengths to some 1e-7. Adds points and normals to their
+/// ranges while it has them.
 void MoveRigidly(const RestSkin& rest, const RigidBinding& binding, const JointChange* joints, std::size_t begin,
-  std::size_t end, float* points, float* normals);
+  std::size_t end, float* points, float* normals, SkinRanges& ranges);
 
 }
 

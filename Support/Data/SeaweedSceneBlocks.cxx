@@ -27,8 +27,6 @@ namespace
 class MovedSkin
 {
 public:
-  using Ranges = std::array<TupleRanges, 2>;
-
   MovedSkin(SeaweedSkinBlock& skin, FrameArrays& arrays)
     : Block(skin)
     , Rest(ReadSkin(skin.Rest))
@@ -46,18 +44,19 @@ public:
       const std::vector<SkinRun>& runs = this->Block.Skin.GetFixedRuns();
       this->Block.FixedRanges = {};
       SmpFor(runs.size(), [&](std::size_t begin, std::size_t end) {
-        Ranges ranges;
+        SkinRanges ranges;
         std::for_each(runs.data() + begin, runs.data() + end,
           [&](const SkinRun& run) { this->Move(run, changes, 0.0f, this->Block.Rigid, ranges); });
         this->Add(ranges, this->Block.FixedRanges);
       });
     }
-    this->Add(this->Block.FixedRanges, this->Found);
+    this->Found[0].Add(this->Block.FixedRanges[0]);
+    this->Found[1].Add(this->Block.FixedRanges[1]);
   }
 
   /// Moves all of a plant; adds to the ranges.
   void MovePlant(
-    std::size_t plant, const std::vector<JointChange>& changes, float rigidity, bool isFar, Ranges& ranges) const
+    std::size_t plant, const std::vector<JointChange>& changes, float rigidity, bool isFar, SkinRanges& ranges) const
   {
     const SeaweedSkin& own = this->Block.Skin;
     const RigidBinding& rigid = isFar ? this->Block.Far : this->Block.Rigid;
@@ -65,7 +64,7 @@ public:
       [&](const SkinRun& run) { this->Move(run, changes, rigidity, rigid, ranges); });
   }
 
-  void AddRanges(const Ranges& ranges) { this->Add(ranges, this->Found); }
+  void AddRanges(const SkinRanges& ranges) { this->Add(ranges, this->Found); }
 
   void Write(vtkMultiBlockDataSet* blocks) const
   {
@@ -84,31 +83,31 @@ private:
   vtkSmartPointer<vtkFloatArray> Points;
   vtkSmartPointer<vtkFloatArray> Normals;
   bool HasFixed;
-  Ranges Found;
+  std::array<TupleRanges, 2> Found; ///< of points and of normals
   std::mutex Adding;
 
   void Move(const SkinRun& run, const std::vector<JointChange>& changes, float rigidity, const RigidBinding& rigid,
-    Ranges& ranges) const
+    SkinRanges& ranges) const
   {
     float* p = this->Points->GetPointer(0);
     float* n = this->Normals->GetPointer(0);
     if (rigidity < 1.0f)
     {
       MoveSkin(this->Rest, this->Block.Binding, changes.data(), run.First, run.End, p, n, rigidity);
+      AddVectors(p + 3 * run.First, run.End - run.First, ranges.Points);
+      AddVectors(n + 3 * run.First, run.End - run.First, ranges.Normals);
     }
     else
     {
-      MoveRigidly(this->Rest, rigid, changes.data(), run.First, run.End, p, n);
+      MoveRigidly(this->Rest, rigid, changes.data(), run.First, run.End, p, n, ranges);
     }
-    ranges[0].AddTuples(p + 3 * run.First, p + 3 * run.End, 3);
-    ranges[1].AddTuples(n + 3 * run.First, n + 3 * run.End, 3);
   }
 
-  void Add(const Ranges& part, Ranges& sum)
+  void Add(const SkinRanges& part, std::array<TupleRanges, 2>& sum)
   {
     const std::lock_guard<std::mutex> lock(this->Adding);
-    sum[0].Add(part[0]);
-    sum[1].Add(part[1]);
+    sum[0].Add(part.Points.Range(), 3);
+    sum[1].Add(part.Normals.Range(), 3);
   }
 };
 
@@ -129,7 +128,7 @@ void WriteSkins(
   }
   const std::vector<glm::dquat> rotations = scene.SkinRotations();
   SmpFor(scene.GetStand().GetPlants().size(), [&](std::size_t begin, std::size_t end) {
-    std::vector<MovedSkin::Ranges> parts(moved.size());
+    std::vector<SkinRanges> parts(moved.size());
     for (std::size_t plant = begin; plant < end; ++plant)
     {
       const bool isFar = scene.IsFar(plant);
