@@ -23,6 +23,16 @@ namespace littoral
 namespace
 {
 
+/// Asks for memory that is needed soon.
+void Fetch(const float* numbers)
+{
+#if defined(__GNUC__)
+  __builtin_prefetch(numbers);
+#endif
+}
+
+constexpr std::size_t PlantsAhead = 4;
+
 /// A skin on its way: arrays, and the ranges of their values, which are found while these are at hand.
 class MovedSkin
 {
@@ -46,7 +56,7 @@ public:
       SmpFor(runs.size(), [&](std::size_t begin, std::size_t end) {
         SkinRanges ranges;
         std::for_each(runs.data() + begin, runs.data() + end,
-          [&](const SkinRun& run) { this->Move(run, changes, 0.0f, this->Block.Rigid, ranges); });
+          [&](const SkinRun& run) { this->Move(run, changes, 0.0f, nullptr, ranges); });
         this->Add(ranges, this->Block.FixedRanges);
       });
     }
@@ -60,8 +70,25 @@ public:
   {
     const SeaweedSkin& own = this->Block.Skin;
     const RigidBinding& rigid = isFar ? this->Block.Far : this->Block.Rigid;
+    const std::vector<std::uint32_t>& firsts = this->Block.FirstRigid[isFar ? 1 : 0];
     std::for_each(own.RunsOf(plant), own.RunsOf(plant + 1),
-      [&](const SkinRun& run) { this->Move(run, changes, rigidity, rigid, ranges); });
+      [&](const SkinRun& run) { this->Move(run, changes, rigidity, rigid.RunAt(firsts[own.IndexOf(&run)]), ranges); });
+  }
+
+  /// Asks for the memory of a plant whose turn comes soon.
+  void FetchPlant(std::size_t plant) const
+  {
+    const SeaweedSkin& own = this->Block.Skin;
+    std::for_each(own.RunsOf(plant), own.RunsOf(plant + 1), [&](const SkinRun& run) {
+      for (const float* vectors :
+        { this->Rest.Points, this->Rest.Normals, static_cast<const float*>(this->Points->GetPointer(0)),
+          static_cast<const float*>(this->Normals->GetPointer(0)) })
+      {
+        Fetch(vectors + 3 * run.First);
+        Fetch(vectors + 3 * run.First + 16);
+        Fetch(vectors + 3 * run.First + 32);
+      }
+    });
   }
 
   void AddRanges(const SkinRanges& ranges) { this->Add(ranges, this->Found); }
@@ -86,7 +113,7 @@ private:
   std::array<TupleRanges, 2> Found; ///< of points and of normals
   std::mutex Adding;
 
-  void Move(const SkinRun& run, const std::vector<JointChange>& changes, float rigidity, const RigidBinding& rigid,
+  void Move(const SkinRun& run, const std::vector<JointChange>& changes, float rigidity, const RigidBinding::Run* rigid,
     SkinRanges& ranges) const
   {
     float* p = this->Points->GetPointer(0);
@@ -131,6 +158,10 @@ void WriteSkins(
     std::vector<SkinRanges> parts(moved.size());
     for (std::size_t plant = begin; plant < end; ++plant)
     {
+      for (const MovedSkin& skin : moved)
+      {
+        skin.FetchPlant(std::min(plant + PlantsAhead, end - 1));
+      }
       const bool isFar = scene.IsFar(plant);
       scene.FindChanges(plant, rotations, changes, isFar);
       for (std::size_t skin = 0; skin < moved.size(); ++skin)
@@ -208,7 +239,13 @@ std::vector<SeaweedSkinBlock> ReadSkins(vtkMultiBlockDataSet* plants, const Seaw
     const auto vertices = static_cast<std::size_t>(block->GetNumberOfPoints());
     const SkinBinding binding = ReadBinding(block);
     skins.push_back({ name, block, SeaweedSkin(ReadJointIds(block), vertices, stand), binding, RigidBinding(binding),
-      RigidBinding(binding, carriers), {} });
+      RigidBinding(binding, carriers), {}, {} });
+    SeaweedSkinBlock& skin = skins.back();
+    for (const SkinRun& run : skin.Skin.GetRuns())
+    {
+      skin.FirstRigid[0].push_back(static_cast<std::uint32_t>(skin.Rigid.IndexOf(skin.Rigid.RunOf(run.First))));
+      skin.FirstRigid[1].push_back(static_cast<std::uint32_t>(skin.Far.IndexOf(skin.Far.RunOf(run.First))));
+    }
   }
   return skins;
 }

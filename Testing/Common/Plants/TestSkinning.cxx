@@ -268,7 +268,7 @@ TEST(Skinning, RigidSkinsFollowTheMainJoint)
   std::vector<float> normals(skin.Points.size());
   SkinRanges ranges;
   MoveRigidly(
-    skin.Rest(), binding, skin.Changes.data(), 0, RandomSkin::Vertices, points.data(), normals.data(), ranges);
+    skin.Rest(), binding.RunOf(0), skin.Changes.data(), 0, RandomSkin::Vertices, points.data(), normals.data(), ranges);
   for (int vertex = 0; vertex < RandomSkin::Vertices; ++vertex)
   {
     const float* weights = &skin.Weights[4 * vertex];
@@ -297,7 +297,7 @@ TEST(Skinning, AnyRangeOfARigidSkinHasTheSameBytes)
   std::vector<float> normals(skin.Points.size());
   SkinRanges ranges;
   MoveRigidly(
-    skin.Rest(), binding, skin.Changes.data(), 0, RandomSkin::Vertices, points.data(), normals.data(), ranges);
+    skin.Rest(), binding.RunOf(0), skin.Changes.data(), 0, RandomSkin::Vertices, points.data(), normals.data(), ranges);
   for (const std::size_t length : { 1, 2, 5, 300 })
   {
     std::vector<float> p(points.size());
@@ -306,7 +306,7 @@ TEST(Skinning, AnyRangeOfARigidSkinHasTheSameBytes)
     for (std::size_t begin = 0; begin < RandomSkin::Vertices; begin += length)
     {
       const std::size_t end = std::min<std::size_t>(RandomSkin::Vertices, begin + length);
-      MoveRigidly(skin.Rest(), binding, skin.Changes.data(), begin, end, p.data(), n.data(), parts);
+      MoveRigidly(skin.Rest(), binding.RunOf(begin), skin.Changes.data(), begin, end, p.data(), n.data(), parts);
     }
     EXPECT_EQ(p, points);
     EXPECT_EQ(n, normals);

@@ -326,6 +326,34 @@ TEST(SeaweedScene, FarPlantsMoveByTheirCarriers)
   }
 }
 
+/// All joints of far plants are there where they are needed: they go with their carriers.
+TEST(SeaweedScene, JointsOfFarPlantsGoWithTheirCarriers)
+{
+  const Bed bed = TwoPlants();
+  SeaweedLevels levels;
+  levels.UseLevels = true;
+  levels.Seen = ViewFrom({ 0.0, -100.0, -5.7 });
+  for (const bool isPhysical : { false, true })
+  {
+    SeaweedScene scene = SceneOf(bed, isPhysical);
+    NodesAt(scene, 0.4); // poses of another time
+    const std::vector<Vector3> nodes = NodesAt(scene, 1.3, levels);
+    scene.NeedsJoints = true;
+    EXPECT_EQ(NodesAt(scene, 1.3, levels), nodes);
+    std::vector<JointChange> changes(nodes.size());
+    for (std::size_t plant = 0; plant < 2; ++plant)
+    {
+      ASSERT_TRUE(scene.IsFar(plant));
+      scene.FindChanges(plant, scene.SkinRotations(), changes);
+    }
+    for (std::size_t node = 0; node < nodes.size(); ++node)
+    {
+      const Vector3 rest = bed.Rest.Nodes[node].Position;
+      EXPECT_LT(glm::distance(rest + changes[node].Of(rest), nodes[node]), 1e-5) << node;
+    }
+  }
+}
+
 TEST(SeaweedScene, VelocitiesAreThoseOfThePositions)
 {
   const Bed bed = TwoPlants();
@@ -370,6 +398,14 @@ TEST(SeaweedScene, ShowsTheSameAfterFindingMotion)
     scene.FindMotion();
     EXPECT_EQ(scene.NodePositions(), nodes);
     EXPECT_EQ(NodesAt(scene, 0.71), nodes);
+    SeaweedLevels levels;
+    levels.UseLevels = true;
+    levels.Seen = ViewFrom({ 0.0, -100.0, -5.7 });
+    const std::vector<Vector3> far = NodesAt(scene, 0.71, levels);
+    scene.FindMotion();
+    EXPECT_EQ(scene.NodePositions(), far);
+    EXPECT_TRUE(scene.IsFar(0));
+    EXPECT_EQ(scene.RigidityOf(0), 1.0f);
   }
 }
 
