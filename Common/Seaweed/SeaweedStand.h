@@ -62,10 +62,9 @@ private:
   std::vector<StandPlant> Plants;
   std::vector<int> LinkOfNode;
   std::vector<std::size_t> PlantOfNode;
-  // Of links:
-  std::vector<unsigned char> LastLevels;
-  std::vector<std::size_t> Carriers;
-  std::vector<unsigned char> AreBelowCarriers;
+  std::vector<unsigned char> LastLevels;       ///< of links
+  std::vector<std::size_t> Carriers;           ///< of links
+  std::vector<unsigned char> AreBelowCarriers; ///< links
 };
 
 }
