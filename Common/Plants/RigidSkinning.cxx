@@ -48,17 +48,6 @@ struct OneChange
   LITTORAL_INLINE EightVectors NormalsOf(const EightVectors& n) const { return n + this->Turned(n); }
 };
 
-/// Asks for the memory that eight vectors take some way further on: the processor would begin anew at each plant and at
-/// each page of memory.
-LITTORAL_INLINE void FetchAhead(const float* vectors)
-{
-#if defined(__GNUC__)
-  constexpr std::size_t ahead = 512; // numbers
-  __builtin_prefetch(vectors + ahead);
-  __builtin_prefetch(vectors + ahead + 16);
-#endif
-}
-
 /// Calls a move with eight vectors at a time, and adds what it makes to the ranges.
 template <typename Move>
 LITTORAL_INLINE void MoveVectors(
@@ -79,8 +68,6 @@ LITTORAL_INLINE void MoveVectors(
   for (std::size_t next = 0; next < count; next += eight)
   {
     const std::size_t first = std::min(next, count - eight);
-    FetchAhead(from + 3 * first);
-    FetchAhead(to + 3 * first);
     const EightVectors moved = move(EightVectors::At(from + 3 * first));
     ranges.Add(moved);
     moved.Store(to + 3 * first);
