@@ -359,6 +359,7 @@ void vtkSeaweedDeformationFilter::Write(
   const littoral::SeaweedLevels& levels, vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output)
 {
   littoral::SeaweedScene& scene = this->Internals->Scene;
+  scene.NeedsJoints = this->GenerateJoints;
   const littoral::SeaweedCounters counters = scene.Show(levels);
   if (this->GenerateMotion)
   {

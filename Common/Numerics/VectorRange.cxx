@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Numerics/VectorRange.h"
 
-#include "Numerics/SimdDouble4.h"
+#include "Numerics/VectorRangeLanes.h"
 
 #include <algorithm>
 #include <limits>
@@ -13,93 +13,93 @@ namespace littoral
 namespace
 {
 
-LITTORAL_INLINE SimdDouble4 Doubles(const SimdFloat4& four)
-{
-  return SimdDouble4(__builtin_convertvector(four, SimdDouble4::Register));
-}
-
-void AddOne(const float* vector, int components, VectorRange& range, double& check)
+void AddPair(const float* pair, VectorRange& range, double& check)
 {
   double square = 0.0;
-  for (int axis = 0; axis < components; ++axis)
+  for (int axis = 0; axis < 2; ++axis)
   {
-    range.Low[axis] = std::min(range.Low[axis], vector[axis]);
-    range.High[axis] = std::max(range.High[axis], vector[axis]);
-    square += static_cast<double>(vector[axis]) * vector[axis];
+    range.Low[axis] = std::min(range.Low[axis], pair[axis]);
+    range.High[axis] = std::max(range.High[axis], pair[axis]);
+    square += static_cast<double>(pair[axis]) * pair[axis];
   }
   range.MinimumSquare = std::min(range.MinimumSquare, square);
   range.MaximumSquare = std::max(range.MaximumSquare, square);
   check += square - square;
 }
 
-/// Squared lengths of four tuples at a time.
-struct SquareRange
+/// Squared lengths that none have.
+LITTORAL_INLINE SquareRange NoSquares()
 {
-  SimdDouble4 Least{ std::numeric_limits<double>::infinity() };
-  SimdDouble4 Most{ -std::numeric_limits<double>::infinity() };
-  SimdDouble4 Checks{ 0.0 }; ///< no number as soon as one of them is not finite
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return { SimdDouble4(infinity), SimdDouble4(-infinity), SimdDouble4(0.0) };
+}
 
-  LITTORAL_INLINE void Add(const SimdDouble4& squares)
+/// Adds the squares of all lanes to a range and a check.
+LITTORAL_INLINE void EndSquares(const SquareRange& squares, VectorRange& range, double& check)
+{
+  for (int lane = 0; lane < LaneCount; ++lane)
   {
-    this->Least = Min(this->Least, squares);
-    this->Most = Max(this->Most, squares);
-    this->Checks += squares - squares; // NOLINT(misc-redundant-expression): NaN where they are not finite
+    range.MinimumSquare = std::min(range.MinimumSquare, squares.Least.Values[lane]);
+    range.MaximumSquare = std::max(range.MaximumSquare, squares.Most.Values[lane]);
+    check += squares.Checks.Values[lane];
   }
-
-  /// Adds those of all lanes to a range and a check.
-  LITTORAL_INLINE void End(VectorRange& range, double& check) const
-  {
-    for (int lane = 0; lane < LaneCount; ++lane)
-    {
-      range.MinimumSquare = std::min(range.MinimumSquare, this->Least.Values[lane]);
-      range.MaximumSquare = std::max(range.MaximumSquare, this->Most.Values[lane]);
-      check += this->Checks.Values[lane];
-    }
-  }
-};
+}
 
 }
 
-LITTORAL_SIMD_CLONES VectorRange RangeOf(const float* vectors, std::size_t count)
+VectorRangeSum::VectorRangeSum()
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    this->Low[axis].fill(VectorRange::Infinity);
+    this->High[axis].fill(-VectorRange::Infinity);
+  }
+  this->MinimumSquare.fill(VectorRange::Infinity);
+  this->MaximumSquare.fill(-VectorRange::Infinity);
+}
+
+VectorRange VectorRangeSum::Range() const
 {
   VectorRange range;
-  constexpr float largest = VectorRange::Infinity;
-  const SimdFloat4 most{ largest, largest, largest, largest };
-  SimdFloat4 low[3] = { most, most, most };
-  SimdFloat4 high[3] = { -most, -most, -most };
-  SquareRange squares;
-  std::size_t next = 0;
-  for (; next + 4 <= count; next += 4)
-  {
-    // x0 y0 z0 x1, y1 z1 x2 y2, z2 x3 y3 z3
-    const SimdFloat4 part[3] = { LoadFloats(vectors + 3 * next), LoadFloats(vectors + 3 * next + 4),
-      LoadFloats(vectors + 3 * next + 8) };
-    for (int k = 0; k < 3; ++k)
-    {
-      low[k] = part[k] < low[k] ? part[k] : low[k];
-      high[k] = high[k] < part[k] ? part[k] : high[k];
-    }
-    const SimdFloat4 xs = __builtin_shufflevector(part[0], part[1], 0, 3, 6, 6);
-    const SimdFloat4 ys = __builtin_shufflevector(part[0], part[1], 1, 4, 7, 7);
-    const SimdFloat4 zs = __builtin_shufflevector(part[0], part[1], 2, 5, 5, 5);
-    const SimdDouble4 x = Doubles(__builtin_shufflevector(xs, part[2], 0, 1, 2, 5));
-    const SimdDouble4 y = Doubles(__builtin_shufflevector(ys, part[2], 0, 1, 2, 6));
-    const SimdDouble4 z = Doubles(__builtin_shufflevector(zs, part[2], 0, 1, 4, 7));
-    squares.Add(x * x + y * y + z * z);
-  }
-  for (int i = 0; i < 12; ++i)
-  {
-    range.Low[i % 3] = std::min(range.Low[i % 3], low[i / 4][i % 4]);
-    range.High[i % 3] = std::max(range.High[i % 3], high[i / 4][i % 4]);
-  }
   double check = 0.0;
-  squares.End(range, check);
-  for (; next < count; ++next)
+  for (std::size_t lane = 0; lane < Lanes; ++lane)
   {
-    AddOne(vectors + 3 * next, 3, range, check);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      range.Low[axis] = std::min(range.Low[axis], this->Low[axis][lane]);
+      range.High[axis] = std::max(range.High[axis], this->High[axis][lane]);
+    }
+    range.MinimumSquare = std::min(range.MinimumSquare, this->MinimumSquare[lane]);
+    range.MaximumSquare = std::max(range.MaximumSquare, this->MaximumSquare[lane]);
+    check += this->Checks[lane];
   }
   range.IsFinite = check == 0.0;
   return range;
+}
+
+LITTORAL_SIMD_CLONES void AddVectors(const float* vectors, std::size_t count, VectorRangeSum& sum)
+{
+  constexpr std::size_t eight = EightVectors::Count;
+  VectorRangeLanes lanes(sum);
+  if (count > 0 && count < eight)
+  {
+    float few[3 * eight];
+    FillEight(vectors, count, few);
+    lanes.Add(EightVectors::At(few));
+  }
+  // The last eight go back to vectors before, which are there twice.
+  for (std::size_t next = 0; count >= eight && next < count; next += eight)
+  {
+    lanes.Add(EightVectors::At(vectors + 3 * std::min(next, count - eight)));
+  }
+  lanes.Store(sum);
+}
+
+VectorRange RangeOf(const float* vectors, std::size_t count)
+{
+  VectorRangeSum sum;
+  AddVectors(vectors, count, sum);
+  return sum.Range();
 }
 
 LITTORAL_SIMD_CLONES VectorRange RangeOfBytes(const unsigned char* vectors, std::size_t count)
@@ -138,7 +138,7 @@ LITTORAL_SIMD_CLONES VectorRange RangeOfPairs(const float* pairs, std::size_t co
   const SimdFloat4 most{ largest, largest, largest, largest };
   SimdFloat4 low = most;
   SimdFloat4 high = -most;
-  SquareRange squares;
+  SquareRange squares = NoSquares();
   std::size_t next = 0;
   for (; next + 4 <= count; next += 4)
   {
@@ -149,8 +149,8 @@ LITTORAL_SIMD_CLONES VectorRange RangeOfPairs(const float* pairs, std::size_t co
       low = four < low ? four : low;
       high = high < four ? four : high;
     }
-    const SimdDouble4 x = Doubles(__builtin_shufflevector(part[0], part[1], 0, 2, 4, 6));
-    const SimdDouble4 y = Doubles(__builtin_shufflevector(part[0], part[1], 1, 3, 5, 7));
+    const SimdDouble4 x = DoublesOf(__builtin_shufflevector(part[0], part[1], 0, 2, 4, 6));
+    const SimdDouble4 y = DoublesOf(__builtin_shufflevector(part[0], part[1], 1, 3, 5, 7));
     squares.Add(x * x + y * y);
   }
   for (int i = 0; i < 4; ++i)
@@ -159,10 +159,10 @@ LITTORAL_SIMD_CLONES VectorRange RangeOfPairs(const float* pairs, std::size_t co
     range.High[i % 2] = std::max(range.High[i % 2], high[i]);
   }
   double check = 0.0;
-  squares.End(range, check);
+  EndSquares(squares, range, check);
   for (; next < count; ++next)
   {
-    AddOne(pairs + 2 * next, 2, range, check);
+    AddPair(pairs + 2 * next, range, check);
   }
   range.IsFinite = check == 0.0;
   return range;

@@ -21,7 +21,24 @@ struct VectorRange
   bool IsFinite = true; ///< else the others mean nothing
 };
 
-/// The ranges of vectors that follow each other in memory. Bound by reading them, four at a time.
+/// The ranges of vectors that come in parts, as they are found: in lanes, that are brought together once.
+struct VectorRangeSum
+{
+  static constexpr std::size_t Lanes = 8;
+  std::array<std::array<float, Lanes>, 3> Low;
+  std::array<std::array<float, Lanes>, 3> High;
+  std::array<double, Lanes> MinimumSquare;
+  std::array<double, Lanes> MaximumSquare;
+  std::array<double, Lanes> Checks{}; ///< no number as soon as one of them is not finite
+
+  VectorRangeSum();
+  VectorRange Range() const;
+};
+
+/// Adds vectors that follow each other in memory. Bound by reading them, eight at a time.
+void AddVectors(const float* vectors, std::size_t count, VectorRangeSum& sum);
+
+/// The ranges of vectors that follow each other in memory.
 VectorRange RangeOf(const float* vectors, std::size_t count);
 
 /// The same of vectors of bytes, such as colors.

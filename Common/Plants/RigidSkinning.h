@@ -3,6 +3,7 @@
 #ifndef LittoralRigidSkinning_h
 #define LittoralRigidSkinning_h
 
+#include "Numerics/VectorRange.h"
 #include "Plants/Skinning.h"
 
 #include <cstddef>
@@ -29,14 +30,26 @@ public:
   /// The run of a vertex.
   const Run* RunOf(std::size_t vertex) const;
 
+  /// The index of a run.
+  std::size_t IndexOf(const Run* run) const { return static_cast<std::size_t>(run - this->Runs.data()); }
+  const Run* RunAt(std::size_t index) const { return this->Runs.data() + index; }
+
 private:
   std::vector<Run> Runs;
 };
 
-/// Moves the vertices [begin, end) of a skin each with one joint alone, as MoveSkin does with a rigidity of 1 but for
-/// the rounding, at a third of its cost. Normals keep their lengths to some 1e-7.
-void MoveRigidly(const RestSkin& rest, const RigidBinding& binding, const JointChange* joints, std::size_t begin,
-  std::size_t end, float* points, float* normals);
+/// Ranges of the vertices of a skin.
+struct SkinRanges
+{
+  VectorRangeSum Points;
+  VectorRangeSum Normals;
+};
+
+/// Moves the vertices [begin, end) of a skin, of which the first is in a run, each with one joint alone, as MoveSkin
+/// does with a rigidity of 1 but for the rounding, at a third of its cost. Normals keep their lengths to some 1e-7.
+/// Adds points and normals to their ranges while it has them.
+void MoveRigidly(const RestSkin& rest, const RigidBinding::Run* run, const JointChange* joints, std::size_t begin,
+  std::size_t end, float* points, float* normals, SkinRanges& ranges);
 
 }
 

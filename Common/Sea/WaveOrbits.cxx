@@ -167,6 +167,16 @@ LITTORAL_WIDE_SIMD_CLONES void Mask(
   }
 }
 
+/// Multiplies amplitudes by a part for each point.
+LITTORAL_WIDE_SIMD_CLONES void Scale(const float* __restrict parts, int count, float* __restrict a, float* __restrict b)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    a[i] *= parts[i];
+    b[i] *= parts[i];
+  }
+}
+
 /// Adds f a sin phi along the train, f b cos phi upwards.
 LITTORAL_WIDE_SIMD_CLONES void AddDisplacement(const std::uint32_t* __restrict turns, const float* __restrict a,
   const float* __restrict b, float fx, float fy, float fz, int count, float* __restrict x, float* __restrict y,
@@ -346,6 +356,7 @@ struct alignas(64) WaveOrbits::Block
   std::uint32_t Turns[BlockSize];
   float A[BlockSize];
   float B[BlockSize];
+  float Shares[BlockSize]; ///< of the train at hand, where points have sets of their own
   float ASine[BlockSize];
   float ACosine[BlockSize];
   float BSine[BlockSize];
@@ -484,11 +495,34 @@ std::array<double, 2> WaveOrbits::StokesVelocity(double height, std::size_t trai
   return drift;
 }
 
+/// The part of a train that acts on all points of a block; where they have parts of their own, 1, or 0 if none acts.
+float WaveOrbits::Weigh(
+  Block& block, const OrbitRequest<float>& request, const Train& train, std::size_t begin, int count) const
+{
+  const auto of = [&](const float* shares) {
+    return !train.IsFree ? this->ShareOf(train, shares) : shares ? shares[train.Last] : 1.0f;
+  };
+  if (!request.ShareSets)
+  {
+    return of(request.Shares);
+  }
+  float most = 0.0f;
+  for (int i = 0; i < count; ++i)
+  {
+    const auto set = static_cast<std::size_t>(request.ShareSets[begin + static_cast<std::size_t>(i)]);
+    block.Shares[i] = of(request.Shares + set * this->Trains.size());
+    most = std::max(most, block.Shares[i]);
+  }
+  return most > 0.0f ? 1.0f : 0.0f;
+}
+
 void WaveOrbits::Evaluate(const OrbitRequest<double>& request, std::size_t begin, std::size_t end) const
 {
   const double chop = this->Options.Choppiness;
   for (std::size_t i = begin; i < end; ++i)
   {
+    const std::size_t set = request.ShareSets ? static_cast<std::size_t>(request.ShareSets[i]) : 0;
+    const float* shares = request.Shares ? request.Shares + set * this->Trains.size() : nullptr;
     const double* center = request.Centers + 3 * i;
     const double z = center[2] - this->Sea.SeaLevel;
     std::size_t trains = this->Trains.size();
@@ -499,7 +533,7 @@ void WaveOrbits::Evaluate(const OrbitRequest<double>& request, std::size_t begin
     std::array<double, 2> drift{ 0.0, 0.0 };
     if (this->Options.StokesDrift)
     {
-      drift = this->StokesVelocity(z, trains, request.Shares);
+      drift = this->StokesVelocity(z, trains, shares);
     }
     const double x = center[0] + drift[0] * this->Time;
     const double y = center[1] + drift[1] * this->Time;
@@ -539,7 +573,7 @@ void WaveOrbits::Evaluate(const OrbitRequest<double>& request, std::size_t begin
     for (std::size_t n = 0; n < trains; ++n)
     {
       const Train& train = this->Trains[n];
-      const double share = request.Shares ? request.Shares[n] : 1.0;
+      const double share = shares ? shares[n] : 1.0;
       add(train, AxesAt(this->Sea.Trains[n], z, this->Sea.Depth), share, 1.0);
       if (this->BySums)
       {
@@ -556,7 +590,7 @@ void WaveOrbits::Evaluate(const OrbitRequest<double>& request, std::size_t begin
       if (static_cast<std::size_t>(train.Last) < trains)
       {
         const WaveTrain profile{ 1.0, 0.0, this->Waves[n].Profile, 0.0, 0.0 };
-        add(train, AxesAt(profile, z, this->Sea.Depth), this->ShareOf(train, request.Shares), -this->Waves[n].Up);
+        add(train, AxesAt(profile, z, this->Sea.Depth), this->ShareOf(train, shares), -this->Waves[n].Up);
       }
     }
     const auto store = [i](double* to, const double* from, int count) {
@@ -600,16 +634,20 @@ void WaveOrbits::EvaluateBlock(Block& block, const OrbitRequest<float>& request,
   this->StartBlock(block, request, begin, count);
   if (this->Options.StokesDrift)
   {
-    this->AddDrift(block, request, counts, count);
+    this->AddDrift(block, request, counts, request.ShareSets ? request.ShareSets + begin : nullptr, count);
   }
   for (int n = 0; n < trains; ++n)
   {
-    const float share = request.Shares ? request.Shares[n] : 1.0f;
+    const float share = this->Weigh(block, request, this->Trains[n], begin, count);
     if (share == 0.0f)
     {
       continue;
     }
     this->FindAxes(block, this->Trains[n], count);
+    if (request.ShareSets)
+    {
+      Scale(block.Shares, count, block.A, block.B);
+    }
     if (n >= shared)
     {
       Mask(counts, n, count, block.A, block.B);
@@ -622,12 +660,16 @@ void WaveOrbits::EvaluateBlock(Block& block, const OrbitRequest<float>& request,
   }
   for (const Train& wave : this->Bound)
   {
-    const float share = this->ShareOf(wave, request.Shares);
+    const float share = this->Weigh(block, request, wave, begin, count);
     if (share == 0.0f || wave.Last >= trains)
     {
       continue;
     }
     this->FindAxes(block, wave, count);
+    if (request.ShareSets)
+    {
+      Scale(block.Shares, count, block.A, block.B);
+    }
     if (wave.Last >= shared)
     {
       Mask(counts, wave.Last, count, block.A, block.B);
@@ -697,13 +739,16 @@ void WaveOrbits::StartBlock(Block& block, const OrbitRequest<float>& request, st
   clear(request.PastGradient, block.PastGradient);
 }
 
-/// Moves the centers with the Stokes drift of their trains; `counts` as in the request, of this block.
-void WaveOrbits::AddDrift(Block& block, const OrbitRequest<float>& request, const int* counts, int count) const
+/// Moves the centers with the Stokes drift of their trains; `counts` and `sets` as in the request, of this block.
+void WaveOrbits::AddDrift(
+  Block& block, const OrbitRequest<float>& request, const int* counts, const int* sets, int count) const
 {
   for (int i = 0; i < count; ++i)
   {
     const std::size_t own = counts ? static_cast<std::size_t>(std::max(0, counts[i])) : this->Trains.size();
-    const auto drift = this->StokesVelocity(block.Z[i], own, request.Shares);
+    const std::size_t set = sets ? static_cast<std::size_t>(sets[i]) : 0;
+    const auto drift =
+      this->StokesVelocity(block.Z[i], own, request.Shares ? request.Shares + set * this->Trains.size() : nullptr);
     block.X[i] += drift[0] * this->Time;
     block.Y[i] += drift[1] * this->Time;
     for (int axis = 0; axis < 2; ++axis)

@@ -57,8 +57,9 @@ struct OrbitRequest
   Real* PastGradient = nullptr;
   /// Five a point: du/dx, du/dy = dv/dx, dv/dy, dw/dx = du/dz, dw/dy = dv/dz [1/s]; dw/dz = -(du/dx + dv/dy).
   Real* VelocityGradient = nullptr;
-  const float* Shares = nullptr; ///< one a train: the part of its amplitude that acts; null: all of it
-  bool AddsCenters = false;      ///< Displacement becomes the place itself
+  const float* Shares = nullptr;  ///< one a train: the part of its amplitude that acts; null: all of it
+  const int* ShareSets = nullptr; ///< one a point: the set among Shares that acts on it; null: the first on all
+  bool AddsCenters = false;       ///< Displacement becomes the place itself
 };
 
 /// The unit normal of a surface that was level, from the five numbers of OrbitRequest::Gradient.
@@ -121,15 +122,16 @@ private:
     float PastSine[MostAges];
   };
 
+  struct Block;
   Train MomentOf(const WaveTrain& wave, double depth) const;
   Train MomentOf(const BoundWave& wave) const;
   static double Cross(const Train& bound);
   float ShareOf(const Train& bound, const float* shares) const;
+  float Weigh(Block& block, const OrbitRequest<float>& request, const Train& train, std::size_t begin, int count) const;
 
-  struct Block;
   void EvaluateBlock(Block& block, const OrbitRequest<float>& request, std::size_t begin, int count) const;
   void StartBlock(Block& block, const OrbitRequest<float>& request, std::size_t begin, int count) const;
-  void AddDrift(Block& block, const OrbitRequest<float>& request, const int* counts, int count) const;
+  void AddDrift(Block& block, const OrbitRequest<float>& request, const int* counts, const int* sets, int count) const;
   void FindAxes(Block& block, const Train& train, int count) const;
   void AddTrain(Block& block, const OrbitRequest<float>& request, const Train& train, float share, int count) const;
   void AddPast(Block& block, const Train& train, float chop, int count) const;

@@ -215,6 +215,7 @@ void SeaweedScene::WaterAt(const WaveOrbits& orbits, const StepCurrents& current
   const bool isDirect = this->Options.Load == SeaweedLoad::Direct;
   OrbitRequest<float> request;
   request.Shares = work.Shares.empty() ? nullptr : work.Shares.data();
+  request.ShareSets = work.Shares.empty() ? nullptr : work.ShareSets.data();
   request.Centers = work.Centers.data();
   request.Velocity = isDirect ? nullptr : work.First.data();
   request.Acceleration = isDirect && !this->Physical ? nullptr : work.Second.data();
@@ -257,23 +258,26 @@ void SeaweedScene::FindTrainSums()
 }
 
 //----------------------------------------------------------------------------
-/// Finds weights of wave trains, none where all count: what they leave out moves the water at the plant's top by
+/// Adds weights of wave trains, none where all count: what they leave out moves the water at the plant's top by
 /// PixelError at most. The number of trains that count.
-std::int64_t SeaweedScene::FindSharesFor(
+std::int64_t SeaweedScene::AddSharesFor(
   std::size_t plant, const SeaweedLevels& levels, std::vector<float>& shares) const
 {
   const std::size_t trains = this->Sea.Trains.size();
   const double distance = LevelDistance(levels.Seen, this->Stand.GetPlants()[plant].Middle);
-  const double pixel = 2.0 * distance * std::tan(0.5 * levels.Seen.Angle) / levels.Seen.Height;
-  const double maximum = levels.PixelError * pixel;
-  shares.clear();
-  if (!levels.UseLevels || !(maximum > 0.0))
+  const double maximum = levels.PixelError * 2.0 * distance * std::tan(0.5 * levels.Seen.Angle) / levels.Seen.Height;
+  if (!levels.UseLevels || !(levels.PixelError > 0.0))
   {
     return static_cast<std::int64_t>(trains);
   }
-  shares.resize(trains);
-  FindTrainShares(this->TrainSums.data() + plant * trains, trains, maximum, shares.data());
-  return std::count_if(shares.begin(), shares.end(), [](float share) { return share > 0.0f; });
+  shares.resize(shares.size() + trains, 1.0f);
+  float* own = shares.data() + shares.size() - trains;
+  if (!(maximum > 0.0))
+  {
+    return static_cast<std::int64_t>(trains);
+  }
+  FindTrainShares(this->TrainSums.data() + plant * trains, trains, maximum, own);
+  return std::count_if(own, own + trains, [](float share) { return share > 0.0f; });
 }
 
 //----------------------------------------------------------------------------
@@ -318,8 +322,9 @@ void SeaweedScene::ShowLink(std::size_t link, const WaterAtLink& water, const Se
 //----------------------------------------------------------------------------
 /// Shows a plant between rest and its state, by weights of its links' levels.
 SeaweedCounters SeaweedScene::ShowPhysical(
-  const StandPlant& plant, const std::array<double, 3>& shares, const Picture& picture)
+  std::size_t index, const std::array<double, 3>& shares, const Picture& picture)
 {
+  const StandPlant& plant = this->Stand.GetPlants()[index];
   SeaweedCounters counters;
   if (shares.front() >= 1.0)
   {
@@ -331,53 +336,87 @@ SeaweedCounters SeaweedScene::ShowPhysical(
   for (std::size_t link = plant.FirstLink; link < plant.EndLink; ++link)
   {
     const double share = shares[this->Stand.LastLevelOf(link)];
-    const LinkState state = this->Motion->Mixed(this->Motion->RestOf(link), picture.States[link], share);
-    this->Motion->PoseOne(state, link, this->Shown.data());
+    if (this->IsPosed(index, link))
+    {
+      const LinkState state = this->Motion->Mixed(this->Motion->RestOf(link), picture.States[link], share);
+      this->Motion->PoseOne(state, link, this->Shown.data());
+    }
     counters.Segments += share > 0.0 ? 1 : 0;
   }
   return counters;
 }
 
 //----------------------------------------------------------------------------
-SeaweedCounters SeaweedScene::ShowProcedural(
-  std::size_t index, const SeaweedLevelShares& shares, const Picture& picture, Work& work)
+/// Adds a procedural plant to those whose water is found at one go.
+SeaweedCounters SeaweedScene::AddMoving(const MovingPlant& moving, const Picture& picture, Work& work) const
 {
-  const StandPlant& plant = this->Stand.GetPlants()[index];
-  const std::array<double, 3> byLevel = ByLevel(shares);
-  const auto moves = [&](std::size_t link) { return byLevel[this->Stand.LastLevelOf(link)] > 0.0; };
-  // Loads are those at the positions at rest.
-  work.Middles.clear();
+  const StandPlant& plant = this->Stand.GetPlants()[moving.Index];
+  const std::array<double, 3> byLevel = ByLevel(moving.Shares);
+  SeaweedCounters counters;
+  counters.Plants = 1;
   for (std::size_t link = plant.FirstLink; link < plant.EndLink; ++link)
   {
-    if (moves(link))
+    if (byLevel[this->Stand.LastLevelOf(link)] > 0.0)
     {
+      // Loads are those at the positions at rest.
       const SeaweedLink& own = this->Motion->GetLinks()[link];
       work.Middles.push_back(own.Foot + 0.5 * own.Length * own.Axis);
+      work.ShareSets.push_back(static_cast<int>(work.Plants.size()));
+      ++counters.Segments;
     }
   }
-  const std::int64_t trains = this->FindSharesFor(index, picture.Levels, work.Shares);
-  this->WaterAt(picture.Orbits, picture.Currents, work);
-  auto next = work.Water.begin();
-  for (std::size_t link = plant.FirstLink; link < plant.EndLink; ++link)
-  {
-    this->ShowLink(link, moves(link) ? *next++ : WaterAtLink(), shares);
-  }
-  SeaweedCounters counters;
-  counters.Segments = static_cast<std::int64_t>(work.Middles.size());
-  counters.TrainEvaluations = counters.Segments * trains;
+  counters.TrainEvaluations = counters.Segments * this->AddSharesFor(moving.Index, picture.Levels, work.Shares);
+  work.Plants.push_back(moving);
   return counters;
 }
 
 //----------------------------------------------------------------------------
-void SeaweedScene::ShowAtRest(const StandPlant& plant)
+/// Shows the procedural plants that were added.
+void SeaweedScene::ShowMoving(const Picture& picture, Work& work)
 {
+  this->WaterAt(picture.Orbits, picture.Currents, work);
+  auto next = work.Water.begin();
+  for (const MovingPlant& moving : work.Plants)
+  {
+    const StandPlant& plant = this->Stand.GetPlants()[moving.Index];
+    const std::array<double, 3> byLevel = ByLevel(moving.Shares);
+    for (std::size_t link = plant.FirstLink; link < plant.EndLink; ++link)
+    {
+      if (this->IsPosed(moving.Index, link))
+      {
+        const bool moves = byLevel[this->Stand.LastLevelOf(link)] > 0.0;
+        this->ShowLink(link, moves ? *next++ : WaterAtLink(), moving.Shares);
+      }
+    }
+  }
+  work.Middles.clear();
+  work.Shares.clear();
+  work.ShareSets.clear();
+  work.Plants.clear();
+}
+
+//----------------------------------------------------------------------------
+/// Whether a link needs a pose of its own: in far plants those that carriers carry need none.
+bool SeaweedScene::IsPosed(std::size_t plant, std::size_t link) const
+{
+  return !this->IsFar(plant) || this->NeedsJoints || this->Stand.IsBelowCarrier(link);
+}
+
+//----------------------------------------------------------------------------
+void SeaweedScene::ShowAtRest(std::size_t index)
+{
+  const StandPlant& plant = this->Stand.GetPlants()[index];
   for (std::size_t link = plant.FirstLink; link < plant.EndLink; ++link)
   {
-    this->Motion->PoseAtRest(link, this->Shown.data());
+    if (this->IsPosed(index, link))
+    {
+      this->Motion->PoseAtRest(link, this->Shown.data());
+    }
   }
 }
 
 //----------------------------------------------------------------------------
+/// Shows a plant; a procedural one by ShowMoving().
 SeaweedCounters SeaweedScene::ShowPlant(std::size_t index, const Picture& picture, Work& work)
 {
   const StandPlant& plant = this->Stand.GetPlants()[index];
@@ -391,11 +430,14 @@ SeaweedCounters SeaweedScene::ShowPlant(std::size_t index, const Picture& pictur
   const bool isSeen = !picture.View || picture.View->MayShow(plant.Middle, plant.Reach);
   if (!isSeen)
   {
-    this->ShowAtRest(plant);
+    this->ShowAtRest(index);
     return {};
   }
-  SeaweedCounters counters = this->Physical ? this->ShowPhysical(plant, ByLevel(shares), picture)
-                                            : this->ShowProcedural(index, shares, picture, work);
+  if (!this->Physical)
+  {
+    return this->AddMoving({ index, shares }, picture, work);
+  }
+  SeaweedCounters counters = this->ShowPhysical(index, ByLevel(shares), picture);
   counters.Plants = 1;
   return counters;
 }
@@ -420,14 +462,15 @@ SeaweedCounters SeaweedScene::ShowAt(
   std::vector<SeaweedCounters> counters(plants);
   // What has been moved by its equations needs to be posed only: some 30 ns a link.
   const std::size_t links = std::max<std::size_t>(1, this->GetNumberOfLinks());
-  ForRanges(
-    this->Parallel, plants, this->Physical ? plants * PosesAtOnce / links : 1, [&](std::size_t begin, std::size_t end) {
-      Work work;
-      for (std::size_t plant = begin; plant < end; ++plant)
-      {
-        counters[plant] = this->ShowPlant(plant, picture, work);
-      }
-    });
+  const std::size_t atOnce = plants * (this->Physical ? PosesAtOnce : LinksAtOnce) / links;
+  ForRanges(this->Parallel, plants, atOnce, [&](std::size_t begin, std::size_t end) {
+    Work work;
+    for (std::size_t plant = begin; plant < end; ++plant)
+    {
+      counters[plant] = this->ShowPlant(plant, picture, work);
+    }
+    this->ShowMoving(picture, work);
+  });
   SeaweedCounters sum;
   for (const SeaweedCounters& one : counters)
   {
@@ -459,10 +502,10 @@ SeaweedCounters SeaweedScene::Show(const SeaweedLevels& levels)
 }
 
 //----------------------------------------------------------------------------
-Vector3 SeaweedScene::NodeAt(std::size_t node, const std::vector<LinkPose>& poses) const
+/// The place of a node that a link moves, its own or its carrier; -1: none does.
+Vector3 SeaweedScene::NodeBy(int link, std::size_t node, const std::vector<LinkPose>& poses) const
 {
   const Vector3 position = this->Stand.GetSkeleton().Nodes[node].Position;
-  const int link = this->Stand.LinkOf(node);
   if (link < 0)
   {
     return position;
@@ -470,6 +513,30 @@ Vector3 SeaweedScene::NodeAt(std::size_t node, const std::vector<LinkPose>& pose
   const LinkPose& pose = poses[link];
   const Vector3 foot = this->Motion->GetLinks()[link].Foot;
   return position + (pose.Foot - foot) + RotationOffset(pose.Rotation, position - foot);
+}
+
+Vector3 SeaweedScene::NodeAt(std::size_t node, const std::vector<LinkPose>& poses) const
+{
+  return this->NodeBy(this->Stand.LinkOf(node), node, poses);
+}
+
+Vector3 SeaweedScene::NodePosition(std::size_t node) const
+{
+  const int link = this->Stand.LinkOf(node);
+  const bool isCarried = link >= 0 && this->IsFar(this->Stand.PlantOf(node));
+  return this->NodeBy(isCarried ? static_cast<int>(this->Stand.CarrierOf(link)) : link, node, this->Shown);
+}
+
+std::vector<Vector3> SeaweedScene::NodePositions() const
+{
+  std::vector<Vector3> nodes(this->Stand.GetSkeleton().Nodes.size());
+  this->Parallel(nodes.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t node = begin; node < end; ++node)
+    {
+      nodes[node] = this->NodePosition(node);
+    }
+  });
+  return nodes;
 }
 
 //----------------------------------------------------------------------------
@@ -485,14 +552,14 @@ Vector3 SeaweedScene::NodeVelocity(std::size_t node, const std::vector<LinkPose>
 }
 
 //----------------------------------------------------------------------------
-/// Positions of the nodes [m], or their velocities [m/s].
-std::vector<Vector3> SeaweedScene::NodesAt(const std::vector<LinkPose>& poses, bool velocities) const
+/// Velocities of the nodes [m/s].
+std::vector<Vector3> SeaweedScene::VelocitiesIn(const std::vector<LinkPose>& poses) const
 {
   std::vector<Vector3> nodes(this->Stand.GetSkeleton().Nodes.size());
   this->Parallel(nodes.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t node = begin; node < end; ++node)
     {
-      nodes[node] = velocities ? this->NodeVelocity(node, poses) : this->NodeAt(node, poses);
+      nodes[node] = this->NodeVelocity(node, poses);
     }
   });
   return nodes;
@@ -521,9 +588,9 @@ void SeaweedScene::FindPhysicalMotion()
   const double step = this->GetGrid().Step;
   std::vector<LinkState> states = this->Marching.State();
   std::vector<LinkPose> poses = this->Poses;
-  const std::vector<Vector3> before = this->NodesAt(poses, true);
+  const std::vector<Vector3> before = this->VelocitiesIn(poses);
   this->StepAll(goal.Time - goal.Remainder, step, this->CurrentsOver(step), states, poses);
-  const std::vector<Vector3> after = this->NodesAt(poses, true);
+  const std::vector<Vector3> after = this->VelocitiesIn(poses);
   for (std::size_t node = 0; node < after.size(); ++node)
   {
     const Vector3 acceleration = (after[node] - before[node]) / step;
@@ -540,13 +607,17 @@ void SeaweedScene::FindProceduralMotion()
   const double step = this->GetGrid().Step;
   const StepCurrents currents = this->CurrentsOver(goal.Remainder);
   const std::vector<LinkPose> shown = this->Shown;
+  const std::vector<float> rigidities = this->Rigidities;
+  const std::vector<char> areFar = this->AreFar;
   std::vector<Vector3> positions[3];
   for (int moment = 0; moment < 3; ++moment)
   {
     this->ShowAt(goal.Time + (moment - 1) * step, 0.0, currents, SeaweedLevels());
-    positions[moment] = this->NodesAt(this->Shown, false);
+    positions[moment] = this->NodePositions();
   }
   this->Shown = shown;
+  this->Rigidities = rigidities;
+  this->AreFar = areFar;
   for (std::size_t node = 0; node < positions[0].size(); ++node)
   {
     this->Velocities.push_back((positions[2][node] - positions[0][node]) / (2.0 * step));
@@ -579,7 +650,7 @@ void SeaweedScene::FindChanges(
   const StandPlant& extent = this->Stand.GetPlants()[plant];
   for (std::size_t link = extent.FirstLink; link < extent.EndLink; ++link)
   {
-    if (ofCarriers && this->Stand.LastLevelOf(link) < 2)
+    if (ofCarriers && this->Stand.CarrierOf(link) != link)
     {
       continue;
     }

@@ -53,6 +53,7 @@ public:
 
   CurrentSet Currents;
   bool NeedsMotion = false; ///< whether FindMotion() is to be called; its currents are those of a whole step
+  bool NeedsJoints = false; ///< whether FindChanges() is to be called for all links of far plants, too
 
   /// Sets the plants, at rest at the start: a valid skeleton with a segment for each node, and for each node a number
   /// that changes from one plant to the next (null: all is one plant). SeaLevel of the options is that of the sea. Why
@@ -94,8 +95,8 @@ public:
   void FindMotion();
 
   /// Positions of the nodes as Show() found them [m].
-  std::vector<Vector3> NodePositions() const { return this->NodesAt(this->Shown, false); }
-  Vector3 NodePosition(std::size_t node) const { return this->NodeAt(node, this->Shown); }
+  std::vector<Vector3> NodePositions() const;
+  Vector3 NodePosition(std::size_t node) const;
 
   /// Velocities [m/s] and accelerations [m/s2] of the nodes; empty unless found since the last Show().
   const std::vector<Vector3>& GetVelocities() const { return this->Velocities; }
@@ -111,7 +112,7 @@ public:
   std::vector<glm::dquat> SkinRotations() const;
 
   /// Finds the changes of the nodes of a plant, by which its skin moves, or of the carriers among them alone.
-  /// `rotations` are SkinRotations().
+  /// `rotations` are SkinRotations(). Far plants have those of carriers alone, unless NeedsJoints.
   void FindChanges(std::size_t plant, const std::vector<glm::dquat>& rotations, std::vector<JointChange>& changes,
     bool ofCarriers = false) const;
 
@@ -133,12 +134,21 @@ private:
     std::unique_ptr<ViewFrustum> View;  ///< null: no levels
   };
 
+  /// A procedural plant whose water is to be found.
+  struct MovingPlant
+  {
+    std::size_t Index = 0;
+    SeaweedLevelShares Shares;
+  };
+
   /// Memory of one thread, kept from plant to plant.
   struct Work
   {
     std::vector<Vector3> Middles;
     std::vector<WaterAtLink> Water;
-    std::vector<float> Shares; ///< of wave trains
+    std::vector<float> Shares;  ///< of wave trains, a set a plant; none: all of all
+    std::vector<int> ShareSets; ///< of links
+    std::vector<MovingPlant> Plants;
     std::vector<float> Centers;
     std::vector<float> First;
     std::vector<float> Second;
@@ -155,20 +165,22 @@ private:
   void StepBatches(const BatchRange& range, double step, const WaveOrbits& orbits, const StepCurrents& currents,
     std::vector<LinkState>& states, std::vector<LinkPose>& poses, Work& work) const;
   void FindTrainSums();
-  std::int64_t FindSharesFor(std::size_t plant, const SeaweedLevels& levels, std::vector<float>& shares) const;
+  std::int64_t AddSharesFor(std::size_t plant, const SeaweedLevels& levels, std::vector<float>& shares) const;
   LinkState ProceduralIn(int level, std::size_t link, const WaterAtLink& water, const LinkPose* poses) const;
   void ShowLink(std::size_t link, const WaterAtLink& water, const SeaweedLevelShares& shares);
-  SeaweedCounters ShowPhysical(const StandPlant& plant, const std::array<double, 3>& shares, const Picture& picture);
-  SeaweedCounters ShowProcedural(
-    std::size_t index, const SeaweedLevelShares& shares, const Picture& picture, Work& work);
-  void ShowAtRest(const StandPlant& plant);
+  SeaweedCounters ShowPhysical(std::size_t index, const std::array<double, 3>& shares, const Picture& picture);
+  SeaweedCounters AddMoving(const MovingPlant& moving, const Picture& picture, Work& work) const;
+  void ShowMoving(const Picture& picture, Work& work);
+  bool IsPosed(std::size_t plant, std::size_t link) const;
+  void ShowAtRest(std::size_t index);
   SeaweedCounters ShowPlant(std::size_t index, const Picture& picture, Work& work);
   SeaweedCounters ShowAt(double time, double remainder, const StepCurrents& currents, const SeaweedLevels& levels);
   void FindPhysicalMotion();
   void FindProceduralMotion();
+  Vector3 NodeBy(int link, std::size_t node, const std::vector<LinkPose>& poses) const;
   Vector3 NodeAt(std::size_t node, const std::vector<LinkPose>& poses) const;
   Vector3 NodeVelocity(std::size_t node, const std::vector<LinkPose>& poses) const;
-  std::vector<Vector3> NodesAt(const std::vector<LinkPose>& poses, bool velocities) const;
+  std::vector<Vector3> VelocitiesIn(const std::vector<LinkPose>& poses) const;
 
   bool Physical;
   ParallelFor Parallel;

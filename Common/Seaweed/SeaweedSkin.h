@@ -32,6 +32,10 @@ public:
   /// The runs of a plant are those from RunsOf(plant) up to RunsOf(plant + 1).
   const SkinRun* RunsOf(std::size_t plant) const { return this->Runs.data() + this->FirstRun[plant]; }
 
+  /// All of them, and the index of one.
+  const std::vector<SkinRun>& GetRuns() const { return this->Runs; }
+  std::size_t IndexOf(const SkinRun* run) const { return static_cast<std::size_t>(run - this->Runs.data()); }
+
 private:
   std::vector<SkinRun> FixedRuns;
   std::vector<SkinRun> Runs;         ///< by plants

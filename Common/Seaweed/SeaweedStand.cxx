@@ -13,6 +13,7 @@ SeaweedStand::SeaweedStand(Skeleton rest, const std::vector<SeaweedLink>& links,
   : Rest(std::move(rest))
 {
   this->FindLinks(links);
+  this->FindCarriers(links);
   this->FindPlants(plantIds);
   for (StandPlant& plant : this->Plants)
   {
@@ -35,9 +36,27 @@ void SeaweedStand::FindLinks(const std::vector<SeaweedLink>& links)
     {
       if (this->LinkOfNode[node] >= 0)
       {
-        this->OrderInBranch.push_back(node - branch.First);
-        this->LinksOfBranch.push_back(branch.Count - 1);
+        const int order = node - branch.First;
+        this->LastLevels.push_back(order == 0 ? 2 : (order < branch.Count / 2 ? 1 : 0));
       }
+    }
+  }
+}
+
+void SeaweedStand::FindCarriers(const std::vector<SeaweedLink>& links)
+{
+  for (std::size_t link = 0; link < links.size(); ++link)
+  {
+    const int parent = links[link].Parent;
+    const bool isCarried = this->LastLevels[link] < 2 && parent >= 0;
+    this->Carriers.push_back(isCarried ? this->Carriers[static_cast<std::size_t>(parent)] : link);
+    this->AreBelowCarriers.push_back(!isCarried);
+  }
+  for (std::size_t link = links.size(); link-- > 0;)
+  {
+    if (links[link].Parent >= 0 && this->AreBelowCarriers[link])
+    {
+      this->AreBelowCarriers[static_cast<std::size_t>(links[link].Parent)] = 1;
     }
   }
 }
@@ -89,23 +108,13 @@ void SeaweedStand::Measure(const std::vector<SeaweedLink>& links, StandPlant& pl
   plant.Reach = reach + 0.5 * glm::distance(low, high);
 }
 
-int SeaweedStand::LastLevelOf(std::size_t link) const
-{
-  const int order = this->OrderInBranch[link];
-  return order == 0 ? 2 : (order < (this->LinksOfBranch[link] + 1) / 2 ? 1 : 0);
-}
-
 std::vector<int> SeaweedStand::CarriersOf(const std::vector<SeaweedLink>& links) const
 {
   std::vector<int> carriers(this->LinkOfNode.size());
   for (std::size_t node = 0; node < carriers.size(); ++node)
   {
-    int link = this->LinkOfNode[node];
-    while (link >= 0 && this->LastLevelOf(static_cast<std::size_t>(link)) < 2 && links[link].Parent >= 0)
-    {
-      link = links[link].Parent;
-    }
-    carriers[node] = link < 0 ? static_cast<int>(node) : links[link].Node;
+    const int link = this->LinkOfNode[node];
+    carriers[node] = link < 0 ? static_cast<int>(node) : links[this->Carriers[static_cast<std::size_t>(link)]].Node;
   }
   return carriers;
 }

@@ -41,13 +41,20 @@ public:
   std::size_t PlantOf(std::size_t node) const { return this->PlantOfNode[node]; }
 
   /// The least detailed level in which a link moves, of 0 near, 1 middle, 2 far.
-  int LastLevelOf(std::size_t link) const;
+  int LastLevelOf(std::size_t link) const { return this->LastLevels[link]; }
+
+  /// The link that carries another one where only links of the level 2 move; such a link carries itself.
+  std::size_t CarrierOf(std::size_t link) const { return this->Carriers[link]; }
+
+  /// Whether a link carries others, or one that does grows on it.
+  bool IsBelowCarrier(std::size_t link) const { return this->AreBelowCarriers[link] != 0; }
 
   /// Nodes by whose links nodes move where only links of the level 2 do; nodes without a link are their own.
   std::vector<int> CarriersOf(const std::vector<SeaweedLink>& links) const;
 
 private:
   void FindLinks(const std::vector<SeaweedLink>& links);
+  void FindCarriers(const std::vector<SeaweedLink>& links);
   void FindPlants(const int* plantIds);
   static void Measure(const std::vector<SeaweedLink>& links, StandPlant& plant);
 
@@ -55,8 +62,9 @@ private:
   std::vector<StandPlant> Plants;
   std::vector<int> LinkOfNode;
   std::vector<std::size_t> PlantOfNode;
-  std::vector<int> OrderInBranch; ///< of a link
-  std::vector<int> LinksOfBranch; ///< of a link: number of links of its branch
+  std::vector<unsigned char> LastLevels;       ///< of links
+  std::vector<std::size_t> Carriers;           ///< of links
+  std::vector<unsigned char> AreBelowCarriers; ///< links
 };
 
 }

@@ -23,12 +23,20 @@ namespace littoral
 namespace
 {
 
+/// Asks for memory that is needed soon.
+void Fetch(const float* numbers)
+{
+#if defined(__GNUC__)
+  __builtin_prefetch(numbers);
+#endif
+}
+
+constexpr std::size_t PlantsAhead = 4;
+
 /// A skin on its way: arrays, and the ranges of their values, which are found while these are at hand.
 class MovedSkin
 {
 public:
-  using Ranges = std::array<TupleRanges, 2>;
-
   MovedSkin(SeaweedSkinBlock& skin, FrameArrays& arrays)
     : Block(skin)
     , Rest(ReadSkin(skin.Rest))
@@ -46,26 +54,44 @@ public:
       const std::vector<SkinRun>& runs = this->Block.Skin.GetFixedRuns();
       this->Block.FixedRanges = {};
       SmpFor(runs.size(), [&](std::size_t begin, std::size_t end) {
-        Ranges ranges;
+        SkinRanges ranges;
         std::for_each(runs.data() + begin, runs.data() + end,
-          [&](const SkinRun& run) { this->Move(run, changes, 0.0f, this->Block.Rigid, ranges); });
+          [&](const SkinRun& run) { this->Move(run, changes, 0.0f, nullptr, ranges); });
         this->Add(ranges, this->Block.FixedRanges);
       });
     }
-    this->Add(this->Block.FixedRanges, this->Found);
+    this->Found[0].Add(this->Block.FixedRanges[0]);
+    this->Found[1].Add(this->Block.FixedRanges[1]);
   }
 
   /// Moves all of a plant; adds to the ranges.
   void MovePlant(
-    std::size_t plant, const std::vector<JointChange>& changes, float rigidity, bool isFar, Ranges& ranges) const
+    std::size_t plant, const std::vector<JointChange>& changes, float rigidity, bool isFar, SkinRanges& ranges) const
   {
     const SeaweedSkin& own = this->Block.Skin;
     const RigidBinding& rigid = isFar ? this->Block.Far : this->Block.Rigid;
+    const std::vector<std::uint32_t>& firsts = this->Block.FirstRigid[isFar ? 1 : 0];
     std::for_each(own.RunsOf(plant), own.RunsOf(plant + 1),
-      [&](const SkinRun& run) { this->Move(run, changes, rigidity, rigid, ranges); });
+      [&](const SkinRun& run) { this->Move(run, changes, rigidity, rigid.RunAt(firsts[own.IndexOf(&run)]), ranges); });
   }
 
-  void AddRanges(const Ranges& ranges) { this->Add(ranges, this->Found); }
+  /// Asks for the memory of a plant whose turn comes soon.
+  void FetchPlant(std::size_t plant) const
+  {
+    const SeaweedSkin& own = this->Block.Skin;
+    std::for_each(own.RunsOf(plant), own.RunsOf(plant + 1), [&](const SkinRun& run) {
+      for (const float* vectors :
+        { this->Rest.Points, this->Rest.Normals, static_cast<const float*>(this->Points->GetPointer(0)),
+          static_cast<const float*>(this->Normals->GetPointer(0)) })
+      {
+        Fetch(vectors + 3 * run.First);
+        Fetch(vectors + 3 * run.First + 16);
+        Fetch(vectors + 3 * run.First + 32);
+      }
+    });
+  }
+
+  void AddRanges(const SkinRanges& ranges) { this->Add(ranges, this->Found); }
 
   void Write(vtkMultiBlockDataSet* blocks) const
   {
@@ -84,31 +110,31 @@ private:
   vtkSmartPointer<vtkFloatArray> Points;
   vtkSmartPointer<vtkFloatArray> Normals;
   bool HasFixed;
-  Ranges Found;
+  std::array<TupleRanges, 2> Found; ///< of points and of normals
   std::mutex Adding;
 
-  void Move(const SkinRun& run, const std::vector<JointChange>& changes, float rigidity, const RigidBinding& rigid,
-    Ranges& ranges) const
+  void Move(const SkinRun& run, const std::vector<JointChange>& changes, float rigidity, const RigidBinding::Run* rigid,
+    SkinRanges& ranges) const
   {
     float* p = this->Points->GetPointer(0);
     float* n = this->Normals->GetPointer(0);
     if (rigidity < 1.0f)
     {
       MoveSkin(this->Rest, this->Block.Binding, changes.data(), run.First, run.End, p, n, rigidity);
+      AddVectors(p + 3 * run.First, run.End - run.First, ranges.Points);
+      AddVectors(n + 3 * run.First, run.End - run.First, ranges.Normals);
     }
     else
     {
-      MoveRigidly(this->Rest, rigid, changes.data(), run.First, run.End, p, n);
+      MoveRigidly(this->Rest, rigid, changes.data(), run.First, run.End, p, n, ranges);
     }
-    ranges[0].AddTuples(p + 3 * run.First, p + 3 * run.End, 3);
-    ranges[1].AddTuples(n + 3 * run.First, n + 3 * run.End, 3);
   }
 
-  void Add(const Ranges& part, Ranges& sum)
+  void Add(const SkinRanges& part, std::array<TupleRanges, 2>& sum)
   {
     const std::lock_guard<std::mutex> lock(this->Adding);
-    sum[0].Add(part[0]);
-    sum[1].Add(part[1]);
+    sum[0].Add(part.Points.Range(), 3);
+    sum[1].Add(part.Normals.Range(), 3);
   }
 };
 
@@ -129,9 +155,13 @@ void WriteSkins(
   }
   const std::vector<glm::dquat> rotations = scene.SkinRotations();
   SmpFor(scene.GetStand().GetPlants().size(), [&](std::size_t begin, std::size_t end) {
-    std::vector<MovedSkin::Ranges> parts(moved.size());
+    std::vector<SkinRanges> parts(moved.size());
     for (std::size_t plant = begin; plant < end; ++plant)
     {
+      for (const MovedSkin& skin : moved)
+      {
+        skin.FetchPlant(std::min(plant + PlantsAhead, end - 1));
+      }
       const bool isFar = scene.IsFar(plant);
       scene.FindChanges(plant, rotations, changes, isFar);
       for (std::size_t skin = 0; skin < moved.size(); ++skin)
@@ -209,7 +239,13 @@ std::vector<SeaweedSkinBlock> ReadSkins(vtkMultiBlockDataSet* plants, const Seaw
     const auto vertices = static_cast<std::size_t>(block->GetNumberOfPoints());
     const SkinBinding binding = ReadBinding(block);
     skins.push_back({ name, block, SeaweedSkin(ReadJointIds(block), vertices, stand), binding, RigidBinding(binding),
-      RigidBinding(binding, carriers), {} });
+      RigidBinding(binding, carriers), {}, {} });
+    SeaweedSkinBlock& skin = skins.back();
+    for (const SkinRun& run : skin.Skin.GetRuns())
+    {
+      skin.FirstRigid[0].push_back(static_cast<std::uint32_t>(skin.Rigid.IndexOf(skin.Rigid.RunOf(run.First))));
+      skin.FirstRigid[1].push_back(static_cast<std::uint32_t>(skin.Far.IndexOf(skin.Far.RunOf(run.First))));
+    }
   }
   return skins;
 }

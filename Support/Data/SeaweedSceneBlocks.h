@@ -16,6 +16,7 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,10 @@ struct SeaweedSkinBlock
   SeaweedSkin Skin;
   SkinBinding Binding;
   RigidBinding Rigid;
-  RigidBinding Far;                       ///< to the carriers of joints
+  RigidBinding Far; ///< to the carriers of joints
+  /// Indices of the runs in Rigid and in Far where those of Skin begin: to search them would take as long as to move
+  /// some vertices.
+  std::array<std::vector<std::uint32_t>, 2> FirstRigid;
   std::array<TupleRanges, 2> FixedRanges; ///< of points and normals that never move, once they were written
 };
 

@@ -129,11 +129,9 @@ void TupleRanges::Add(const VectorRange& vectors, int components)
 {
   for (int c = 0; c < components; ++c)
   {
-    this->Components[c].Add(vectors.Low[c]);
-    this->Components[c].Add(vectors.High[c]);
+    this->Components[c].Add(ValueRange{ vectors.Low[c], vectors.High[c] });
   }
-  this->SquaredLength.Add(vectors.MinimumSquare);
-  this->SquaredLength.Add(vectors.MaximumSquare);
+  this->SquaredLength.Add(ValueRange{ vectors.MinimumSquare, vectors.MaximumSquare });
   this->AreFinite = this->AreFinite && vectors.IsFinite;
 }
 

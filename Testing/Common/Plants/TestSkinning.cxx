@@ -26,6 +26,33 @@ JointPose TurnedBy(double angle, const Vector3& shift)
   return { { std::cos(0.5 * angle), 0.0, 0.0, std::sin(0.5 * angle) }, shift };
 }
 
+/// The ranges of vectors, found one number at a time.
+void ExpectRangesOf(const std::vector<float>& vectors, const VectorRangeSum& sum)
+{
+  const VectorRange range = sum.Range();
+  double shortest = 1e300;
+  double longest = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    float low = 1e30f;
+    float high = -1e30f;
+    for (std::size_t i = 0; i < vectors.size(); i += 3)
+    {
+      low = std::min(low, vectors[i + axis]);
+      high = std::max(high, vectors[i + axis]);
+      const double square = glm::dot(
+        Vector3(vectors[i], vectors[i + 1], vectors[i + 2]), Vector3(vectors[i], vectors[i + 1], vectors[i + 2]));
+      shortest = std::min(shortest, square);
+      longest = std::max(longest, square);
+    }
+    EXPECT_EQ(range.Low[axis], low);
+    EXPECT_EQ(range.High[axis], high);
+  }
+  EXPECT_DOUBLE_EQ(range.MinimumSquare, shortest);
+  EXPECT_DOUBLE_EQ(range.MaximumSquare, longest);
+  EXPECT_TRUE(range.IsFinite);
+}
+
 }
 
 TEST(Skinning, AJointTurnsAboutItsPlace)
@@ -239,7 +266,9 @@ TEST(Skinning, RigidSkinsFollowTheMainJoint)
   const RigidBinding binding(skin.Binding());
   std::vector<float> points(skin.Points.size());
   std::vector<float> normals(skin.Points.size());
-  MoveRigidly(skin.Rest(), binding, skin.Changes.data(), 0, RandomSkin::Vertices, points.data(), normals.data());
+  SkinRanges ranges;
+  MoveRigidly(
+    skin.Rest(), binding.RunOf(0), skin.Changes.data(), 0, RandomSkin::Vertices, points.data(), normals.data(), ranges);
   for (int vertex = 0; vertex < RandomSkin::Vertices; ++vertex)
   {
     const float* weights = &skin.Weights[4 * vertex];
@@ -266,18 +295,23 @@ TEST(Skinning, AnyRangeOfARigidSkinHasTheSameBytes)
   const RigidBinding binding(skin.Binding());
   std::vector<float> points(skin.Points.size());
   std::vector<float> normals(skin.Points.size());
-  MoveRigidly(skin.Rest(), binding, skin.Changes.data(), 0, RandomSkin::Vertices, points.data(), normals.data());
+  SkinRanges ranges;
+  MoveRigidly(
+    skin.Rest(), binding.RunOf(0), skin.Changes.data(), 0, RandomSkin::Vertices, points.data(), normals.data(), ranges);
   for (const std::size_t length : { 1, 2, 5, 300 })
   {
     std::vector<float> p(points.size());
     std::vector<float> n(points.size());
+    SkinRanges parts;
     for (std::size_t begin = 0; begin < RandomSkin::Vertices; begin += length)
     {
       const std::size_t end = std::min<std::size_t>(RandomSkin::Vertices, begin + length);
-      MoveRigidly(skin.Rest(), binding, skin.Changes.data(), begin, end, p.data(), n.data());
+      MoveRigidly(skin.Rest(), binding.RunOf(begin), skin.Changes.data(), begin, end, p.data(), n.data(), parts);
     }
     EXPECT_EQ(p, points);
     EXPECT_EQ(n, normals);
+    ExpectRangesOf(points, parts.Points);
+    ExpectRangesOf(normals, parts.Normals);
   }
 }
 

@@ -489,6 +489,75 @@ TEST(Orbits, SharesOfTrainsAreThoseOfASmallerSea)
   }
 }
 
+// Points with sets of their own are moved as by that set alone, whatever others there are.
+TEST(Orbits, SharesOfAPointAreThoseOfItsSet)
+{
+  constexpr int Sets = 3;
+  constexpr std::size_t Count = 300; // more than a block
+  for (const SeaOrder order : { SeaOrder::First, SeaOrder::Second })
+  {
+    SeaState sea = Sea(12.0);
+    sea.Trains.resize(6);
+    sea.Order = order;
+    const std::size_t trains = sea.Trains.size();
+    std::vector<float> shares(Sets * trains, 0.0f);
+    std::fill_n(shares.begin(), trains, 1.0f);
+    std::fill_n(shares.begin() + static_cast<std::ptrdiff_t>(trains), 4, 0.6f);
+    shares[2 * trains] = 0.25f;
+    std::vector<double> places;
+    std::vector<int> sets;
+    for (std::size_t i = 0; i < Count; ++i)
+    {
+      const auto n = static_cast<double>(i);
+      places.insert(places.end(), { 1.7 * n, 30.0 - n, -0.02 * n });
+      sets.push_back(static_cast<int>(i * i % Sets));
+    }
+    WaveOrbitOptions options;
+    options.StokesDrift = true;
+    const WaveOrbits orbits(sea, options, 7.0);
+    const auto check = [&](auto real, double tolerance) {
+      using Real = decltype(real);
+      const std::vector<Real> centers(places.begin(), places.end());
+      std::vector<Real> all(9 * Count);
+      std::vector<Real> one(9 * Count);
+      std::vector<Real> alone(9 * Count);
+      const auto request = [&](std::vector<Real>& numbers) {
+        OrbitRequest<Real> own;
+        own.Centers = centers.data();
+        own.Shares = shares.data();
+        own.Displacement = &numbers[0];
+        own.Velocity = &numbers[3 * Count];
+        own.Acceleration = &numbers[6 * Count];
+        return own;
+      };
+      OrbitRequest<Real> together = request(all);
+      together.ShareSets = sets.data();
+      orbits.Evaluate(together, 0, Count);
+      OrbitRequest<Real> each = request(alone);
+      each.ShareSets = sets.data();
+      for (std::size_t i = 0; i < Count; ++i)
+      {
+        orbits.Evaluate(each, i, i + 1);
+        OrbitRequest<Real> single = request(one);
+        single.Shares += static_cast<std::size_t>(sets[i]) * trains;
+        orbits.Evaluate(single, i, i + 1);
+      }
+      EXPECT_EQ(all, alone);
+      double size = 0.0;
+      double error = 0.0;
+      for (std::size_t i = 0; i < all.size(); ++i)
+      {
+        size = std::max(size, std::abs(static_cast<double>(one[i])));
+        error = std::max(error, std::abs(static_cast<double>(all[i]) - one[i]));
+      }
+      EXPECT_GT(size, 0.1);
+      EXPECT_LE(error, tolerance * size);
+    };
+    check(0.0, 0.0);
+    check(0.0f, 1e-6);
+  }
+}
+
 TEST(Spectrum, PiersonMoskowitzHasItsMoments)
 {
   // 4 sqrt(alpha / (4 beta)) U2 / g and 2 pi (5 / (4 beta))^(1/4) U / g

@@ -33,19 +33,24 @@ SeaState Waves()
   return sea;
 }
 
-/// Some eelgrass at a distance from each other, with a number for each node.
+SeaweedParameters TwoLeaves()
+{
+  SeaweedParameters parameters = PresetParameters(SeaweedPreset::Eelgrass);
+  parameters.NumberOfFronds = 2;
+  parameters.SegmentsPerBranch = 4;
+  return parameters;
+}
+
+/// Some plants at a distance from each other, with a number for each node.
 struct Bed
 {
   Skeleton Rest;
   std::vector<SeaweedSegment> Segments;
   std::vector<int> Ids;
 
-  void Add(int seed, const Vector3& foot)
+  void Add(int seed, const Vector3& foot, SeaweedParameters parameters = TwoLeaves())
   {
-    SeaweedParameters parameters = PresetParameters(SeaweedPreset::Eelgrass);
     parameters.Seed = seed;
-    parameters.NumberOfFronds = 2;
-    parameters.SegmentsPerBranch = 4;
     const Seaweed plant = GrowSeaweed(parameters);
     const int nodes = static_cast<int>(this->Rest.Nodes.size());
     const int branches = static_cast<int>(this->Rest.Branches.size());
@@ -71,6 +76,21 @@ Bed TwoPlants()
   Bed bed;
   bed.Add(3, { 0.0, 0.0, -6.0 });
   bed.Add(4, { 5.0, 2.0, -6.0 });
+  return bed;
+}
+
+/// Plants whose blades grow all along their stipes.
+Bed TwoCanopies()
+{
+  SeaweedParameters parameters = PresetParameters(SeaweedPreset::GiantKelp);
+  parameters.NumberOfFronds = 2;
+  parameters.SegmentsPerBranch = 8;
+  parameters.StipeLength = 3.0;
+  parameters.BladeSpacing = 0.6;
+  parameters.BladeLength = 0.4;
+  Bed bed;
+  bed.Add(3, { 0.0, 0.0, -6.0 }, parameters);
+  bed.Add(4, { 5.0, 2.0, -6.0 }, parameters);
   return bed;
 }
 
@@ -249,6 +269,30 @@ TEST(SeaweedScene, PlantsMoveAsEachAlone)
   EXPECT_EQ(std::vector<Vector3>(nodes.begin(), nodes.begin() + static_cast<long>(expected.size())), expected);
 }
 
+/// Wave trains are left out by the distance of each plant, whatever others are found with it.
+TEST(SeaweedScene, PlantsLeaveOutTrainsAsEachAlone)
+{
+  Bed second;
+  second.Add(4, { 5.0, 2.0, -6.0 });
+  SeaweedLevels levels;
+  levels.UseLevels = true;
+  levels.Seen = ViewFrom({ -4.0, -1.6, -5.7 }); // 4 m and 10 m away
+  SeaweedScene alone = SceneOf(second, false);
+  SeaweedScene both = SceneOf(TwoPlants(), false);
+  int different = 0;
+  std::vector<Vector3> former;
+  for (const double error : { 0.001, 0.1, 0.2, 0.4, 10.0 })
+  {
+    levels.PixelError = error;
+    const std::vector<Vector3> expected = NodesAt(alone, 1.23, levels);
+    const std::vector<Vector3> nodes = NodesAt(both, 1.23, levels);
+    EXPECT_EQ(std::vector<Vector3>(nodes.end() - static_cast<long>(expected.size()), nodes.end()), expected) << error;
+    different += former.empty() || expected == former ? 0 : 1;
+    former = expected;
+  }
+  EXPECT_GT(different, 1);
+}
+
 TEST(SeaweedScene, PlantsAreAtRestBeforeTheStart)
 {
   const Bed bed = TwoPlants();
@@ -289,40 +333,74 @@ TEST(SeaweedScene, LevelsDoNotTouchTheState)
 /// Far away each node is where the carrier of its joint takes it, of which alone the change is found.
 TEST(SeaweedScene, FarPlantsMoveByTheirCarriers)
 {
-  const Bed bed = TwoPlants();
-  SeaweedLevels levels;
-  levels.UseLevels = true;
-  levels.Seen = ViewFrom({ 0.0, -100.0, -5.7 });
-  for (const bool isPhysical : { false, true })
+  for (const Bed& bed : { TwoPlants(), TwoCanopies() })
   {
-    SeaweedScene scene = SceneOf(bed, isPhysical);
-    const std::vector<Vector3> nodes = NodesAt(scene, 1.3, levels);
-    EXPECT_GT(MaximumDistance(nodes, NodesAtRest(bed)), 0.02);
-    const std::vector<int> carriers = scene.GetStand().CarriersOf(scene.GetLinks());
-    std::vector<JointChange> changes(nodes.size());
-    int carried = 0;
-    for (std::size_t plant = 0; plant < 2; ++plant)
+    SeaweedLevels levels;
+    levels.UseLevels = true;
+    levels.Seen = ViewFrom({ 0.0, -100.0, -5.7 });
+    for (const bool isPhysical : { false, true })
     {
-      ASSERT_TRUE(scene.IsFar(plant));
-      scene.FindChanges(plant, scene.SkinRotations(), changes, true);
-    }
-    for (std::size_t node = 0; node < nodes.size(); ++node)
-    {
-      const auto& c = changes[static_cast<std::size_t>(carriers[node])].Columns;
-      const Vector3 rest = bed.Rest.Nodes[node].Position;
-      // p + (R - 1) (p - r) + s
-      Vector3 place = rest + Vector3(c[3][0], c[3][1], c[3][2]);
-      for (int k = 0; k < 3; ++k)
+      SeaweedScene scene = SceneOf(bed, isPhysical);
+      const std::vector<Vector3> nodes = NodesAt(scene, 1.3, levels);
+      EXPECT_GT(MaximumDistance(nodes, NodesAtRest(bed)), 0.02);
+      const std::vector<int> carriers = scene.GetStand().CarriersOf(scene.GetLinks());
+      std::vector<JointChange> changes(nodes.size());
+      int carried = 0;
+      for (std::size_t plant = 0; plant < 2; ++plant)
       {
-        place += (rest[k] - static_cast<double>(c[k][3])) * Vector3(c[k][0], c[k][1], c[k][2]);
+        ASSERT_TRUE(scene.IsFar(plant));
+        scene.FindChanges(plant, scene.SkinRotations(), changes, true);
       }
-      EXPECT_LT(glm::distance(place, nodes[node]), 1e-5) << node;
-      carried += carriers[node] != static_cast<int>(node);
+      for (std::size_t node = 0; node < nodes.size(); ++node)
+      {
+        const auto& c = changes[static_cast<std::size_t>(carriers[node])].Columns;
+        const Vector3 rest = bed.Rest.Nodes[node].Position;
+        // p + (R - 1) (p - r) + s
+        Vector3 place = rest + Vector3(c[3][0], c[3][1], c[3][2]);
+        for (int k = 0; k < 3; ++k)
+        {
+          place += (rest[k] - static_cast<double>(c[k][3])) * Vector3(c[k][0], c[k][1], c[k][2]);
+        }
+        EXPECT_LT(glm::distance(place, nodes[node]), 1e-5) << node;
+        const int carrier = scene.GetStand().LinkOf(static_cast<std::size_t>(carriers[node]));
+        EXPECT_TRUE(carrier < 0 || scene.GetStand().LastLevelOf(static_cast<std::size_t>(carrier)) == 2) << node;
+        carried += carriers[node] != static_cast<int>(node);
+      }
+      EXPECT_GT(carried, 10);
+      MoveTo(scene, 1.4);
+      scene.Show({});
+      EXPECT_FALSE(scene.IsFar(0));
     }
-    EXPECT_GT(carried, 10);
-    MoveTo(scene, 1.4);
-    scene.Show({});
-    EXPECT_FALSE(scene.IsFar(0));
+  }
+}
+
+/// All joints of far plants are there where they are needed: they go with their carriers.
+TEST(SeaweedScene, JointsOfFarPlantsGoWithTheirCarriers)
+{
+  for (const Bed& bed : { TwoPlants(), TwoCanopies() })
+  {
+    SeaweedLevels levels;
+    levels.UseLevels = true;
+    levels.Seen = ViewFrom({ 0.0, -100.0, -5.7 });
+    for (const bool isPhysical : { false, true })
+    {
+      SeaweedScene scene = SceneOf(bed, isPhysical);
+      NodesAt(scene, 0.4); // poses of another time
+      const std::vector<Vector3> nodes = NodesAt(scene, 1.3, levels);
+      scene.NeedsJoints = true;
+      EXPECT_EQ(NodesAt(scene, 1.3, levels), nodes);
+      std::vector<JointChange> changes(nodes.size());
+      for (std::size_t plant = 0; plant < 2; ++plant)
+      {
+        ASSERT_TRUE(scene.IsFar(plant));
+        scene.FindChanges(plant, scene.SkinRotations(), changes);
+      }
+      for (std::size_t node = 0; node < nodes.size(); ++node)
+      {
+        const Vector3 rest = bed.Rest.Nodes[node].Position;
+        EXPECT_LT(glm::distance(rest + changes[node].Of(rest), nodes[node]), 1e-5) << node;
+      }
+    }
   }
 }
 
@@ -370,6 +448,14 @@ TEST(SeaweedScene, ShowsTheSameAfterFindingMotion)
     scene.FindMotion();
     EXPECT_EQ(scene.NodePositions(), nodes);
     EXPECT_EQ(NodesAt(scene, 0.71), nodes);
+    SeaweedLevels levels;
+    levels.UseLevels = true;
+    levels.Seen = ViewFrom({ 0.0, -100.0, -5.7 });
+    const std::vector<Vector3> far = NodesAt(scene, 0.71, levels);
+    scene.FindMotion();
+    EXPECT_EQ(scene.NodePositions(), far);
+    EXPECT_TRUE(scene.IsFar(0));
+    EXPECT_EQ(scene.RigidityOf(0), 1.0f);
   }
 }
 
