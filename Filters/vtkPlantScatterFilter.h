@@ -67,6 +67,12 @@
 
 class vtkFieldData;
 
+namespace littoral
+{
+class RankTeam;
+struct WorkShare;
+}
+
 class LITTORALFILTERS_EXPORT vtkPlantScatterFilter : public vtkViewDependentAlgorithm
 {
 public:
@@ -269,7 +275,8 @@ private:
   void CheckProperties();
   void CheckSites(vtkInformationVector* inputs);
   void RememberPrototypes(vtkInformationVector* prototypes);
-  void RememberPlaces(vtkInformationVector** inputs, vtkInformation* output);
+  void RememberPlaces(vtkInformationVector** inputs, vtkInformation* output, const littoral::WorkShare& share);
+  void RememberShared(vtkInformationVector** inputs, vtkInformation* output, littoral::RankTeam& team);
   void Merge(const Request& request, vtkMultiBlockDataSet* output);
   void AddInstances(const Request& request, vtkMultiBlockDataSet* output);
   void WriteCounters(const Request& request, double polygons, double bytes, vtkFieldData* fields) const;

@@ -11,6 +11,7 @@
 #include "Drainage/GroundWetness.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Pipeline.h"
+#include "Pipeline/PointRuns.h"
 #include "Plants/SiteGround.h"
 #include "Plants/SitePreference.h"
 
@@ -232,7 +233,7 @@ int vtkSitePreferenceFilter::FillInputPortInformation(int port, vtkInformation* 
 int vtkSitePreferenceFilter::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  littoral::AnnounceRuns(outputVector->GetInformationObject(0));
   return 1;
 }
 

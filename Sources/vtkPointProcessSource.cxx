@@ -11,6 +11,7 @@
 #include "Numerics/ParameterCheck.h"
 #include "Patterns/ProcessPattern.h"
 #include "Pipeline/Pipeline.h"
+#include "Pipeline/PointRuns.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -173,7 +174,7 @@ int vtkPointProcessSource::FillInputPortInformation(int port, vtkInformation* in
 int vtkPointProcessSource::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  littoral::AnnounceRuns(outputVector->GetInformationObject(0));
   return 1;
 }
 

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/PointRuns.h"
+
+#include "Pipeline/SharedKey.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkExecutive.h"
+#include "vtkInformation.h"
+#include "vtkInformationExecutivePortKey.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+namespace littoral
+{
+
+namespace
+{
+
+vtkInformationIntegerKey* RunsKey()
+{
+  static auto* key = SharedKey<vtkInformationIntegerKey>("PARTS_ARE_RUNS");
+  return key;
+}
+
+}
+
+void AnnounceRuns(vtkInformation* output)
+{
+  output->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  output->Set(RunsKey(), 1);
+}
+
+bool ComesInRuns(vtkInformation* input)
+{
+  while (input && !input->Has(RunsKey()))
+  {
+    vtkExecutive* producer = vtkExecutive::PRODUCER()->GetExecutive(input);
+    const bool passesOn = producer && producer->GetAlgorithm()->IsA("vtkPVPostFilter");
+    input = passesOn ? producer->GetInputInformation(0, 0) : nullptr;
+  }
+  return input != nullptr;
+}
+
+void RequestSamePart(vtkInformation* input, vtkInformation* output)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), output->Get(Pipeline::UPDATE_PIECE_NUMBER()));
+  input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
+  input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+}
+
+}
