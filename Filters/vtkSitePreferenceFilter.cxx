@@ -231,9 +231,10 @@ int vtkSitePreferenceFilter::FillInputPortInformation(int port, vtkInformation* 
 
 //----------------------------------------------------------------------------
 int vtkSitePreferenceFilter::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  littoral::AnnounceRuns(outputVector->GetInformationObject(0));
+  vtkInformation* sites = inputVector[SitesPort]->GetInformationObject(0);
+  littoral::AnnounceRuns(outputVector->GetInformationObject(0), littoral::ComesInRuns(sites));
   return 1;
 }
 

@@ -11,7 +11,6 @@
 #include "Numerics/ParameterCheck.h"
 #include "Patterns/ProcessPattern.h"
 #include "Pipeline/Pipeline.h"
-#include "Pipeline/PointRuns.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -174,7 +173,7 @@ int vtkPointProcessSource::FillInputPortInformation(int port, vtkInformation* in
 int vtkPointProcessSource::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  littoral::AnnounceRuns(outputVector->GetInformationObject(0));
+  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
   return 1;
 }
 

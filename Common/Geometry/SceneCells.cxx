@@ -126,7 +126,7 @@ std::vector<int> FirstCellsOfParts(const std::vector<int>& cellsOfObjects, int c
   for (int part = 0; part < parts; ++part)
   {
     auto [cell, before] = blocks[part];
-    for (; isBefore(before, part); ++cell)
+    for (; cell < cells && isBefore(before, part); ++cell)
     {
       const auto found = inCells.find(cell);
       before += found == inCells.end() ? 0.0 : found->second;

@@ -25,10 +25,10 @@ vtkInformationIntegerKey* RunsKey()
 
 }
 
-void AnnounceRuns(vtkInformation* output)
+void AnnounceRuns(vtkInformation* output, bool areRuns)
 {
   output->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
-  output->Set(RunsKey(), 1);
+  areRuns ? output->Set(RunsKey(), 1) : output->Remove(RunsKey());
 }
 
 bool ComesInRuns(vtkInformation* input)

@@ -3,16 +3,17 @@
 #ifndef LittoralPointRuns_h
 #define LittoralPointRuns_h
 
-// Outputs whose parts are runs of their points, one behind the other, so that ranks which each have a part know the
-// points by their numbers. Private: never installed, never wrapped.
+// Outputs whose points come in an order of place, and whose parts are runs of them, one behind the other: ranks that
+// each have a part know the points by their numbers, and have few that belong to others. Private: never installed,
+// never wrapped.
 
 class vtkInformation;
 
 namespace littoral
 {
 
-/// Announces that an output can be made in such parts.
-void AnnounceRuns(vtkInformation* output);
+/// Announces that an output can be made in parts, and whether they are such runs.
+void AnnounceRuns(vtkInformation* output, bool areRuns = true);
 
 /// Whether an input comes in such parts: also behind what ParaView puts between sources and filters.
 bool ComesInRuns(vtkInformation* input);
