@@ -29,7 +29,6 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationDataObjectMetaDataKey.h"
-#include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -448,8 +447,7 @@ void vtkPlantScatterFilter::RememberPlaces(
 void vtkPlantScatterFilter::RememberShared(
   vtkInformationVector** inputs, vtkInformation* output, littoral::RankTeam& team)
 {
-  vtkInformation* sites = vtkDataObject::GetData(inputs[SitesPort])->GetInformation();
-  const bool isPart = sites->Get(vtkDataObject::DATA_NUMBER_OF_PIECES()) > 1;
+  const bool isPart = littoral::IsRun(inputs[SitesPort]->GetInformationObject(0));
   team.Agree(isPart ? 1 : 0);
   littoral::Require(isPart && !team.IsSharing() ? "Not all ranks have a part of the sites; update all of them." : "");
   this->RememberPrototypes(inputs[PrototypesPort]);

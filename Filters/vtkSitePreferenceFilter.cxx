@@ -85,8 +85,10 @@ struct KeptSite
 class Sites
 {
 public:
-  explicit Sites(vtkPointSet* sites)
+  /// The sites of a run are told by their identities, which are their numbers among all.
+  Sites(vtkPointSet* sites, bool isRun)
     : Points(sites)
+    , AreOfRun(isRun)
   {
     const littoral::ArrayReader points = littoral::ArrayReader::OfPoints(sites, "a set of sites");
     this->Identities = points.Find("SiteId", 1);
@@ -113,7 +115,8 @@ public:
     }
     if (!factors)
     {
-      littoral::Refuse("site ", site, " at (", littoral::TextOf(place[0]), ", ", littoral::TextOf(place[1]),
+      const vtkIdType number = this->AreOfRun ? static_cast<vtkIdType>(identity) : site;
+      littoral::Refuse("site ", number, " at (", littoral::TextOf(place[0]), ", ", littoral::TextOf(place[1]),
         ") lies outside of the Terrain, or where it has no drainage area.");
     }
     kept.Ground = *factors;
@@ -137,6 +140,7 @@ public:
 
 private:
   vtkPointSet* Points;
+  bool AreOfRun;
   vtkDataArray* Identities = nullptr;
   vtkDataArray* Kinds = nullptr;
 };
@@ -240,7 +244,7 @@ int vtkSitePreferenceFilter::RequestInformation(
 
 //----------------------------------------------------------------------------
 int vtkSitePreferenceFilter::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   for (int port : { SitesPort, TerrainPort, PreferencesPort })
   {
@@ -248,6 +252,11 @@ int vtkSitePreferenceFilter::RequestUpdateExtent(
     {
       littoral::RequestAll(inputVector[port]->GetInformationObject(index));
     }
+  }
+  vtkInformation* sites = inputVector[SitesPort]->GetInformationObject(0);
+  if (littoral::ComesInRuns(sites))
+  {
+    littoral::RequestSamePart(sites, outputVector->GetInformationObject(0));
   }
   return 1;
 }
@@ -265,7 +274,8 @@ int vtkSitePreferenceFilter::RequestData(
     table ? littoral::ReadPreferences(littoral::TextsOf(table)) : littoral::DefaultPreferences(knowsDrainage);
   const littoral::SiteGround ground = GroundOf(terrain, species);
   littoral::RequireLengths(sites, "Sites", littoral::FarForPoints);
-  const Sites arrays(sites);
+  const bool isRun = littoral::IsRun(inputVector[SitesPort]->GetInformationObject(0));
+  const Sites arrays(sites, isRun);
   const auto count = static_cast<double>(sites->GetNumberOfPoints());
   const double ofArrays = 1024.0 * static_cast<double>(sites->GetPointData()->GetActualMemorySize());
   littoral::RequireMemory((2.0 * sizeof(KeptSite) + BytesOfSite) * count + ofArrays,
@@ -274,7 +284,8 @@ int vtkSitePreferenceFilter::RequestData(
   littoral::SteppedPoll steps(poll);
   std::vector<KeptSite> kept;
   vtkInformation* output = outputVector->GetInformationObject(0);
-  const littoral::PieceRange part = littoral::RequestedPart(output, sites->GetNumberOfPoints());
+  const littoral::PieceRange part = isRun ? littoral::PieceRange{ 0, sites->GetNumberOfPoints() }
+                                          : littoral::RequestedPart(output, sites->GetNumberOfPoints());
   for (long long site = part.Begin; site < part.End; ++site)
   {
     steps.Step();

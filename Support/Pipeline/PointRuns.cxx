@@ -5,11 +5,14 @@
 #include "Pipeline/SharedKey.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationExecutivePortKey.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
 
 namespace littoral
 {
@@ -42,11 +45,18 @@ bool ComesInRuns(vtkInformation* input)
   return input != nullptr;
 }
 
+bool IsRun(vtkInformation* input)
+{
+  vtkDataObject* data = vtkDataObject::GetData(input);
+  return data && data->GetInformation()->Get(vtkDataObject::DATA_NUMBER_OF_PIECES()) > 1 && ComesInRuns(input);
+}
+
 void RequestSamePart(vtkInformation* input, vtkInformation* output)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), output->Get(Pipeline::UPDATE_PIECE_NUMBER()));
-  input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
+  // VTK asks for piece -1 where it knows of none.
+  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), std::max(0, output->Get(Pipeline::UPDATE_PIECE_NUMBER())));
+  input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), std::max(1, output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())));
   input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
 }
 

@@ -260,7 +260,9 @@ def run_forests(folder, rank, ranks, controllers):
         read, made = shared.GetInputDataObject(0, 0), shared.GetOutputDataObject(0)
         identities = [set(vtk_to_numpy(points.GetPointData().GetArray("SiteId"))) if points.GetNumberOfPoints() else set()
                       for points in (read, made.GetBlock(0) if made.GetNumberOfBlocks() else read)]
-        lines.append([name, sums, [len(identities[0]), len(identities[1] - identities[0])],
+        chosen = shared.GetInputAlgorithm(0, 0)
+        given = chosen.GetInputDataObject(0, 0).GetNumberOfPoints() if "Preference" in chosen.GetClassName() else 0
+        lines.append([name, sums, [len(identities[0]), len(identities[1] - identities[0]), given],
                       [" ".join(messages.texts) for messages in said]])
     with open(os.path.join(folder, f"forests {rank}"), "w") as file:
         json.dump(lines, file)
@@ -271,7 +273,7 @@ def check_forests(folder, ranks):
     plants, reads = {}, {}
     for rank in range(ranks):
         with open(os.path.join(folder, f"forests {rank}")) as file:
-            for name, (shared, alone, *turned), (read, dealt), (said, said_alone) in json.load(file):
+            for name, (shared, alone, *turned), (read, dealt, given), (said, said_alone) in json.load(file):
                 print(f"{name}, rank {rank}: {shared} of {read} sites and {dealt} of another, turned {turned[0]}; {said}")
                 assert dealt <= 3 * 40, f"{name}: more than a row of quadrats is of another rank"
                 assert shared == alone and turned[0] == turned[1], f"{name}: {alone}, {turned} alone"
@@ -279,6 +281,7 @@ def check_forests(folder, ranks):
                 assert ("lie outside" in said) == ("beyond" in name and rank == 0), f"{name}: {said}"
                 plants[name] = plants.get(name, 0) + shared[0]
                 reads.setdefault(name, []).append(read)
+                assert given in (0, 300) if "measured" not in name else 2300 < given < 2500, f"{name}: {given} sites given"
                 if name == "in view":
                     assert shared != turned[0], "the view is not turned"
     assert plants["many sites"] == 4800 and plants["one quadrat"] == 3 and 0 < plants["in view"] < 4800, plants
