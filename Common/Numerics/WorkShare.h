@@ -3,11 +3,9 @@
 #ifndef LittoralWorkShare_h
 #define LittoralWorkShare_h
 
-#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <map>
-#include <utility>
 #include <vector>
 
 namespace littoral
@@ -34,51 +32,16 @@ struct WorkShare
   /// Number of the own row n among those of all.
   std::size_t RowOf(std::size_t own) const { return this->Rank + this->Ranks * own; }
 
-  void Complete(NumberRows& rows) const
-  {
-    if (this->Ranks > 1)
-    {
-      this->Exchange(rows);
-    }
-  }
+  void Complete(NumberRows& rows) const;
 
   /// A row of each process, in their order.
-  NumberRows Gather(std::vector<double> row) const
-  {
-    NumberRows rows(this->Ranks);
-    rows[this->Rank] = std::move(row);
-    this->Complete(rows);
-    return rows;
-  }
+  NumberRows Gather(std::vector<double> row) const;
 
   /// Sums over all processes, of whole numbers.
-  void AddUp(std::vector<double>& numbers) const
-  {
-    const NumberRows rows = this->Gather(std::move(numbers));
-    numbers.assign(rows.front().size(), 0.0);
-    for (const std::vector<double>& row : rows)
-    {
-      std::transform(row.begin(), row.end(), numbers.begin(), numbers.begin(), std::plus<>());
-    }
-  }
+  void AddUp(std::vector<double>& numbers) const;
 
   /// The same of numbers by their keys.
-  void AddUp(std::map<int, double>& numbers) const
-  {
-    std::vector<double> own;
-    for (const auto& [key, number] : numbers)
-    {
-      own.insert(own.end(), { static_cast<double>(key), number });
-    }
-    numbers.clear();
-    for (const std::vector<double>& row : this->Gather(std::move(own)))
-    {
-      for (std::size_t n = 0; n < row.size(); n += 2)
-      {
-        numbers[static_cast<int>(row[n])] += row[n + 1];
-      }
-    }
-  }
+  void AddUp(std::map<int, double>& numbers) const;
 };
 
 }
