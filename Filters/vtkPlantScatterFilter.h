@@ -53,8 +53,8 @@
  * known after an execution: update this filter before filters that process one of these images.
  *
  * A piece has the plants of its cells, about as many as any other. Ranks that are asked for a piece each share the
- * sites of vtkQuadratPointSource, also behind vtkSitePreferenceFilter: each reads a run of them, and deals out the
- * plants in the cells of others, which are few. Else a piece reads all sites, and the first one looks whether all of
+ * sites of vtkQuadratPointSource where these come directly: each reads a run of them, and deals out the plants in the
+ * cells of others, which are few. Else a piece reads all sites, and the first one looks whether all of
  * them can have a plant. Prototypes and the terrain are whole on each rank. Defaults of inherited properties:
  * NearDistance 30 m, FarDistance 130 m. A property or a site value out of range, or a site beyond the terrain, is
  * reported as one error.

@@ -11,7 +11,6 @@
 #include "Drainage/GroundWetness.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Pipeline.h"
-#include "Pipeline/PointRuns.h"
 #include "Plants/SiteGround.h"
 #include "Plants/SitePreference.h"
 
@@ -85,10 +84,8 @@ struct KeptSite
 class Sites
 {
 public:
-  /// The sites of a run are told by their identities, which are their numbers among all.
-  Sites(vtkPointSet* sites, bool isRun)
+  explicit Sites(vtkPointSet* sites)
     : Points(sites)
-    , AreOfRun(isRun)
   {
     const littoral::ArrayReader points = littoral::ArrayReader::OfPoints(sites, "a set of sites");
     this->Identities = points.Find("SiteId", 1);
@@ -115,8 +112,7 @@ public:
     }
     if (!factors)
     {
-      const vtkIdType number = this->AreOfRun ? static_cast<vtkIdType>(identity) : site;
-      littoral::Refuse("site ", number, " at (", littoral::TextOf(place[0]), ", ", littoral::TextOf(place[1]),
+      littoral::Refuse("site ", site, " at (", littoral::TextOf(place[0]), ", ", littoral::TextOf(place[1]),
         ") lies outside of the Terrain, or where it has no drainage area.");
     }
     kept.Ground = *factors;
@@ -140,7 +136,6 @@ public:
 
 private:
   vtkPointSet* Points;
-  bool AreOfRun;
   vtkDataArray* Identities = nullptr;
   vtkDataArray* Kinds = nullptr;
 };
@@ -235,16 +230,15 @@ int vtkSitePreferenceFilter::FillInputPortInformation(int port, vtkInformation* 
 
 //----------------------------------------------------------------------------
 int vtkSitePreferenceFilter::RequestInformation(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  vtkInformation* sites = inputVector[SitesPort]->GetInformationObject(0);
-  littoral::AnnounceRuns(outputVector->GetInformationObject(0), littoral::ComesInRuns(sites));
+  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
   return 1;
 }
 
 //----------------------------------------------------------------------------
 int vtkSitePreferenceFilter::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   for (int port : { SitesPort, TerrainPort, PreferencesPort })
   {
@@ -252,11 +246,6 @@ int vtkSitePreferenceFilter::RequestUpdateExtent(
     {
       littoral::RequestAll(inputVector[port]->GetInformationObject(index));
     }
-  }
-  vtkInformation* sites = inputVector[SitesPort]->GetInformationObject(0);
-  if (littoral::ComesInRuns(sites))
-  {
-    littoral::RequestSamePart(sites, outputVector->GetInformationObject(0));
   }
   return 1;
 }
@@ -274,8 +263,7 @@ int vtkSitePreferenceFilter::RequestData(
     table ? littoral::ReadPreferences(littoral::TextsOf(table)) : littoral::DefaultPreferences(knowsDrainage);
   const littoral::SiteGround ground = GroundOf(terrain, species);
   littoral::RequireLengths(sites, "Sites", littoral::FarForPoints);
-  const bool isRun = littoral::IsRun(inputVector[SitesPort]->GetInformationObject(0));
-  const Sites arrays(sites, isRun);
+  const Sites arrays(sites);
   const auto count = static_cast<double>(sites->GetNumberOfPoints());
   const double ofArrays = 1024.0 * static_cast<double>(sites->GetPointData()->GetActualMemorySize());
   littoral::RequireMemory((2.0 * sizeof(KeptSite) + BytesOfSite) * count + ofArrays,
@@ -284,8 +272,7 @@ int vtkSitePreferenceFilter::RequestData(
   littoral::SteppedPoll steps(poll);
   std::vector<KeptSite> kept;
   vtkInformation* output = outputVector->GetInformationObject(0);
-  const littoral::PieceRange part = isRun ? littoral::PieceRange{ 0, sites->GetNumberOfPoints() }
-                                          : littoral::RequestedPart(output, sites->GetNumberOfPoints());
+  const littoral::PieceRange part = littoral::RequestedPart(output, sites->GetNumberOfPoints());
   for (long long site = part.Begin; site < part.End; ++site)
   {
     steps.Step();

@@ -24,8 +24,7 @@
  * Output: vtkPolyData, a vertex for each site that is kept, at the height of the terrain, with the point arrays of the
  * sites and `Species`, `SiteId` (index of the site, unless the sites have one), `Elevation` [m], `Slope` and `Aspect`
  * [degrees], `RGB` (a color a species), and `Wetness` if the terrain has a DrainageArea. Field data: `SpeciesNames`. A
- * site's fate depends on Seed and its SiteId alone. A piece reads a run of the sites of vtkQuadratPointSource, and all
- * sites of others.
+ * site's fate depends on Seed and its SiteId alone.
  *
  * A table that holds no preferences, no terrain, a preference for wetness on a terrain without DrainageArea, a Species
  * that has no row, and a site beyond the terrain are reported as one error.

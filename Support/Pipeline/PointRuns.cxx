@@ -28,10 +28,10 @@ vtkInformationIntegerKey* RunsKey()
 
 }
 
-void AnnounceRuns(vtkInformation* output, bool areRuns)
+void AnnounceRuns(vtkInformation* output)
 {
   output->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
-  areRuns ? output->Set(RunsKey(), 1) : output->Remove(RunsKey());
+  output->Set(RunsKey(), 1);
 }
 
 bool ComesInRuns(vtkInformation* input)

@@ -3,17 +3,18 @@
 #ifndef LittoralPointRuns_h
 #define LittoralPointRuns_h
 
-// Outputs whose points come in an order of place, with their `SiteId`, and whose parts are runs of them, one behind the
-// other: ranks that each have a part know the points by their numbers, and have few that belong to others. Private:
-// never installed, never wrapped.
+// Outputs whose points come in an order of place, and whose parts are runs of them, one behind the other: ranks that
+// each have a part know the points by their numbers, and have few that belong to others. Private: never installed,
+// never wrapped.
 
 class vtkInformation;
 
 namespace littoral
 {
 
-/// Announces that an output can be made in parts, and whether they are such runs.
-void AnnounceRuns(vtkInformation* output, bool areRuns = true);
+/// Announces that an output can be made in such parts. All ranks or none must be able to make theirs: those that share
+/// them wait for each other.
+void AnnounceRuns(vtkInformation* output);
 
 /// Whether an input comes in such parts: also behind what ParaView puts between sources and filters.
 bool ComesInRuns(vtkInformation* input);
