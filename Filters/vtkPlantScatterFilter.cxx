@@ -18,11 +18,14 @@
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/DataStamp.h"
 #include "Pipeline/Pipeline.h"
+#include "Pipeline/PointRuns.h"
 #include "Pipeline/Ranges.h"
+#include "Pipeline/RankTeam.h"
 #include "Plants/PlantScatter.h"
 #include "vtkPlantSource.h"
 
 #include "vtkCompositeDataSet.h"
+#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationDataObjectMetaDataKey.h"
@@ -98,6 +101,13 @@ void WriteTexture(const littoral::TextureImage& texture, vtkInformation* output)
 {
   littoral::CopyToImage(texture, vtkImageData::GetData(output));
   SetWholeExtent(output, { texture.Columns, texture.Rows });
+}
+
+/// Whether ranks that are asked for plants, each for its piece, can have a part of the sites each.
+bool MayShareSites(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return request->Get(vtkExecutive::FROM_OUTPUT_PORT()) <= 0 && !littoral::RankTeam(request, outputs).IsAlone() &&
+    littoral::ComesInRuns(inputs[SitesPort]->GetInformationObject(0));
 }
 
 /// The prototypes, and the data that they are of.
@@ -300,7 +310,8 @@ int vtkPlantScatterFilter::RequestInformation(
 }
 
 //----------------------------------------------------------------------------
-int vtkPlantScatterFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+int vtkPlantScatterFilter::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
@@ -308,6 +319,10 @@ int vtkPlantScatterFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVe
     {
       littoral::RequestAll(inputs[port]->GetInformationObject(index));
     }
+  }
+  if (MayShareSites(request, inputs, outputs))
+  {
+    littoral::RequestSamePart(inputs[SitesPort]->GetInformationObject(0), outputs->GetInformationObject(0));
   }
   return 1;
 }
@@ -371,7 +386,8 @@ void vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
 }
 
 //----------------------------------------------------------------------------
-void vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs, vtkInformation* output)
+void vtkPlantScatterFilter::RememberPlaces(
+  vtkInformationVector** inputs, vtkInformation* output, const littoral::WorkShare& share)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   const int piece = std::max(0, output->Get(Pipeline::UPDATE_PIECE_NUMBER())); // VTK asks for -1 where it knows of none
@@ -400,7 +416,10 @@ void vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs, vtkInf
     static_cast<double>(pieces) };
   numbers.insert(numbers.end(), options.Weights.begin(), options.Weights.end());
   const std::vector<std::string> names{ dimensions.Height, dimensions.Diameter };
-  if (stamps == scene.Stamps && numbers == scene.Numbers && names == scene.Names)
+  const bool isOld = stamps == scene.Stamps && numbers == scene.Numbers && names == scene.Names;
+  std::vector<double> ranksToPlace{ isOld ? 0.0 : 1.0 };
+  share.AddUp(ranksToPlace);
+  if (ranksToPlace.front() == 0.0)
   {
     return;
   }
@@ -408,10 +427,14 @@ void vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs, vtkInf
   this->SetProgressText("Placing plants");
   const littoral::GroundLimits limits{ this->SlopeLimit * Degree, this->HeightRange[0], this->HeightRange[1] };
   littoral::Require(littoral::WhyInvalid(options));
-  const littoral::SitePart part = littoral::MakeSitePart(sites, this->PlantsPerCell, piece, pieces);
+  const littoral::SitePart part = share.Ranks > 1 ? littoral::ShareSites(sites, this->PlantsPerCell, share)
+                                                  : littoral::MakeSitePart(sites, this->PlantsPerCell, piece, pieces);
   scene.Places =
-    littoral::PlacePlants(sites, part, terrain, options, limits, dimensions, this->Internals->Species.Stems);
-  scene.MediumPlaces = littoral::PlacesInLevel(sites, dimensions, this->Internals->Species.MediumStems, scene.Places);
+    littoral::PlacePlants(sites, part, terrain, options, limits, dimensions, this->Internals->Species.Stems, share);
+  scene.MediumPlaces =
+    littoral::PlacesInLevel(sites, part, dimensions, this->Internals->Species.MediumStems, scene.Places);
+  littoral::DealPlaces(part.Grid, part.FirstCells, share, scene.Places);
+  littoral::DealPlaces(part.Grid, part.FirstCells, share, scene.MediumPlaces);
   scene.AddUp(this->Internals->Species);
   scene.Cells = std::make_unique<littoral::SceneCells>(part.Grid, part.Cells, scene.Objects(extents));
   scene.Stamps = stamps;
@@ -420,13 +443,37 @@ void vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs, vtkInf
 }
 
 //----------------------------------------------------------------------------
-int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+/// The same on ranks that each have a part of the sites, or all of them where something else upstream needs them all.
+void vtkPlantScatterFilter::RememberShared(
+  vtkInformationVector** inputs, vtkInformation* output, littoral::RankTeam& team)
+{
+  const bool isPart = littoral::IsRun(inputs[SitesPort]->GetInformationObject(0));
+  team.Agree(isPart ? 1 : 0);
+  littoral::Require(isPart && !team.IsSharing() ? "Not all ranks have a part of the sites; update all of them." : "");
+  this->RememberPrototypes(inputs[PrototypesPort]);
+  const std::string why = littoral::WhyRefused([&] { this->RememberPlaces(inputs, output, team.Share()); });
+  const bool isOfAnother = why.rfind(CannotScatter, 0) == 0;
+  littoral::Require(why.empty() || isOfAnother ? why : CannotScatter + why);
+}
+
+//----------------------------------------------------------------------------
+int vtkPlantScatterFilter::RequestData(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   const littoral::View view = this->GetView();
   this->CheckProperties();
   this->CheckSites(inputs[SitesPort]);
-  this->RememberPrototypes(inputs[PrototypesPort]);
-  littoral::InContext(CannotScatter, [&] { this->RememberPlaces(inputs, outputs->GetInformationObject(0)); });
+  if (MayShareSites(request, inputs, outputs))
+  {
+    littoral::RankTeam team(request, outputs);
+    team.Run([&] { this->RememberShared(inputs, outputs->GetInformationObject(0), team); });
+  }
+  else
+  {
+    this->RememberPrototypes(inputs[PrototypesPort]);
+    littoral::InContext(
+      CannotScatter, [&] { this->RememberPlaces(inputs, outputs->GetInformationObject(0), littoral::WorkShare()); });
+  }
   const Plants& scene = this->Internals->Scene;
   littoral::PlantViewOptions options;
   options.UseLevels = this->UseLevels;
@@ -434,23 +481,23 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
   options.NearDistance = this->NearDistance;
   options.FarDistance = this->FarDistance;
   options.VisibleDistance = this->VisibleDistance;
-  Request request;
-  request.Seen = view;
+  Request shown;
+  shown.Seen = view;
   vtkDataObject* terrain = vtkDataObject::GetData(inputs[TerrainPort]);
-  request.Ground = terrain ? terrain : vtkDataObject::GetData(inputs[SitesPort]);
-  request.CellsShown = scene.Cells->Show(littoral::ViewFrustum(view));
-  request.Shown = littoral::ShownPlants(scene.Places, *scene.Cells, request.CellsShown, view, options);
+  shown.Ground = terrain ? terrain : vtkDataObject::GetData(inputs[SitesPort]);
+  shown.CellsShown = scene.Cells->Show(littoral::ViewFrustum(view));
+  shown.Shown = littoral::ShownPlants(scene.Places, *scene.Cells, shown.CellsShown, view, options);
   if (!scene.MediumPlaces.empty())
   {
-    request.Places = scene.Places;
-    for (const littoral::ShownPlant& plant : request.Shown)
+    shown.Places = scene.Places;
+    for (const littoral::ShownPlant& plant : shown.Shown)
     {
       const bool isMedium = plant.Level == littoral::PlantLevel::Medium;
-      request.Places[plant.Place] = isMedium ? scene.MediumPlaces[plant.Place] : scene.Places[plant.Place];
+      shown.Places[plant.Place] = isMedium ? scene.MediumPlaces[plant.Place] : scene.Places[plant.Place];
     }
   }
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs, 0);
-  this->OutputForm == Instances ? this->AddInstances(request, output) : this->Merge(request, output);
+  this->OutputForm == Instances ? this->AddInstances(shown, output) : this->Merge(shown, output);
   WriteTexture(this->Internals->Species.CrownAtlas, outputs->GetInformationObject(1));
   WriteTexture(this->Internals->Species.LeafAtlas, outputs->GetInformationObject(2));
   this->UpdateProgress(1.0);

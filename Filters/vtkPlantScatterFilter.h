@@ -52,9 +52,12 @@
  * vtkPlantSource::TEXTURE_SIZES(), which other filters pass on, and where the data are there already. Else they are
  * known after an execution: update this filter before filters that process one of these images.
  *
- * A piece reads all sites and makes the plants of its cells, about as many as any other; the first one looks whether
- * all sites can have a plant. Defaults of inherited properties: NearDistance 30 m, FarDistance 130 m. A property or a
- * site value out of range, or a site beyond the terrain, is reported as one error.
+ * A piece has the plants of its cells, about as many as any other. Ranks that are asked for a piece each share the
+ * sites of vtkQuadratPointSource where these come directly: each reads a run of them, and deals out the plants in the
+ * cells of others, which are few. Else a piece reads all sites, and the first one looks whether all of
+ * them can have a plant. Prototypes and the terrain are whole on each rank. Defaults of inherited properties:
+ * NearDistance 30 m, FarDistance 130 m. A property or a site value out of range, or a site beyond the terrain, is
+ * reported as one error.
  */
 #ifndef vtkPlantScatterFilter_h
 #define vtkPlantScatterFilter_h
@@ -66,6 +69,12 @@
 #include <vector> // for the weights
 
 class vtkFieldData;
+
+namespace littoral
+{
+class RankTeam;
+struct WorkShare;
+}
 
 class LITTORALFILTERS_EXPORT vtkPlantScatterFilter : public vtkViewDependentAlgorithm
 {
@@ -269,7 +278,8 @@ private:
   void CheckProperties();
   void CheckSites(vtkInformationVector* inputs);
   void RememberPrototypes(vtkInformationVector* prototypes);
-  void RememberPlaces(vtkInformationVector** inputs, vtkInformation* output);
+  void RememberPlaces(vtkInformationVector** inputs, vtkInformation* output, const littoral::WorkShare& share);
+  void RememberShared(vtkInformationVector** inputs, vtkInformation* output, littoral::RankTeam& team);
   void Merge(const Request& request, vtkMultiBlockDataSet* output);
   void AddInstances(const Request& request, vtkMultiBlockDataSet* output);
   void WriteCounters(const Request& request, double polygons, double bytes, vtkFieldData* fields) const;

@@ -8,6 +8,7 @@
 #include "Numerics/ParameterCheck.h"
 #include "Patterns/QuadratPattern.h"
 #include "Pipeline/Pipeline.h"
+#include "Pipeline/PointRuns.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -152,7 +153,7 @@ int vtkQuadratPointSource::FillInputPortInformation(int, vtkInformation* info)
 int vtkQuadratPointSource::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  littoral::AnnounceRuns(outputVector->GetInformationObject(0));
   return 1;
 }
 

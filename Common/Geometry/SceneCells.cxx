@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -82,21 +83,57 @@ int CellGrid::Place(double position, int axis, int count) const
   return cell > 0.0 ? static_cast<int>(std::min(cell, count - 1.0)) : 0; // not a number: 0
 }
 
-std::array<int, 2> CellsOfPart(const std::vector<int>& objectsInCells, int part, int parts)
+std::vector<int> FirstCellsOfParts(const std::vector<int>& cellsOfObjects, int cells, int parts, const WorkShare& share)
 {
-  const long long objects = std::accumulate(objectsInCells.begin(), objectsInCells.end(), 0LL);
-  const int cells = static_cast<int>(objectsInCells.size());
-  // A cell is in the part of its first object: in part p where p <= n before / N < p + 1.
-  const auto firstOf = [&](long long wanted) {
-    long long before = 0;
-    int cell = 0;
-    for (; cell < cells && before * parts < objects * wanted; ++cell)
-    {
-      before += objectsInCells[cell];
-    }
-    return cell;
+  // Objects in blocks of cells tell the block in which a part begins, and those in its cells the cell: much less for
+  // processes to tell each other than all cells.
+  const int side = std::max(1, static_cast<int>(std::ceil(std::sqrt(cells))));
+  std::vector<double> inBlocks((cells + side - 1) / side, 0.0);
+  for (const int cell : cellsOfObjects)
+  {
+    ++inBlocks[cell / side];
+  }
+  share.AddUp(inBlocks);
+  const double objects = std::accumulate(inBlocks.begin(), inBlocks.end(), 0.0);
+  // A cell is in the part of its first object: in part p where p <= parts n / N < p + 1, of n objects before.
+  const auto isBefore = [&](double before, int part) { return before * parts < objects * part; };
+  struct Beginning
+  {
+    int Cell = 0;
+    double Before = 0.0;
   };
-  return { firstOf(part), part + 1 < parts ? firstOf(part + 1) : cells };
+  std::vector<Beginning> blocks(parts);
+  std::vector<char> isCut(inBlocks.size(), 0);
+  for (int part = 1; part < parts; ++part)
+  {
+    double before = 0.0;
+    for (std::size_t block = 0; block < inBlocks.size() && isBefore(before, part); before += inBlocks[block++])
+    {
+      blocks[part] = { static_cast<int>(block) * side, before };
+    }
+    isCut[blocks[part].Cell / side] = 1;
+  }
+  std::map<int, double> inCells;
+  for (const int cell : cellsOfObjects)
+  {
+    if (isCut[cell / side])
+    {
+      ++inCells[cell];
+    }
+  }
+  share.AddUp(inCells);
+  std::vector<int> first(parts + 1, cells);
+  for (int part = 0; part < parts; ++part)
+  {
+    auto [cell, before] = blocks[part];
+    for (; cell < cells && isBefore(before, part); ++cell)
+    {
+      const auto found = inCells.find(cell);
+      before += found == inCells.end() ? 0.0 : found->second;
+    }
+    first[part] = cell;
+  }
+  return first;
 }
 
 SceneCells::SceneCells(const std::vector<Vector3>& feet, const std::vector<Box>& boxes, double objectsPerCell)

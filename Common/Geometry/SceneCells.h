@@ -4,6 +4,7 @@
 #define LittoralSceneCells_h
 
 #include "Geometry/ViewFrustum.h"
+#include "Numerics/WorkShare.h"
 
 #include <array>
 #include <cstddef>
@@ -36,8 +37,10 @@ private:
   double Step[2] = { 1.0, 1.0 };
 };
 
-/// The first cell of a part and the one behind its last, of parts with as many objects each as whole cells allow.
-std::array<int, 2> CellsOfPart(const std::vector<int>& objectsInCells, int part, int parts);
+/// The first cell of each part and the number of all cells, of parts with as many objects each as whole cells allow.
+/// Processes that share the objects each know the cells of their own.
+std::vector<int> FirstCellsOfParts(
+  const std::vector<int>& cellsOfObjects, int cells, int parts, const WorkShare& share = {});
 
 /// Objects by their numbers. They are asked for their feet and boxes whenever these are needed, and none is kept.
 struct SceneObjects

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <vector>
 
 namespace littoral
@@ -31,13 +32,16 @@ struct WorkShare
   /// Number of the own row n among those of all.
   std::size_t RowOf(std::size_t own) const { return this->Rank + this->Ranks * own; }
 
-  void Complete(NumberRows& rows) const
-  {
-    if (this->Ranks > 1)
-    {
-      this->Exchange(rows);
-    }
-  }
+  void Complete(NumberRows& rows) const;
+
+  /// A row of each process, in their order.
+  NumberRows Gather(std::vector<double> row) const;
+
+  /// Sums over all processes, of whole numbers.
+  void AddUp(std::vector<double>& numbers) const;
+
+  /// The same of numbers by their keys.
+  void AddUp(std::map<int, double>& numbers) const;
 };
 
 }

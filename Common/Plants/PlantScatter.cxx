@@ -9,8 +9,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <numeric>
 #include <sstream>
+#include <type_traits>
 
 namespace littoral
 {
@@ -198,7 +200,22 @@ std::string GroundGaps::Reason() const
   return text.str();
 }
 
-std::string PutOnGround(const HeightGrid& terrain, const GroundLimits& limits, std::vector<PlantPlace>& places)
+void GroundGaps::Complete(const WorkShare& share)
+{
+  const auto rows = share.Gather({ static_cast<double>(this->Sites), static_cast<double>(this->Outside),
+    static_cast<double>(this->Holes), this->First.x, this->First.y, this->First.z });
+  this->Sites = this->Outside = this->Holes = 0;
+  for (const std::vector<double>& row : rows)
+  {
+    this->First = !this->AreThere() ? Vector3(row[3], row[4], row[5]) : this->First;
+    this->Sites += static_cast<std::size_t>(row[0]);
+    this->Outside += static_cast<std::size_t>(row[1]);
+    this->Holes += static_cast<std::size_t>(row[2]);
+  }
+}
+
+std::string PutOnGround(
+  const HeightGrid& terrain, const GroundLimits& limits, std::vector<PlantPlace>& places, const WorkShare& share)
 {
   std::size_t kept = 0;
   GroundGaps gaps(terrain);
@@ -213,8 +230,46 @@ std::string PutOnGround(const HeightGrid& terrain, const GroundLimits& limits, s
       places[kept++].Foot.z = ground.Height;
     }
   }
+  gaps.Complete(share);
   places.resize(gaps.AreThere() ? places.size() : kept);
   return gaps.Reason();
+}
+
+void DealPlaces(
+  const CellGrid& grid, const std::vector<int>& firstCells, const WorkShare& share, std::vector<PlantPlace>& places)
+{
+  static_assert(std::is_trivially_copyable_v<PlantPlace> && sizeof(PlantPlace) % sizeof(float) == 0);
+  constexpr std::size_t length = sizeof(PlantPlace) / sizeof(float);
+  if (share.Ranks < 2)
+  {
+    return;
+  }
+  SingleRows sent(share.Ranks);
+  std::size_t kept = 0;
+  for (const PlantPlace& place : places)
+  {
+    const auto behind = std::upper_bound(firstCells.begin(), firstCells.end(), grid.CellAt(place.Foot));
+    const auto part = static_cast<std::size_t>(behind - firstCells.begin()) - 1;
+    if (part == share.Rank)
+    {
+      places[kept++] = place;
+      continue;
+    }
+    sent[part].resize(sent[part].size() + length);
+    std::memcpy(sent[part].data() + sent[part].size() - length, &place, sizeof(PlantPlace));
+  }
+  places.resize(kept);
+  SingleRows received;
+  share.Deal(sent, received);
+  std::vector<PlantPlace> before;
+  for (std::size_t from = 0; from < share.Ranks; ++from)
+  {
+    std::vector<PlantPlace>& to = from < share.Rank ? before : places;
+    const std::size_t first = to.size();
+    to.resize(first + received[from].size() / length);
+    std::memcpy(static_cast<void*>(to.data() + first), received[from].data(), (to.size() - first) * sizeof(PlantPlace));
+  }
+  places.insert(places.begin(), before.begin(), before.end());
 }
 
 void DropOutside(const GroundLimits& limits, std::vector<PlantPlace>& places)

@@ -6,6 +6,7 @@
 #include "Geometry/HeightGrid.h"
 #include "Geometry/SceneCells.h"
 #include "Geometry/ViewFrustum.h"
+#include "Numerics/WorkShare.h"
 #include "Plants/PlantImpostor.h"
 #include "Plants/Skeleton.h"
 
@@ -89,6 +90,8 @@ public:
   /// The ground under a site.
   GroundPoint Add(const Vector3& foot);
   bool AreThere() const { return this->Outside + this->Holes > 0; }
+  /// Takes in what the others find of processes that share sites, of which the first has the first sites.
+  void Complete(const WorkShare& share);
   /// Why there is no ground at a site, in words for a user; empty if all have one.
   std::string Reason() const;
 
@@ -102,7 +105,13 @@ private:
 
 /// Sets plants on a terrain and drops those whose ground is beyond the limits. Why there is no ground at a site, in
 /// words for a user; empty if all have one.
-std::string PutOnGround(const HeightGrid& terrain, const GroundLimits& limits, std::vector<PlantPlace>& places);
+std::string PutOnGround(
+  const HeightGrid& terrain, const GroundLimits& limits, std::vector<PlantPlace>& places, const WorkShare& share = {});
+
+/// Deals plants out to processes that share sites, of which the first has the first sites: each gets those in its own
+/// cells, in the order of their sites. The cells are those of FirstCellsOfParts().
+void DealPlaces(
+  const CellGrid& grid, const std::vector<int>& firstCells, const WorkShare& share, std::vector<PlantPlace>& places);
 
 /// Drops plants that stand above or below the limits of height.
 void DropOutside(const GroundLimits& limits, std::vector<PlantPlace>& places);

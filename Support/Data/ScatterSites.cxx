@@ -3,6 +3,7 @@
 #include "Data/ScatterSites.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/Arrays.h"
 #include "Data/Places.h"
 #include "Data/TerrainGrid.h"
 #include "Numerics/InvalidInput.h"
@@ -13,8 +14,13 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 
+#include <glm/common.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <string>
 
 namespace littoral
 {
@@ -33,8 +39,10 @@ struct SiteArrays
   vtkDataArray* Azimuth = nullptr;
   vtkDataArray* Height = nullptr;
   vtkDataArray* Diameter = nullptr;
+  int FirstSite = 0;
 
-  SiteArrays(vtkPointSet* sites, const DimensionArrays& dimensions)
+  SiteArrays(vtkPointSet* sites, const DimensionArrays& dimensions, int firstSite)
+    : FirstSite(firstSite)
   {
     const ArrayReader points = ArrayReader::OfPoints(sites, "a set of sites");
     this->SiteId = points.Find("SiteId", 1);
@@ -79,8 +87,8 @@ PlantPlace ReadPlace(vtkPointSet* sites, const SiteArrays& arrays, int species, 
   double position[3];
   sites->GetPoint(site, position);
   place.Foot = { position[0], position[1], position[2] };
-  place.Site = static_cast<int>(site);
-  const double drawnBy = arrays.SiteId ? arrays.SiteId->GetComponent(site, 0) : static_cast<double>(site);
+  place.Site = arrays.FirstSite + static_cast<int>(site);
+  const double drawnBy = arrays.SiteId ? arrays.SiteId->GetComponent(site, 0) : static_cast<double>(place.Site);
   place.SiteId = IsIdentity(drawnBy) ? static_cast<long long>(drawnBy) : 0;
   const double kind = arrays.Species ? arrays.Species->GetComponent(site, 0) : 0.0;
   place.Scale = arrays.Scale ? arrays.Scale->GetComponent(site, 0) : 1.0;
@@ -108,8 +116,9 @@ void DrawPlace(const SiteArrays& arrays, const PlantDraws& draws, PlantPlace& pl
 TreeDimensions ReadDimensions(const SiteArrays& arrays, int site)
 {
   TreeDimensions tree{ 1.0, 1.0 }; // what is not given is good
-  tree.Height = arrays.Height ? arrays.Height->GetComponent(site, 0) : tree.Height;
-  tree.Diameter = arrays.Diameter ? arrays.Diameter->GetComponent(site, 0) : tree.Diameter;
+  const vtkIdType own = site - arrays.FirstSite;
+  tree.Height = arrays.Height ? arrays.Height->GetComponent(own, 0) : tree.Height;
+  tree.Diameter = arrays.Diameter ? arrays.Diameter->GetComponent(own, 0) : tree.Diameter;
   Require(WhyInvalid(tree, " of site " + std::to_string(site)));
   return tree;
 }
@@ -145,12 +154,37 @@ void CheckSites(vtkPointSet* sites, const SiteArrays& arrays, vtkImageData* terr
   Require(gaps.Reason());
 }
 
+void RequireCount(double sites)
+{
+  Require(sites > std::numeric_limits<int>::max() ? "more sites than 2147483647 are not placed." : "");
+}
+
+void RequirePlaces(double sites, double inAll)
+{
+  const double bytes = 2.0 * sizeof(int) + sizeof(PlantPlace);
+  RequireMemory(sites * bytes, "A forest on " + std::to_string(static_cast<long long>(inAll)) + " sites", "take fewer");
+}
+
+/// The cell of each site.
+std::vector<int> CellsOf(vtkPointSet* sites, const CellGrid& grid)
+{
+  std::vector<int> cells;
+  SetSize(cells, sites->GetNumberOfPoints());
+  for (vtkIdType site = 0; site < sites->GetNumberOfPoints(); ++site)
+  {
+    double foot[3];
+    sites->GetPoint(site, foot);
+    cells[static_cast<std::size_t>(site)] = grid.CellAt({ foot[0], foot[1], foot[2] });
+  }
+  return cells;
+}
+
 }
 
 SitePart MakeSitePart(vtkPointSet* sites, double sitesPerCell, int part, int parts)
 {
   const vtkIdType count = sites->GetNumberOfPoints();
-  Require(count > std::numeric_limits<int>::max() ? "more sites than 2147483647 are not placed." : "");
+  RequireCount(static_cast<double>(count));
   SitePart result;
   result.IsFirst = part == 0;
   if (count == 0)
@@ -161,32 +195,22 @@ SitePart MakeSitePart(vtkPointSet* sites, double sitesPerCell, int part, int par
   sites->GetBounds(box);
   result.Grid =
     CellGrid({ { box[0], box[2], box[4] }, { box[1], box[3], box[5] } }, static_cast<double>(count), sitesPerCell);
-  const auto cellOf = [&](vtkIdType site) {
-    double foot[3];
-    sites->GetPoint(site, foot);
-    return result.Grid.CellAt({ foot[0], foot[1], foot[2] });
-  };
+  RequirePlaces(static_cast<double>(count) / parts, static_cast<double>(count));
   const int cells = result.Grid.GetColumns() * result.Grid.GetRows();
-  result.Cells = { 0, cells };
-  if (parts > 1)
+  if (parts == 1)
   {
-    RequireMemory(sizeof(int) * static_cast<double>(cells), "the cells of the sites", "raise PlantsPerCell");
-    std::vector<int> sitesInCells(cells, 0);
-    for (vtkIdType site = 0; site < count; ++site)
-    {
-      ++sitesInCells[cellOf(site)];
-    }
-    result.Cells = CellsOfPart(sitesInCells, part, parts);
+    result.Cells = { 0, cells };
+    result.Indices.resize(count);
+    std::iota(result.Indices.begin(), result.Indices.end(), 0);
+    return result;
   }
-  const auto [first, end] = result.Cells;
-  const double bytes = 2.0 * sizeof(int) + sizeof(PlantPlace);
-  RequireMemory(
-    static_cast<double>(count) * bytes / parts, "A forest on " + std::to_string(count) + " sites", "take fewer");
+  const std::vector<int> cellsOfSites = CellsOf(sites, result.Grid);
+  const std::vector<int> firstCells = FirstCellsOfParts(cellsOfSites, cells, parts);
+  const auto [first, end] = result.Cells = { firstCells[std::min(part, parts)], firstCells[std::min(part + 1, parts)] };
   result.Indices.reserve(count / parts + 1);
   for (vtkIdType site = 0; site < count; ++site)
   {
-    const int cell = parts > 1 ? cellOf(site) : first;
-    if (cell >= first && cell < end)
+    if (cellsOfSites[site] >= first && cellsOfSites[site] < end)
     {
       result.Indices.push_back(static_cast<int>(site));
     }
@@ -194,14 +218,54 @@ SitePart MakeSitePart(vtkPointSet* sites, double sitesPerCell, int part, int par
   return result;
 }
 
+SitePart ShareSites(vtkPointSet* sites, double sitesPerCell, const WorkShare& share)
+{
+  const vtkIdType own = sites->GetNumberOfPoints();
+  double box[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+  if (own > 0)
+  {
+    sites->GetBounds(box);
+  }
+  const NumberRows all = share.Gather({ static_cast<double>(own), box[0], box[1], box[2], box[3], box[4], box[5] });
+  SitePart result;
+  Box ground;
+  double count = 0.0;
+  double before = 0.0;
+  for (std::size_t rank = 0; rank < all.size(); ++rank)
+  {
+    const std::vector<double>& row = all[rank];
+    before = rank == share.Rank ? count : before;
+    if (row[0] > 0.0)
+    {
+      const Box part{ { row[1], row[3], row[5] }, { row[2], row[4], row[6] } };
+      ground = count > 0.0 ? Box{ glm::min(ground.Low, part.Low), glm::max(ground.High, part.High) } : part;
+      count += row[0];
+    }
+  }
+  RequireCount(count);
+  if (count == 0.0)
+  {
+    return result;
+  }
+  result.FirstSite = static_cast<int>(before);
+  result.Grid = CellGrid(ground, count, sitesPerCell);
+  result.FirstCells = FirstCellsOfParts(CellsOf(sites, result.Grid), result.Grid.GetColumns() * result.Grid.GetRows(),
+    static_cast<int>(share.Ranks), share);
+  result.Cells = { result.FirstCells[share.Rank], result.FirstCells[share.Rank + 1] };
+  RequirePlaces(static_cast<double>(own), count);
+  result.Indices.resize(own);
+  std::iota(result.Indices.begin(), result.Indices.end(), 0);
+  return result;
+}
+
 std::vector<PlantPlace> PlacePlants(vtkPointSet* sites, const SitePart& part, vtkImageData* terrain,
   const ScatterOptions& options, const GroundLimits& limits, const DimensionArrays& dimensions,
-  const std::vector<StemShape>& stems)
+  const std::vector<StemShape>& stems, const WorkShare& share)
 {
   std::vector<PlantPlace> places;
   places.reserve(part.Indices.size());
   RequireLengths(sites, "Input", FarForPoints);
-  const SiteArrays arrays(sites, dimensions);
+  const SiteArrays arrays(sites, dimensions, part.FirstSite);
   const PlantDraws draws(options);
   const int species = static_cast<int>(options.Weights.size());
   if (part.IsFirst && static_cast<vtkIdType>(part.Indices.size()) < sites->GetNumberOfPoints())
@@ -219,7 +283,7 @@ std::vector<PlantPlace> PlacePlants(vtkPointSet* sites, const SitePart& part, vt
   }
   if (terrain)
   {
-    Require(PutOnGround(MakeGrid(terrain), limits, places));
+    Require(PutOnGround(MakeGrid(terrain), limits, places, share));
   }
   else
   {
@@ -228,11 +292,11 @@ std::vector<PlantPlace> PlacePlants(vtkPointSet* sites, const SitePart& part, vt
   return places;
 }
 
-std::vector<PlantPlace> PlacesInLevel(vtkPointSet* sites, const DimensionArrays& dimensions,
+std::vector<PlantPlace> PlacesInLevel(vtkPointSet* sites, const SitePart& part, const DimensionArrays& dimensions,
   const std::vector<StemShape>& stems, const std::vector<PlantPlace>& places)
 {
   RequireLengths(sites, "Input", FarForPoints);
-  const SiteArrays arrays(sites, dimensions);
+  const SiteArrays arrays(sites, dimensions, part.FirstSite);
   std::vector<PlantPlace> level;
   for (const PlantPlace& place : arrays.HasDimensions() ? places : std::vector<PlantPlace>())
   {

@@ -84,7 +84,7 @@ CASES = {"terrain": terrain, "wind": wind, "sections of a wind": sections, "poin
          "scatter to instances": instances, "sea surface": sea_surface, "suspended particles": particles,
          "orbits": orbits, "fog": fog, "K and g": statistics, "kriging": kriging, "leaf area in cells": canopy,
          "drainage": drainage}
-TOGETHER = ("wind", "sections of a wind", "K and g")
+TOGETHER = ("wind", "sections of a wind", "K and g", "scatter to instances")
 
 
 def update(name, scale, piece, pieces):

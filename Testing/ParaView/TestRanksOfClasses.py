@@ -29,6 +29,14 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter
 
 TIME = 0.7
+# Keeps the number of sites that plants are scattered on, in a file of the rank.
+SITES = """import os
+from paraview.servermanager import vtkProcessModule
+scatter = self.GetInputAlgorithm(0, 0)
+while not scatter.IsA("vtkPlantScatterFilter"):
+    scatter = scatter.GetInputAlgorithm(0, 0)
+with open(os.path.join({folder!r}, str(vtkProcessModule.GetProcessModule().GetPartitionId())), "w") as file:
+    file.write(str(scatter.GetInputDataObject(0, 0).GetNumberOfPoints()))"""
 # Keeps the rows of what comes in, block by block, in a file of the rank.
 KEEP = """import os, pickle, sys
 from paraview.servermanager import vtkProcessModule
@@ -103,6 +111,20 @@ def reads_raw():
     return not messages.lines
 
 
+def sites_read():
+    """The number of sites that each rank reads, of 900."""
+    plants = simple.PlantScatter(Sites=simple.QuadratPoints(Quadrats=[30, 10], MeanPerQuadrat=3.0), UseCulling=0,
+                                 Prototypes=[simple.ReevesTree(Preset="Shrub")], FollowCamera=0)
+    with tempfile.TemporaryDirectory() as folder:
+        keep = SITES.replace("{folder!r}", repr(folder))
+        simple.ProgrammableFilter(Input=plants, Script=keep).UpdatePipeline()
+        found = []
+        for rank in range(ranks):
+            with open(os.path.join(folder, str(rank))) as file:
+                found.append(int(file.read()))
+    return found
+
+
 def drawn():
     """A translucent tree of blocks, which ranks redistribute before they draw it, is drawn; a chart has its series and
     rows once, and its picture."""
@@ -123,6 +145,8 @@ for row in [] if sys.argv[1] == "drawn" else classes.ROWS[int(sys.argv[1])::3]:
         simple.SetActiveSource(None)
         results.update(results_of(row.name))
 if sys.argv[1] == "drawn":
+    read = sites_read()
+    assert np.sum(read) == 900 and np.max(read) < 1.1 * 900 / ranks, read
     results.update(drawn())
 elif sys.argv[1] == "0" and hasattr(servermanager.writers, "VDBVolumeWriter"):
     import TestVolumes  # noqa: F401

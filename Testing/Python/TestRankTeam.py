@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ranks share the simulations and the pairs of statistics, and the planes of a wind: the bytes of one rank, a fraction
-of its work; where ranks have other input the first works alone, or each of them, and what one cannot do ends on all of
-them with one message.
+"""Ranks share the simulations and the pairs of statistics, the planes of a wind and the sites of plants: the bytes of one
+rank, a fraction of its work; where ranks have other input the first works alone, or each of them, and what one cannot do
+ends on all of them with one message.
 
 The file starts itself on two ranks; each writes what it has seen."""
 
@@ -158,6 +158,128 @@ def check_images(folder, ranks):
     assert covered["wind"] == 8, covered
 
 
+def sites(quadrats=40, seed=1):
+    source = littoral.vtkQuadratPointSource()
+    source.SetQuadrats(quadrats, quadrats)
+    source.SetMeanPerQuadrat(3.0)
+    source.SetSize(25.0 * quadrats, 20.0 * quadrats)
+    source.SetSeed(seed)
+    return source
+
+
+def ground(columns=300):
+    terrain = littoral.vtkTurningBandsTerrainSource()
+    terrain.SetWholeExtent(0, columns, 0, 300, 0, 0)
+    terrain.SetSpacing(4.0, 4.0, 1.0)
+    return terrain
+
+
+def forests():
+    """Names of forests, and scatters of which each rank is asked for its piece."""
+    plant = littoral.vtkReevesTreeSource()
+    plant.SetPresetToShrub()
+
+    def forest(sites, terrain=None):
+        scatter = littoral.vtkPlantScatterFilter()
+        scatter.SetInputConnection(0, sites.GetOutputPort())
+        scatter.AddPrototypeConnection(plant.GetOutputPort())
+        scatter.SetOutputFormToInstances()
+        scatter.UseCullingOff()
+        if terrain:
+            scatter.SetTerrainConnection(terrain.GetOutputPort())
+        return scatter
+
+    yield "many sites", forest(sites())
+    yield "sites on a terrain", forest(sites(), ground())
+    yield "one quadrat", forest(sites(1))
+    numbered = sites(12, 11)
+    numbered.SetModeToSampling()
+    measured = forest(numbered)
+    measured.SetHeightArray("QuadratId")  # [m], the first quadrat being empty
+    measured.SetNearDistance(20.0)
+    measured.SetFarDistance(100.0)
+    yield "measured trees", measured
+    seen = forest(sites())
+    seen.UseCullingOn()
+    seen.SetPlantsPerCell(7.0)
+    seen.SetViewPoint(300.0, 300.0, 2.0)
+    seen.SetViewDirection(1.0, 0.4, 0.0)
+    yield "in view", seen
+    through = littoral.vtkConditionalTerrainFilter()  # which needs all sites
+    survey = sites(10)
+    through.SetInputConnection(0, survey.GetOutputPort())
+    through.SetInputArrayToProcess(0, 0, 0, 0, "QuadratId")
+    through.SetDimensions(60, 60)
+    yield "a terrain through the sites", forest(survey, through)
+    process = littoral.vtkPointProcessSource()
+    yield "sites of a process", forest(process)
+    yield "sites beyond the terrain", forest(sites(), ground(200))
+
+
+def bytes_of(data):
+    """Digest of all arrays of all leaves, and the number of instances."""
+    found = hashlib.sha256()
+    iterator = data.NewIterator()
+    while not iterator.IsDoneWithTraversal():
+        leaf = iterator.GetCurrentDataObject()
+        for arrays in leaf.GetPointData(), leaf.GetCellData(), leaf.GetFieldData():
+            for n in range(arrays.GetNumberOfArrays()):
+                found.update(arrays.GetAbstractArray(n).GetName().encode())
+                found.update(vtk_to_numpy(arrays.GetArray(n)).tobytes())
+        if leaf.GetNumberOfPoints():
+            found.update(vtk_to_numpy(leaf.GetPoints().GetData()).tobytes())
+        iterator.GoToNextItem()
+    fields = data.GetFieldData()
+    for array in filter(None, map(fields.GetArray, range(fields.GetNumberOfArrays()))):
+        found.update(vtk_to_numpy(array).tobytes())
+    return [data.GetBlock(0).GetNumberOfPoints() if data.GetNumberOfBlocks() else 0, found.hexdigest()[:12]]
+
+
+def run_forests(folder, rank, ranks, controllers):
+    """Writes what a rank has of its piece of each forest, before and after a turn of the view, alone and with others."""
+    lines = []
+    for (name, shared), (_, alone) in zip(forests(), forests()):
+        said = [Messages(shared), Messages(alone)]
+        sums = []
+        for turn in range(2):
+            for scatter, controller in (shared, controllers[0]), (alone, controllers[1]):
+                type(controllers[0]).SetGlobalController(controller)
+                scatter.SetViewDirection(1.0, 0.4 - turn, 0.0)
+                scatter.UpdatePiece(rank, ranks, 0)
+                sums.append(bytes_of(scatter.GetOutputDataObject(0)))
+        type(controllers[0]).SetGlobalController(controllers[0])
+        read, made = shared.GetInputDataObject(0, 0), shared.GetOutputDataObject(0)
+        identities = [set(vtk_to_numpy(points.GetPointData().GetArray("SiteId"))) if points.GetNumberOfPoints() else set()
+                      for points in (read, made.GetBlock(0) if made.GetNumberOfBlocks() else read)]
+        lines.append([name, sums, [len(identities[0]), len(identities[1] - identities[0])],
+                      [" ".join(messages.texts) for messages in said]])
+    with open(os.path.join(folder, f"forests {rank}"), "w") as file:
+        json.dump(lines, file)
+
+
+def check_forests(folder, ranks):
+    """Each rank has the bytes of its piece, and has read a part of the sites; the first alone says what is wrong."""
+    plants, reads = {}, {}
+    for rank in range(ranks):
+        with open(os.path.join(folder, f"forests {rank}")) as file:
+            for name, (shared, alone, *turned), (read, dealt), (said, said_alone) in json.load(file):
+                print(f"{name}, rank {rank}: {shared} of {read} sites and {dealt} of another, turned {turned[0]}; {said}")
+                assert dealt <= 3 * 40, f"{name}: more than a row of quadrats is of another rank"
+                assert shared == alone and turned[0] == turned[1], f"{name}: {alone}, {turned} alone"
+                assert said == (said_alone if rank == 0 else ""), f"{name}: {said}; alone {said_alone}"
+                assert ("lie outside" in said) == ("beyond" in name and rank == 0), f"{name}: {said}"
+                plants[name] = plants.get(name, 0) + shared[0]
+                reads.setdefault(name, []).append(read)
+                if name == "in view":
+                    assert shared != turned[0], "the view is not turned"
+    assert plants["many sites"] == 4800 and plants["one quadrat"] == 3 and 0 < plants["in view"] < 4800, plants
+    assert sum(reads["many sites"]) == 4800 and max(reads["many sites"]) < 2500, reads
+    assert 0 in reads["one quadrat"], reads
+    for name in "a terrain through the sites", "sites of a process":
+        assert reads[name] == [plants[name], plants[name]], f"{name}: {reads}"
+    assert sum(reads["measured trees"]) == plants["measured trees"] > 300, f"{reads}, {plants}"
+
+
 def run(folder, rank, ranks):
     """Writes what a rank has of each case, its processor time and its messages."""
     if ranks > 1:
@@ -180,6 +302,7 @@ def on_ranks(folder):
     controller = vtkMPIController()
     controller.Initialize()
     vtkMultiProcessController.SetGlobalController(controller)
+    run_forests(folder, controller.GetLocalProcessId(), controller.GetNumberOfProcesses(), (controller, None))
     run(folder, controller.GetLocalProcessId(), controller.GetNumberOfProcesses())
 
 
@@ -191,6 +314,7 @@ def seen(ranks, launcher=()):
         found = {}
         if ranks > 1:
             check_images(folder, ranks)
+            check_forests(folder, ranks)
         for rank in range(ranks):
             with open(os.path.join(folder, str(rank))) as file:
                 for name, *rest in json.load(file):

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../ProcessTeam.h"
 #include "Geometry/HeightGrid.h"
 #include "Geometry/SceneCells.h"
 #include "Geometry/TextureAtlas.h"
@@ -363,17 +364,21 @@ TEST(SceneCells, PartsShowWhatTheWholeShows)
     ground = { glm::min(ground.Low, foot), glm::max(ground.High, foot) };
   }
   const CellGrid grid(ground, 500.0, 1.5);
-  std::vector<int> plantsInCells(grid.GetColumns() * grid.GetRows(), 0);
+  const int all = grid.GetColumns() * grid.GetRows();
+  std::vector<int> plantsInCells(all, 0);
+  std::vector<int> cellsOfPlants;
   for (const Vector3& foot : forest.Feet)
   {
-    ++plantsInCells[grid.CellAt(foot)];
+    cellsOfPlants.push_back(grid.CellAt(foot));
+    ++plantsInCells[cellsOfPlants.back()];
   }
   // Indices of the plants that parts show, and the number in the largest part.
   const auto shownBy = [&](int parts) {
     std::pair<std::vector<int>, std::size_t> found;
+    const std::vector<int> first = FirstCellsOfParts(cellsOfPlants, all, parts);
     for (int part = 0; part < parts; ++part)
     {
-      const std::array<int, 2> own = CellsOfPart(plantsInCells, part, parts);
+      const std::array<int, 2> own{ first[part], first[part + 1] };
       std::vector<int> indices;
       std::vector<PlantPlace> places;
       std::vector<Vector3> feet;
@@ -399,8 +404,8 @@ TEST(SceneCells, PartsShowWhatTheWholeShows)
     std::sort(found.first.begin(), found.first.end());
     return found;
   };
-  const auto [whole, all] = shownBy(1);
-  EXPECT_EQ(all, 500u);
+  const auto [whole, inAll] = shownBy(1);
+  EXPECT_EQ(inAll, 500u);
   EXPECT_GT(whole.size(), 20u);
   EXPECT_LT(whole.size(), 400u);
   for (const int parts : { 2, 3, 7, 1000 })
@@ -411,7 +416,86 @@ TEST(SceneCells, PartsShowWhatTheWholeShows)
     EXPECT_LE(
       static_cast<int>(largest), 500 / parts + 1 + *std::max_element(plantsInCells.begin(), plantsInCells.end()));
   }
-  EXPECT_EQ(CellsOfPart(plantsInCells, 3, 3)[0], CellsOfPart(plantsInCells, 3, 3)[1]) << "a part beyond the last";
+}
+
+// By counting from the first cell on.
+TEST(SceneCells, PartsBeginWithTheFirstCellThatReachesTheirShare)
+{
+  std::mt19937 random(4);
+  for (const int cells : { 1, 2, 7, 400, 1001 })
+  {
+    for (const int objects : { 0, 1, 5, 900 })
+    {
+      std::vector<int> cellsOfObjects;
+      for (int object = 0; object < objects; ++object) // crowded at the end, a third in one cell
+      {
+        const double place = std::uniform_real_distribution<double>(0.0, 1.0)(random);
+        cellsOfObjects.push_back(object % 3 == 0 ? cells / 2 : static_cast<int>(std::sqrt(place) * cells));
+      }
+      for (const int parts : { 1, 2, 3, 64 })
+      {
+        const std::vector<int> first = FirstCellsOfParts(cellsOfObjects, cells, parts);
+        ASSERT_EQ(static_cast<int>(first.size()), parts + 1);
+        for (int part = 0; part < parts; ++part)
+        {
+          const auto before = [&](int cell) {
+            return std::count_if(cellsOfObjects.begin(), cellsOfObjects.end(), [=](int own) { return own < cell; });
+          };
+          EXPECT_GE(before(first[part]) * parts, objects * part);
+          EXPECT_TRUE(first[part] == 0 || before(first[part] - 1) * parts < objects * part)
+            << cells << " cells, " << objects << " objects, part " << part << " of " << parts;
+        }
+        EXPECT_EQ(first.back(), cells);
+      }
+    }
+  }
+}
+
+TEST(PlantScatter, ProcessesThatShareSitesEachGetThePlantsOfTheirCells)
+{
+  const Forest forest = MakeForest(500, 400.0, 10.0);
+  const CellGrid grid({ { -200.0, -200.0, 0.0 }, { 200.0, 200.0, 0.0 } }, 500.0, 1.5);
+  const int cells = grid.GetColumns() * grid.GetRows();
+  std::vector<int> cellsOfPlants;
+  for (const Vector3& foot : forest.Feet)
+  {
+    cellsOfPlants.push_back(grid.CellAt(foot));
+  }
+  for (const std::size_t ranks : { 1, 2, 3, 7 })
+  {
+    const std::vector<int> first = FirstCellsOfParts(cellsOfPlants, cells, static_cast<int>(ranks));
+    std::vector<std::vector<PlantPlace>> dealt(ranks);
+    littoral::testing::ProcessTeam(ranks).Run([&](const WorkShare& share) {
+      // The first process has no site, if there are others.
+      const std::size_t others = std::max<std::size_t>(1, ranks - 1);
+      const std::size_t behind = std::min(share.Rank + 1, ranks) - (ranks > 1 ? 1 : 0);
+      const std::size_t begin = ranks > 1 && share.Rank > 0 ? 500 * (share.Rank - 1) / others : 0;
+      const std::size_t end = 500 * behind / others;
+      const std::vector<int> own(cellsOfPlants.begin() + begin, cellsOfPlants.begin() + end);
+      EXPECT_EQ(FirstCellsOfParts(own, cells, static_cast<int>(ranks), share), first);
+      dealt[share.Rank].assign(forest.Places.begin() + begin, forest.Places.begin() + end);
+      DealPlaces(grid, first, share, dealt[share.Rank]);
+    });
+    for (std::size_t rank = 0; rank < ranks; ++rank)
+    {
+      std::vector<int> wanted;
+      std::vector<int> found;
+      for (int plant = 0; plant < 500; ++plant)
+      {
+        if (cellsOfPlants[plant] >= first[rank] && cellsOfPlants[plant] < first[rank + 1])
+        {
+          wanted.push_back(plant);
+        }
+      }
+      for (const PlantPlace& place : dealt[rank])
+      {
+        found.push_back(place.Site);
+        EXPECT_EQ(place.Scale, forest.Places[place.Site].Scale);
+        EXPECT_EQ(place.Foot, forest.Places[place.Site].Foot);
+      }
+      EXPECT_EQ(found, wanted) << "process " << rank << " of " << ranks;
+    }
+  }
 }
 
 TEST(PlantScatter, GainOfLevelsAndCellsOnARandomPath)
@@ -700,6 +784,12 @@ TEST(PlantScatter, SitesWithoutGroundAreCounted)
   EXPECT_NE(reason.find("of 4 sites, 2 lie outside of the Terrain and 1 where it has no height"), std::string::npos)
     << reason;
   EXPECT_NE(reason.find("(-3, 1, 77)"), std::string::npos) << reason;
+  const std::vector<PlantPlace> all = PlantsAt({ { 1.0, 1.0 }, { -3.0, 1.0 }, { 9.9, 9.9 }, { 1.0, 11.0 } });
+  littoral::testing::ProcessTeam(3).Run([&](const WorkShare& share) {
+    const std::size_t ends[] = { 0, 1, 2, 4 };
+    std::vector<PlantPlace> own(all.begin() + ends[share.Rank], all.begin() + ends[share.Rank + 1]);
+    EXPECT_EQ(PutOnGround(Slope(), GroundLimits(), own, share), reason) << share.Rank;
+  });
 }
 
 // Drawn divided by the mean, each texture has the colors that it had.
