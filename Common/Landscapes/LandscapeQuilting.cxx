@@ -59,7 +59,7 @@ std::string WhyOfOtherCells(const GridSamples& terrain, const GridSamples& place
   {
     if (std::abs(terrain.Spacing[axis] / place.Spacing[axis] - 1.0) > SpacingTolerance)
     {
-      return "Terrain and Target have cells of other sizes; pieces need those of the target, " +
+      return "The terrain and the target have cells of other sizes; pieces need those of the target, " +
         TextOf(place.Spacing[0]) + " x " + TextOf(place.Spacing[1]) + " m.";
     }
   }
@@ -112,8 +112,8 @@ void DrainDepressions(GridSamples& ground, double leastSlope, double cut, const 
 std::string WhyNoQuilt(const GridSamples& terrain, const GridSamples& place)
 {
   ParameterCheck check;
-  check.Require(WhyTooSmall(terrain, "Terrain"));
-  check.Require(WhyTooSmall(place, "Target"));
+  check.Require(WhyTooSmall(terrain, "The terrain"));
+  check.Require(WhyTooSmall(place, "The target"));
   check.Require(WhyOfOtherCells(terrain, place));
   return check.Reason();
 }

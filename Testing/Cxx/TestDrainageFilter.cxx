@@ -704,7 +704,7 @@ bool BadInput()
   wide->SetSpacing(20.0, 10.0, 1.0);
   good &= Fails("cells of other sizes", fine, quilt(wide, Filter::Border));
   good &= Fails("Outlets is not Border", fine, quilt(fine, Filter::Sea));
-  good &= Fails("Target has fewer than 16", fine, quilt(Image(24, 9, 1, rough), Filter::Border));
+  good &= Fails("The target has fewer than 16", fine, quilt(Image(24, 9, 1, rough), Filter::Border));
   good &= Fails("The target is a plane", fine, grow(Image(24, 20, 1, Ramp), Filter::Border));
   good &= Fails("The target has fewer than 16", fine, grow(Image(24, 9, 1, rough), Filter::Border));
   good &= Fails("The terrain has fewer than 16", Image(9, 24, 1, rough), grow(fine, Filter::Border));
