@@ -66,6 +66,12 @@ void DrawTrianglesByParts(GLsizei corners)
 vtkStandardNewMacro(BlockMapper);
 
 //----------------------------------------------------------------------------
+bool BlockMapper::HasManyCells(vtkPolyData* surface)
+{
+  return 3 * surface->GetNumberOfPolys() > CornersOfPart;
+}
+
+//----------------------------------------------------------------------------
 vtkUnsignedCharArray* BlockMapper::MapScalars(vtkDataSet* input, double alpha, int& cellFlag)
 {
   int association = 0;
