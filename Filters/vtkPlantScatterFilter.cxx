@@ -104,6 +104,7 @@ void WriteTexture(const littoral::TextureImage& texture, vtkInformation* output)
 struct Prototypes : littoral::ScatterPrototypes
 {
   std::vector<littoral::DataStamp> Stamps;
+  bool HasJoints = true;
   /// As instances refer to them, behind the empty block of the instances.
   vtkSmartPointer<vtkMultiBlockDataSet> Levels = vtkSmartPointer<vtkMultiBlockDataSet>::New();
 };
@@ -191,6 +192,7 @@ vtkPlantScatterFilter::vtkPlantScatterFilter()
   , UseCulling(true)
   , FaceCamera(true)
   , OutputForm(Merged)
+  , PassJoints(true)
   , PlantsPerCell(1.0)
   , VisibleDistance(0.0)
   , Internals(std::make_unique<vtkInternals>())
@@ -343,7 +345,8 @@ void vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
   {
     stamps.push_back(littoral::StampOf(vtkDataObject::GetData(inputs, index)));
   }
-  if (!stamps.empty() && stamps == this->Internals->Species.Stamps)
+  const Prototypes& last = this->Internals->Species;
+  if (!stamps.empty() && stamps == last.Stamps && last.HasJoints == this->PassJoints)
   {
     return;
   }
@@ -360,7 +363,8 @@ void vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
       littoral::RequirePrototype(blocks.back());
     });
   }
-  littoral::TakeParts(blocks, this->Internals->Species);
+  littoral::TakeParts(blocks, this->PassJoints, this->Internals->Species);
+  this->Internals->Species.HasJoints = this->PassJoints;
   vtkNew<vtkPolyData> instances;
   littoral::AddBlock(this->Internals->Species.Levels, InstancesBlock, instances);
   for (const littoral::PrototypeBlocks& parts : blocks)
@@ -554,6 +558,7 @@ void vtkPlantScatterFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseCulling: " << this->UseCulling << "\n";
   os << indent << "FaceCamera: " << this->FaceCamera << "\n";
   os << indent << "OutputForm: " << this->OutputForm << "\n";
+  os << indent << "PassJoints: " << (this->PassJoints ? "on" : "off") << "\n";
   os << indent << "PlantsPerCell: " << this->PlantsPerCell << "\n";
   os << indent << "VisibleDistance: " << this->VisibleDistance << "\n";
 }
