@@ -99,7 +99,16 @@ def build(folder, view, quick=False):
     simple.Show(forest, view).BlockSelectors = ["/Root/Low"]  # what does not move is not made again for each frame
     if hasattr(littoral, "vtkVDBVolumeWriter"):
         views.save_volume(os.path.join(folder, "wind.vdb"), wind)
+    heights_alone(drainage.GetOutput())
     return drainage.GetOutput()
+
+
+def heights_alone(terrain):
+    """Drop all arrays but the heights, which the camera follows: the files have them."""
+    arrays = terrain.GetPointData()
+    for name in [arrays.GetArrayName(index) for index in range(arrays.GetNumberOfArrays())]:
+        if name != "Elevation":
+            arrays.RemoveArray(name)
 
 
 def look(terrain, view, share):
