@@ -113,7 +113,7 @@ SkinBinding ReadBinding(vtkPolyData* block);
 /// The four joints of each of its vertices.
 const int* ReadJointIds(vtkPolyData* block);
 
-/// Their four weights.
+/// The four weights of each of its vertices.
 const float* ReadJointWeights(vtkPolyData* block);
 
 /// The plants of points; null if they do not tell. Throws InvalidInput if they do so in another form.
