@@ -114,6 +114,7 @@ bool MayShareSites(vtkInformation* request, vtkInformationVector** inputs, vtkIn
 struct Prototypes : littoral::ScatterPrototypes
 {
   std::vector<littoral::DataStamp> Stamps;
+  bool HasJoints = true;
   /// As instances refer to them, behind the empty block of the instances.
   vtkSmartPointer<vtkMultiBlockDataSet> Levels = vtkSmartPointer<vtkMultiBlockDataSet>::New();
 };
@@ -201,6 +202,7 @@ vtkPlantScatterFilter::vtkPlantScatterFilter()
   , UseCulling(true)
   , FaceCamera(true)
   , OutputForm(Merged)
+  , PassJoints(true)
   , PlantsPerCell(1.0)
   , VisibleDistance(0.0)
   , Internals(std::make_unique<vtkInternals>())
@@ -358,7 +360,8 @@ void vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
   {
     stamps.push_back(littoral::StampOf(vtkDataObject::GetData(inputs, index)));
   }
-  if (!stamps.empty() && stamps == this->Internals->Species.Stamps)
+  const Prototypes& last = this->Internals->Species;
+  if (!stamps.empty() && stamps == last.Stamps && last.HasJoints == this->PassJoints)
   {
     return;
   }
@@ -375,7 +378,8 @@ void vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
       littoral::RequirePrototype(blocks.back());
     });
   }
-  littoral::TakeParts(blocks, this->Internals->Species);
+  littoral::TakeParts(blocks, this->PassJoints, this->Internals->Species);
+  this->Internals->Species.HasJoints = this->PassJoints;
   vtkNew<vtkPolyData> instances;
   littoral::AddBlock(this->Internals->Species.Levels, InstancesBlock, instances);
   for (const littoral::PrototypeBlocks& parts : blocks)
@@ -601,6 +605,7 @@ void vtkPlantScatterFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseCulling: " << this->UseCulling << "\n";
   os << indent << "FaceCamera: " << this->FaceCamera << "\n";
   os << indent << "OutputForm: " << this->OutputForm << "\n";
+  os << indent << "PassJoints: " << (this->PassJoints ? "on" : "off") << "\n";
   os << indent << "PlantsPerCell: " << this->PlantsPerCell << "\n";
   os << indent << "VisibleDistance: " << this->VisibleDistance << "\n";
 }

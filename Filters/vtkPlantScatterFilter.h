@@ -215,6 +215,16 @@ public:
 
   ///@{
   /**
+   * Whether merged plants have `JointIds` and `JointWeights`, 32 bytes a vertex in full; default on. If off,
+   * vtkBeamTreeDeformationFilter takes those of its prototypes, and moves plants alike.
+   */
+  vtkSetMacro(PassJoints, bool);
+  vtkGetMacro(PassJoints, bool);
+  vtkBooleanMacro(PassJoints, bool);
+  ///@}
+
+  ///@{
+  /**
    * Mean number of plants per culling cell, positive; default 1.
    */
   vtkSetMacro(PlantsPerCell, double);
@@ -265,6 +275,7 @@ protected:
   bool UseCulling;
   bool FaceCamera;
   int OutputForm;
+  bool PassJoints;
   double PlantsPerCell;
   double VisibleDistance;
 

@@ -272,6 +272,12 @@ vtkLandscapePass::vtkLandscapePass()
   };
   vtkNew<CallPass> translucent;
   translucent->Call = [&own](const vtkRenderState* state) {
+    vtkProp** props = state->GetPropArray();
+    if (std::none_of(props, props + state->GetPropArrayCount(),
+          [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; }))
+    {
+      return; // depth peeling takes its pictures of nothing, too
+    }
     own.Glass->Begin(state, own.Light);
     // In the order that the renderer is set to, as by depth peeling
     state->GetRenderer()->DeviceRenderTranslucentPolygonalGeometry(state->GetFrameBuffer());

@@ -35,11 +35,21 @@ bool IsSame(const Number* a, const Number* b, int count)
 
 SkinBinding::SkinBinding(const int* jointIds, const float* jointWeights, std::size_t vertices)
 {
-  Require(vertices <= MostVertices ? "" : "a skin has more than " + std::to_string(MostVertices) + " vertices.");
+  RequireRoom(vertices);
   for (std::size_t vertex = 0; vertex < vertices; ++vertex)
   {
     this->Add(jointIds + 4 * vertex, jointWeights + 4 * vertex);
   }
+  this->Shrink();
+}
+
+void SkinBinding::RequireRoom(std::size_t vertices)
+{
+  Require(vertices <= MostVertices ? "" : "a skin has more than " + std::to_string(MostVertices) + " vertices.");
+}
+
+void SkinBinding::Shrink()
+{
   this->Runs.shrink_to_fit();
   this->Weights.shrink_to_fit();
 }

@@ -84,7 +84,7 @@ def build(folder, view, quick=False):
         registrationName="Ground", Input=terrain, **STEADY)
     forest = simple.PlantScatter(
         registrationName="Forest", Sites=sites, Prototypes=trees, Terrain=terrain,
-        NearDistance=260.0, FarDistance=700.0, **STEADY)
+        NearDistance=260.0, FarDistance=700.0, PassJoints=False, **STEADY)
     wind = simple.WindField(
         registrationName="Wind", Dimensions=[60 if quick else 600, 128, 10], LateralSpacing=12.5,
         ReferenceSpeed=WIND_SPEED, RoughnessLength=0.1, Center=list(wind_center()))
@@ -99,7 +99,16 @@ def build(folder, view, quick=False):
     simple.Show(forest, view).BlockSelectors = ["/Root/Low"]  # what does not move is not made again for each frame
     if hasattr(littoral, "vtkVDBVolumeWriter"):
         views.save_volume(os.path.join(folder, "wind.vdb"), wind)
+    heights_alone(drainage.GetOutput())
     return drainage.GetOutput()
+
+
+def heights_alone(terrain):
+    """Drop all arrays but the heights, which the camera follows: the files have them."""
+    arrays = terrain.GetPointData()
+    for name in [arrays.GetArrayName(index) for index in range(arrays.GetNumberOfArrays())]:
+        if name != "Elevation":
+            arrays.RemoveArray(name)
 
 
 def look(terrain, view, share):

@@ -242,18 +242,58 @@ Skeleton ReadSkeleton(vtkPolyData* block)
   return skeleton;
 }
 
+namespace
+{
+
+std::string OwnerOf(const char* name)
+{
+  return std::string("High/") + name + " of the plants";
+}
+
+/// Leaves, each of which a node carries, by a function of its first vertex.
+template <typename NodeOf>
+std::vector<LeafCorners> LeavesOf(vtkPolyData* block, const NodeOf& nodeOf)
+{
+  std::vector<LeafCorners> leaves;
+  vtkNew<vtkIdList> cell;
+  for (vtkIdType leaf = 0; leaf < block->GetNumberOfPolys(); ++leaf)
+  {
+    block->GetPolys()->GetCellAtId(leaf, cell);
+    if (cell->GetNumberOfIds() != 4)
+    {
+      continue;
+    }
+    Vector3 corners[4];
+    LeafCorners one;
+    for (int i = 0; i < 4; ++i)
+    {
+      one.Corners[i] = static_cast<int>(cell->GetId(i));
+      block->GetPoint(cell->GetId(i), &corners[i].x);
+    }
+    one.Node = nodeOf(static_cast<std::size_t>(one.Corners[0]));
+    one.Area = 0.5 * glm::length(glm::cross(corners[2] - corners[0], corners[3] - corners[1]));
+    leaves.push_back(one);
+  }
+  return leaves;
+}
+
+}
+
+void RequireRest(vtkPolyData* block, const char* name)
+{
+  Require(FloatPointsOf(block) && FindNormals(block) ? "" : OwnerOf(name) + " has no points and normals of float.");
+}
+
 void RequireSkin(vtkPolyData* block, const char* name, std::size_t joints)
 {
   if (block->GetNumberOfPoints() == 0)
   {
     return;
   }
-  const std::string owner = std::string("High/") + name + " of the plants";
-  const ArrayReader points = ArrayReader::OfPoints(block, owner);
+  const ArrayReader points = ArrayReader::OfPoints(block, OwnerOf(name));
   points.NeedIds(points.Need<vtkIntArray>(plant::JointIds, 4), static_cast<vtkIdType>(joints), "node");
   points.Need<vtkFloatArray>(plant::JointWeights, 4);
-  const bool isSingle = FloatPointsOf(block) && FindNormals(block);
-  Require(isSingle ? "" : owner + " has no points and normals of float.");
+  RequireRest(block, name);
 }
 
 vtkFloatArray* FindNormals(vtkPolyData* block)
@@ -272,11 +312,14 @@ const int* ReadJointIds(vtkPolyData* block)
   return ArrayReader::OfPoints(block, "a skin").Need<vtkIntArray>(plant::JointIds, 4)->GetPointer(0);
 }
 
+const float* ReadJointWeights(vtkPolyData* block)
+{
+  return ArrayReader::OfPoints(block, "a skin").Need<vtkFloatArray>(plant::JointWeights, 4)->GetPointer(0);
+}
+
 SkinBinding ReadBinding(vtkPolyData* block)
 {
-  const float* weights =
-    ArrayReader::OfPoints(block, "a skin").Need<vtkFloatArray>(plant::JointWeights, 4)->GetPointer(0);
-  return { ReadJointIds(block), weights, static_cast<std::size_t>(block->GetNumberOfPoints()) };
+  return { ReadJointIds(block), ReadJointWeights(block), static_cast<std::size_t>(block->GetNumberOfPoints()) };
 }
 
 vtkIntArray* FindPlantIds(vtkPolyData* block)
@@ -286,32 +329,17 @@ vtkIntArray* FindPlantIds(vtkPolyData* block)
 
 std::vector<LeafCorners> ReadLeaves(vtkPolyData* block)
 {
-  std::vector<LeafCorners> leaves;
   if (!block || block->GetNumberOfPoints() == 0)
   {
-    return leaves;
+    return {};
   }
   const int* nodes = ReadJointIds(block);
-  vtkNew<vtkIdList> cell;
-  for (vtkIdType leaf = 0; leaf < block->GetNumberOfPolys(); ++leaf)
-  {
-    block->GetPolys()->GetCellAtId(leaf, cell);
-    if (cell->GetNumberOfIds() != 4)
-    {
-      continue;
-    }
-    Vector3 corners[4];
-    LeafCorners one;
-    for (int i = 0; i < 4; ++i)
-    {
-      one.Corners[i] = static_cast<int>(cell->GetId(i));
-      block->GetPoint(cell->GetId(i), &corners[i].x);
-    }
-    one.Node = nodes[4 * one.Corners[0]];
-    one.Area = 0.5 * glm::length(glm::cross(corners[2] - corners[0], corners[3] - corners[1]));
-    leaves.push_back(one);
-  }
-  return leaves;
+  return LeavesOf(block, [nodes](std::size_t vertex) { return nodes[4 * vertex]; });
+}
+
+std::vector<LeafCorners> ReadLeaves(vtkPolyData* block, const SkinBinding& binding)
+{
+  return LeavesOf(block, [&binding](std::size_t vertex) { return binding.RunOf(vertex)->Joints[0]; });
 }
 
 bool ReadWood(vtkDataObject* plant, WoodParameters& wood)

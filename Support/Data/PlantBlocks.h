@@ -95,7 +95,10 @@ vtkFloatArray* FloatPointsOf(vtkPolyData* block);
 /// The skeleton of a block, all plants in one. Throws InvalidInput if there is none.
 Skeleton ReadSkeleton(vtkPolyData* block);
 
-/// Throws InvalidInput if the joints of a skin or of leaves are bad.
+/// Throws InvalidInput if points or normals of a skin or of leaves are not of single precision.
+void RequireRest(vtkPolyData* block, const char* name);
+
+/// Throws InvalidInput if these or the joints of a skin or of leaves are bad.
 void RequireSkin(vtkPolyData* block, const char* name, std::size_t joints);
 
 /// The normals of a block in single precision; null where it has others or none.
@@ -110,11 +113,17 @@ SkinBinding ReadBinding(vtkPolyData* block);
 /// The four joints of each of its vertices.
 const int* ReadJointIds(vtkPolyData* block);
 
+/// The four weights of each of its vertices.
+const float* ReadJointWeights(vtkPolyData* block);
+
 /// The plants of points; null if they do not tell. Throws InvalidInput if they do so in another form.
 vtkIntArray* FindPlantIds(vtkPolyData* block);
 
 /// The leaves of a block, whose skin is good.
 std::vector<LeafCorners> ReadLeaves(vtkPolyData* block);
+
+/// The leaves of a block whose vertices follow joints by a binding.
+std::vector<LeafCorners> ReadLeaves(vtkPolyData* block, const SkinBinding& binding);
 
 /// The wood that a plant says it is of, as field data `Wood`; false where it does not.
 bool ReadWood(vtkDataObject* plant, WoodParameters& wood);

@@ -138,6 +138,15 @@ void JoinNormals(const std::vector<PlantImpostor>& impostors, ScatterPrototypes&
   AttachNormalTexture(carrier, normals);
 }
 
+void DropJoints(PlantPart& part)
+{
+  std::vector<PartArray>& arrays = part.PointArrays;
+  const auto areJoints = [](const PartArray& array) {
+    return array.Name == plant::JointIds || array.Name == plant::JointWeights;
+  };
+  arrays.erase(std::remove_if(arrays.begin(), arrays.end(), areJoints), arrays.end());
+}
+
 /// Takes the lowest level, both as it is and as cards.
 void TakeLow(const std::vector<PrototypeBlocks>& blocks, ScatterPrototypes& prototypes)
 {
@@ -208,7 +217,7 @@ void RequirePrototype(const PrototypeBlocks& blocks)
   }
 }
 
-void TakeParts(const std::vector<PrototypeBlocks>& blocks, ScatterPrototypes& prototypes)
+void TakeParts(const std::vector<PrototypeBlocks>& blocks, bool withJoints, ScatterPrototypes& prototypes)
 {
   for (const PrototypeBlocks& each : blocks)
   {
@@ -228,6 +237,10 @@ void TakeParts(const std::vector<PrototypeBlocks>& blocks, ScatterPrototypes& pr
     }
     const TextureAtlas* atlas = part == CrownPart ? &crownAtlas : part == LeavesPart ? &leafAtlas : nullptr;
     prototypes.Parts.push_back(MakePart(PartKinds[part], own, atlas));
+    if (!withJoints)
+    {
+      DropJoints(prototypes.Parts.back());
+    }
   }
   TakeLow(blocks, prototypes);
   prototypes.CrownAtlas = std::move(crownAtlas.Image);

@@ -81,8 +81,8 @@ struct ScatterPrototypes
   }
 };
 
-/// Takes all blocks from the prototypes, and joins their textures.
-void TakeParts(const std::vector<PrototypeBlocks>& blocks, ScatterPrototypes& prototypes);
+/// Takes all blocks from the prototypes, with or without the joints of their vertices, and joins their textures.
+void TakeParts(const std::vector<PrototypeBlocks>& blocks, bool withJoints, ScatterPrototypes& prototypes);
 
 }
 

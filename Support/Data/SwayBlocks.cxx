@@ -4,6 +4,7 @@
 
 #include "Data/JointBlock.h"
 #include "Data/PlantForm.h"
+#include "Data/ScatteredJoints.h"
 #include "Data/SwayPrototype.h"
 #include "Data/WindImage.h"
 #include "Pipeline/Pipeline.h"
@@ -85,7 +86,7 @@ void SwayBlocks::Read(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBl
 {
   RequirePlants(plants);
   this->MakeScene(plants, prototypes, wind, settings, progress);
-  this->ReadHigh(plants, progress);
+  this->ReadHigh(plants, prototypes, progress);
   this->ReadMedium(plants);
   this->Whole = !IsAborted(progress);
 }
@@ -152,7 +153,8 @@ void SwayBlocks::RequireKnownSpecies(std::size_t prototypes) const
 }
 
 //----------------------------------------------------------------------------
-void SwayBlocks::ReadHigh(vtkMultiBlockDataSet* plants, vtkAlgorithm* progress)
+void SwayBlocks::ReadHigh(
+  vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBlockDataSet*>& prototypes, vtkAlgorithm* progress)
 {
   vtkPolyData* bones = PlantPartOf(plants, plant::High, plant::Skeleton);
   Require(bones ? "" : "The plants have no block High/Skeleton.");
@@ -164,7 +166,7 @@ void SwayBlocks::ReadHigh(vtkMultiBlockDataSet* plants, vtkAlgorithm* progress)
   const std::vector<Skeleton> skeletons = PlantsOf(all);
   Require(skeletons.empty() ? "High/Skeleton of the plants has branches that do not follow their own trunk." : "");
   std::vector<double> leafAreas(all.Nodes.size(), 0.0);
-  this->ReadHighSkins(plants, skeletons, leafAreas);
+  this->ReadHighSkins(plants, prototypes, skeletons, leafAreas);
   double bytes = SwayScene::BytesOf(all.Nodes.size(), this->Scene->GetNumberOfLeaves());
   for (const Skeleton& one : skeletons)
   {
@@ -175,9 +177,10 @@ void SwayBlocks::ReadHigh(vtkMultiBlockDataSet* plants, vtkAlgorithm* progress)
 }
 
 //----------------------------------------------------------------------------
-void SwayBlocks::ReadHighSkins(
-  vtkMultiBlockDataSet* plants, const std::vector<Skeleton>& skeletons, std::vector<double>& leafAreas)
+void SwayBlocks::ReadHighSkins(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBlockDataSet*>& prototypes,
+  const std::vector<Skeleton>& skeletons, std::vector<double>& leafAreas)
 {
+  std::vector<LeafCorners> corners;
   for (const char* name : { plant::Skin, plant::Leaves })
   {
     vtkPolyData* block = PlantPartOf(plants, plant::High, name);
@@ -185,8 +188,23 @@ void SwayBlocks::ReadHighSkins(
     {
       continue;
     }
-    RequireSkin(block, name, leafAreas.size());
-    this->Skins.push_back({ plant::High, name, block, ReadBinding(block) });
+    SkinBinding binding;
+    if (this->Scattered && !prototypes.empty() && !TellsJoints(block))
+    {
+      RequireRest(block, name);
+      vtkIntArray* plantIds = FindPlantIds(PlantPartOf(plants, plant::High, plant::Skeleton));
+      binding = BindingOfPrototypes(block, name, this->Table, NodesByRow(this->Table, skeletons, plantIds), prototypes);
+    }
+    else
+    {
+      RequireSkin(block, name, leafAreas.size());
+      binding = ReadBinding(block);
+    }
+    if (std::strcmp(name, plant::Leaves) == 0)
+    {
+      corners = ReadLeaves(block, binding);
+    }
+    this->Skins.push_back({ plant::High, name, block, std::move(binding) });
   }
   std::vector<int> plantOf;
   for (std::size_t index = 0; index < skeletons.size(); ++index)
@@ -195,7 +213,6 @@ void SwayBlocks::ReadHighSkins(
   }
   vtkPolyData* leaves = PlantPartOf(plants, plant::High, plant::Leaves);
   vtkIntArray* plantIds = leaves ? FindPlantIds(leaves) : nullptr;
-  const std::vector<LeafCorners> corners = ReadLeaves(leaves);
   this->Scene->ReserveLeaves(corners.size());
   for (const LeafCorners& leaf : corners)
   {
@@ -323,7 +340,7 @@ void SwayBlocks::AddJoints(vtkMultiBlockDataSet* output) const
   for (const Skin& skin : this->Skins)
   {
     vtkPolyData* block = PlantPartOf(output, skin.Level, skin.Name);
-    if (block && std::strcmp(skin.Level, plant::Medium) == 0) // the others tell them themselves
+    if (block && !TellsJoints(block))
     {
       const vtkIdType points = block->GetNumberOfPoints();
       const auto joints = NewArray<vtkIntArray>(plant::JointIds, 4, points);

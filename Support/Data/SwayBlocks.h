@@ -67,9 +67,10 @@ private:
   void MakeScene(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBlockDataSet*>& prototypes, vtkImageData* wind,
     const SwaySettings& settings, vtkAlgorithm* progress);
   void RequireKnownSpecies(std::size_t prototypes) const;
-  void ReadHigh(vtkMultiBlockDataSet* plants, vtkAlgorithm* progress);
-  void ReadHighSkins(
-    vtkMultiBlockDataSet* plants, const std::vector<Skeleton>& skeletons, std::vector<double>& leafAreas);
+  void ReadHigh(
+    vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBlockDataSet*>& prototypes, vtkAlgorithm* progress);
+  void ReadHighSkins(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBlockDataSet*>& prototypes,
+    const std::vector<Skeleton>& skeletons, std::vector<double>& leafAreas);
   void AddPlants(const std::vector<Skeleton>& skeletons, vtkIntArray* plantIds, const std::vector<double>& leafAreas,
     vtkAlgorithm* progress);
   void ReadMedium(vtkMultiBlockDataSet* plants);

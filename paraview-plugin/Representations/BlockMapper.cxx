@@ -10,6 +10,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLVertexArrayObject.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPolyData.h"
@@ -66,6 +67,12 @@ void DrawTrianglesByParts(GLsizei corners)
 vtkStandardNewMacro(BlockMapper);
 
 //----------------------------------------------------------------------------
+bool BlockMapper::HasManyCells(vtkPolyData* surface)
+{
+  return 3 * surface->GetNumberOfPolys() > CornersOfPart;
+}
+
+//----------------------------------------------------------------------------
 vtkUnsignedCharArray* BlockMapper::MapScalars(vtkDataSet* input, double alpha, int& cellFlag)
 {
   int association = 0;
@@ -97,9 +104,15 @@ void BlockMapper::ComputeBounds()
 }
 
 //----------------------------------------------------------------------------
-/// Drops vertices after they were sent, since the graphics' memory has them too: VTK would keep them.
+/// Lets go of the vertices of the last picture before others are sent: what draws them holds them until it has the
+/// others. Drops those that were sent, since the graphics' memory has them too: VTK would keep them.
 void BlockMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
 {
+  for (vtkOpenGLHelper& primitive : this->Primitives)
+  {
+    primitive.VAO->ReleaseGraphicsResources();
+    primitive.AttributeUpdateTime = vtkTimeStamp();
+  }
   this->Superclass::BuildBufferObjects(renderer, actor);
   for (const char* name : { "vertexMC", "normalMC", "scalarColor", "tcoord" })
   {

@@ -21,6 +21,9 @@ public:
   static BlockMapper* New();
   vtkTypeMacro(BlockMapper, vtkOpenGLPolyDataMapper);
 
+  /// Whether a processor draws a surface by parts.
+  static bool HasManyCells(vtkPolyData* surface);
+
   /// The index of the block in its tree, by which it is picked.
   void SetBlockIndex(unsigned int index) { this->BlockIndex = index; }
 

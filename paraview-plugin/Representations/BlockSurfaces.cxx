@@ -3,6 +3,7 @@
 #include "BlockSurfaces.h"
 
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkFieldData.h"
@@ -42,16 +43,16 @@ bool HasOnlyBlocks(vtkDataObjectTree* tree)
   return areBlocks;
 }
 
-/// An array of one number, as it was before if it had as many.
-vtkUnsignedIntArray* Filled(
-  vtkSmartPointer<vtkUnsignedIntArray>& kept, const char* name, unsigned int number, vtkIdType size)
+/// An array of one number, as it was before if it had as many; in bytes where they can tell it.
+vtkDataArray* Filled(vtkSmartPointer<vtkDataArray>& kept, const char* name, unsigned int number, vtkIdType size)
 {
   if (!kept || kept->GetNumberOfTuples() != size)
   {
-    kept = vtkSmartPointer<vtkUnsignedIntArray>::New();
+    kept = vtkSmartPointer<vtkDataArray>::Take(
+      vtkDataArray::CreateDataArray(number <= VTK_UNSIGNED_CHAR_MAX ? VTK_UNSIGNED_CHAR : VTK_UNSIGNED_INT));
     kept->SetName(name);
     kept->SetNumberOfTuples(size);
-    std::fill_n(kept->GetPointer(0), size, number);
+    kept->Fill(number);
   }
   return kept;
 }
@@ -61,8 +62,10 @@ void AddColor(vtkPolyData* block, unsigned int number)
 {
   vtkNew<vtkFieldData> fields;
   fields->PassData(block->GetFieldData());
-  vtkSmartPointer<vtkUnsignedIntArray> color;
-  fields->AddArray(Filled(color, "vtkBlockColors", number, 1));
+  vtkNew<vtkUnsignedIntArray> color;
+  color->SetName("vtkBlockColors");
+  color->InsertNextValue(number);
+  fields->AddArray(color);
   block->SetFieldData(fields);
 }
 

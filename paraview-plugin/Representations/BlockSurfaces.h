@@ -8,7 +8,7 @@
 
 #include <map>
 
-class vtkUnsignedIntArray;
+class vtkDataArray;
 
 namespace littoral
 {
@@ -21,7 +21,8 @@ bool IsItsOwnSurface(vtkDataObject* data);
  * them before.
  *
  * ParaView 5.11 writes the number of its block to each point and cell, anew for each block of data that have changed,
- * and then looks for the range of these numbers. Here an array of them is kept while there are as many points or cells.
+ * and then looks for the range of these numbers. Here an array of them is kept while there are as many points or cells,
+ * in a byte each up to number 255.
  */
 class BlockSurfaces : public vtkPVGeometryFilter
 {
@@ -43,7 +44,7 @@ private:
   /// The numbers of the points and of the cells of a block.
   struct Numbers
   {
-    vtkSmartPointer<vtkUnsignedIntArray> OfPoints, OfCells;
+    vtkSmartPointer<vtkDataArray> OfPoints, OfCells;
   };
   std::map<unsigned int, Numbers> Kept; ///< numbers by the index of the block in its tree
 };

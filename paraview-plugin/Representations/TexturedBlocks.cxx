@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TexturedBlocks.h"
 
+#include "BlockMapper.h"
 #include "vtkLandscapeLightRepresentation.h"
 
 #include "vtkCompositeDataDisplayAttributes.h"
@@ -17,6 +18,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProp.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -126,10 +128,11 @@ void TexturedBlocks::SetView(vtkPVRenderView* view, vtkPVDataRepresentation* rep
 bool TexturedBlocks::Draw(
   vtkDataObject* data, vtkActor* like, vtkMapper* mapper, bool attributesChanged, const TakeAttributes& take)
 {
-  const bool dataChanged = this->Data != data || this->DataTime != data->GetMTime();
+  const bool isDraped = like->GetTexture() || like->GetProperty()->GetNumberOfTextures() > 0;
+  const bool dataChanged = this->Data != data || this->DataTime != data->GetMTime() || this->IsDraped != isDraped;
   if (dataChanged)
   {
-    this->Split(data);
+    this->Split(data, isDraped);
   }
   while (this->View && this->Actors.size() < this->Parts.size())
   {
@@ -170,11 +173,12 @@ void TexturedBlocks::Hide()
 }
 
 //----------------------------------------------------------------------------
-/// Each textured block, each prototype that has instances and each sea that has foam becomes a part of its own, and
-/// without any there are no parts. A few other surfaces are parts of their own too; the rest is the first. Points of
-/// instances are not drawn.
-void TexturedBlocks::Split(vtkDataObject* data)
+/// Each textured block, each prototype that has instances, each sea that has foam and each large surface without a
+/// picture of the user's becomes a part of its own, and without any there are no parts. A few other surfaces are parts
+/// of their own too; the rest is the first. Points of instances are not drawn.
+void TexturedBlocks::Split(vtkDataObject* data, bool isDraped)
 {
+  this->IsDraped = isDraped;
   this->Data = data;
   this->DataTime = data->GetMTime();
   this->Parts.clear();
@@ -240,9 +244,11 @@ void TexturedBlocks::Split(vtkDataObject* data)
     part.Places = part.Plant.empty() ? nullptr : PlacesOf(pair);
     this->Parts.push_back(part);
   }
-  const auto isSpecial = [](const PartOfTree& part) {
+  const auto isSpecial = [isDraped](const PartOfTree& part) {
     vtkPointData* arrays = part.Block ? part.Block->GetPointData() : nullptr;
-    return part.Textured || part.Prototype || (arrays && (arrays->HasArray("Jacobian") || arrays->HasArray("Bank")));
+    const bool isLarge = part.Block && !isDraped && BlockMapper::HasManyCells(part.Block);
+    return isLarge || part.Textured || part.Prototype ||
+      (arrays && (arrays->HasArray("Jacobian") || arrays->HasArray("Bank")));
   };
   if (std::none_of(this->Parts.begin(), this->Parts.end(), isSpecial))
   {

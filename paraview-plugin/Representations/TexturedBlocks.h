@@ -27,14 +27,15 @@ public:
   /// The view that shows the blocks of a representation; null: none.
   void SetView(vtkPVRenderView* view, vtkPVDataRepresentation* representation);
 
-  /// Draws data of which a block is textured, as an actor with its mapper would. False if there is no such block.
+  /// Draws data of which a block is textured, or large, as an actor with its mapper would. False if there is no such
+  /// block.
   bool Draw(vtkDataObject* data, vtkActor* like, vtkMapper* mapper, bool attributesChanged, const TakeAttributes& take);
 
   /// Draws nothing.
   void Hide();
 
 private:
-  void Split(vtkDataObject* data);
+  void Split(vtkDataObject* data, bool isDraped);
   void AddActor();
 
   vtkWeakPointer<vtkPVRenderView> View;
@@ -43,6 +44,7 @@ private:
   std::vector<PartOfTree> Parts;                   ///< none without textures
   vtkSmartPointer<vtkDataObject> Data;             ///< data that were split
   vtkMTimeType DataTime = 0;
+  bool IsDraped = false; ///< whether they had a picture of the user's
 };
 
 }
