@@ -274,9 +274,9 @@ vtkLandscapePass::vtkLandscapePass()
   translucent->Call = [&own](const vtkRenderState* state) {
     vtkProp** props = state->GetPropArray();
     if (std::none_of(props, props + state->GetPropArrayCount(),
-          [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; }))
+          [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() || prop->IsA("vtkVolume"); }))
     {
-      return; // depth peeling takes its pictures of nothing, too
+      return; // depth peeling, which may blend volumes in, takes its pictures of nothing, too
     }
     own.Glass->Begin(state, own.Light);
     // In the order that the renderer is set to, as by depth peeling
