@@ -120,7 +120,7 @@ std::string WhyNoQuilt(const GridSamples& terrain, const GridSamples& place)
 
 double QuiltMemory(int width, int height)
 {
-  constexpr double bytesPerCell = 120.0; // channels, waves, guide, quilt, the best, and one more to match
+  constexpr double bytesPerCell = 150.0; // channels, waves, guide, quilt, the best, and one more to match
   return bytesPerCell * width * height;
 }
 
