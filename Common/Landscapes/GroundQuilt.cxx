@@ -29,8 +29,10 @@ constexpr float CostTolerance = 1.3F;
 constexpr float LeastCost = 1e-4F; ///< added, so that a perfect piece is no reason to use it again and again
 constexpr double HeightWeight = 1e-4;
 
-/// Cells of an overlap and of the guide at which a cost is taken: each second one, and eight along a side.
-constexpr int OverlapStep = 2;
+/// Cells of an overlap and of the guide at which a cost is taken: each second one, of sides of more than 80 cells fewer,
+/// and eight along a side.
+constexpr int LeastStep = 2;
+constexpr int OverlapSteps = 27;
 constexpr int GuideSteps = 8;
 
 /// Pieces of a place that are looked at for one square; of larger places each nth row, another first one each time.
@@ -183,9 +185,10 @@ private:
   std::vector<Sample<Channels>> OverlapOf(const Corner& to) const
   {
     std::vector<Sample<Channels>> samples;
-    for (int y = 0; y < this->Side; y += OverlapStep)
+    const int step = std::max(LeastStep, this->Side / OverlapSteps);
+    for (int y = 0; y < this->Side; y += step)
     {
-      for (int x = 0; x < this->Side; x += OverlapStep)
+      for (int x = 0; x < this->Side; x += step)
       {
         const std::size_t cell = this->Ground.Index(to.X + x, to.Y + y);
         if (this->IsLaid[cell])
