@@ -83,6 +83,9 @@ vtkInformationIdTypeKey* FiniteTime()
   return key;
 }
 
+/// Known from the start, as arrays of other ranks may come with it.
+[[maybe_unused]] const vtkInformationIdTypeKey* const EarlyKey = FiniteTime();
+
 bool HasFiniteRanges(vtkDataArray* array)
 {
   vtkInformation* info = array->HasInformation() ? array->GetInformation() : nullptr;
