@@ -180,7 +180,7 @@ def draw_grounds(filename, grounds, note, size):
     lags = np.unique(np.geomspace(1, 100, 20).astype(int))
     ratios = [semivariances(ground, lags) / semivariances(grounds[0], lags) for ground in grounds]
     names = "Jacksboro fault", "Gaussian twin", "Twin with valleys"
-    notes = f"measured \u00b7 {note}", "of the fitted model: water stands", "grown: water runs"
+    notes = f"measured \u00b7 {note}", "of the fitted model: water stands", "pieces of the place: water runs"
     table = table_renderer(names, (
         ("Semivariance over the place's", "1", *(f"{ratio.min():.2f} to {ratio.max():.2f}" for ratio in ratios[1:])),
         row("Depression fraction", "DepressionFraction", "{:.1f} %", 100.0, 5.0),
