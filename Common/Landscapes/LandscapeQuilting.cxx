@@ -32,10 +32,14 @@ constexpr double SlopeTolerance = 0.05;
 /// Part of the work that is done when the pieces are laid.
 constexpr double QuiltWork = 0.5;
 
-/// Least slope of rivers over the place's mean slope, and the deviation over which a change of their beds fades
-/// [cells].
+/// Least slope of rivers over the place's mean slope.
 constexpr double LeastSlopeFactor = 0.002;
+
+/// Deviations over which cuts fade, from the widest valley by halves to the bed [cells], and the part of what is to be
+/// cut that each but the last takes.
+constexpr double ValleyWidth = 8.0;
 constexpr double BedWidth = 1.0;
+constexpr double ValleyPart = 0.7;
 
 /// Part of a depression that is cut at first, the least one, and its correction over what the mean slope lacks.
 constexpr double FirstCut = 0.75;
@@ -82,8 +86,8 @@ GridSamples Sum(GridSamples ground, const GridSamples& waves, const GridSamples&
   return ground;
 }
 
-/// Takes depressions away along the ways by which least is cut: a part is cut there, the rest is filled. Changes fade
-/// to the sides.
+/// Takes depressions away along the ways by which least is cut: a part is cut there, the rest is filled. Cuts fade to
+/// the sides over valleys that are the deeper the narrower they are, so that no dam is opened by a slot.
 void DrainDepressions(GridSamples& ground, double leastSlope, double cut, const ParallelFor& parallel, const Poll& poll)
 {
   const OutletMask outlets = BorderOutlets(ground.Width, ground.Height);
@@ -92,17 +96,21 @@ void DrainDepressions(GridSamples& ground, double leastSlope, double cut, const 
   const FlowRouting routing = RouteFlow(breached, outlets, parallel, poll);
   const std::vector<CellIndex> areas = FlowAccumulation(routing);
   const auto grade = [&] { return GradeAlong(ground, routing, areas, EvenLaw(leastSlope), cut, parallel, poll); };
-  std::vector<double> changes = grade();
-  std::vector<double> weights;
-  for (std::size_t n = 0; n < changes.size(); ++n)
+  for (double width = ValleyWidth; width >= BedWidth; width *= 0.5)
   {
-    changes[n] -= ground.Values[n];
-    weights.push_back(changes[n] != 0.0 ? 1.0 : 0.0);
-  }
-  SpreadChanges(changes, weights, ground.Width, ground.Height, BedWidth, parallel);
-  for (std::size_t n = 0; n < changes.size(); ++n)
-  {
-    ground.Values[n] += changes[n];
+    std::vector<double> cuts = grade();
+    std::vector<double> weights;
+    for (std::size_t n = 0; n < cuts.size(); ++n)
+    {
+      cuts[n] = std::min(0.0, cuts[n] - ground.Values[n]);
+      weights.push_back(cuts[n] < 0.0 ? 1.0 : 0.0);
+    }
+    SpreadChanges(cuts, weights, ground.Width, ground.Height, width, parallel);
+    const double part = width > BedWidth ? ValleyPart : 1.0;
+    for (std::size_t n = 0; n < cuts.size(); ++n)
+    {
+      ground.Values[n] += part * cuts[n];
+    }
   }
   ground.Values = grade();
 }
