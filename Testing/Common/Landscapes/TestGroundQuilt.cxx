@@ -59,6 +59,17 @@ double Steepness(const GridSamples& ground)
   return std::sqrt(sum / count);
 }
 
+double Correlation(const GridSamples& one, const GridSamples& other)
+{
+  const SampleMoments of[] = { Moments(one), Moments(other) };
+  double sum = 0.0;
+  for (std::size_t n = 0; n < one.Values.size(); ++n)
+  {
+    sum += (one.Values[n] - of[0].Mean) * (other.Values[n] - of[1].Mean);
+  }
+  return sum / std::sqrt(of[0].Variance * of[1].Variance) / static_cast<double>(one.Values.size());
+}
+
 /// Corner of the square of a place whose differences from cell to cell are nearest to those of a square of a ground,
 /// and the root mean square by which they differ.
 struct Source
@@ -96,15 +107,19 @@ Source SourceOf(const GridSamples& ground, int x, int y, int side, const GridSam
 
 TEST(GroundQuilt, RampIsARamp)
 {
-  // pieces with the guide's heights differ along y alone, and fit without a seam
-  const auto ramp = [](double x, double) { return 5.0 + 0.3 * x; };
-  const GridSamples place = Ground(100, 90, { 2.0, 3.0 }, [&](double x, double y) { return ramp(x - 50.0, y); });
-  const GridSamples guide = Ground(48, 70, { 2.0, 3.0 }, ramp);
-  const GridSamples quilt = QuiltGround(place, guide, PieceSideFor(place), 3);
-  ASSERT_EQ(quilt.Values.size(), guide.Values.size());
-  for (std::size_t n = 0; n < guide.Values.size(); ++n)
+  // pieces with the guide's heights differ across the slope alone, and fit without a seam
+  for (const std::array<double, 2>& slope : { std::array<double, 2>{ 0.3, 0.0 }, std::array<double, 2>{ 0.0, 0.3 } })
   {
-    ASSERT_NEAR(quilt.Values[n], guide.Values[n], 1e-4);
+    const auto ramp = [&](double x, double y) { return 5.0 + slope[0] * x + slope[1] * y; };
+    const GridSamples place =
+      Ground(100, 90, { 2.0, 3.0 }, [&](double x, double y) { return ramp(x - 50.0, y - 60.0); });
+    const GridSamples guide = Ground(48, 40, { 2.0, 3.0 }, ramp);
+    const GridSamples quilt = QuiltGround(place, guide, PieceSideFor(place), 3);
+    ASSERT_EQ(quilt.Values.size(), guide.Values.size());
+    for (std::size_t n = 0; n < guide.Values.size(); ++n)
+    {
+      ASSERT_NEAR(quilt.Values[n], guide.Values[n], 1e-4);
+    }
   }
 }
 
@@ -147,15 +162,7 @@ TEST(GroundQuilt, FollowsItsGuide)
   const int side = PieceSideFor(place);
   const GridSamples guide = Smooth(Hills(110, 70, 2), GuideSmoothing(side));
   const GridSamples quilt = Smooth(QuiltGround(place, guide, side, 1), GuideSmoothing(side));
-  const SampleMoments of[] = { Moments(quilt), Moments(guide) };
-  double sum = 0.0;
-  for (std::size_t n = 0; n < guide.Values.size(); ++n)
-  {
-    sum += (quilt.Values[n] - of[0].Mean) * (guide.Values[n] - of[1].Mean);
-  }
-  const double correlation =
-    sum / std::sqrt(of[0].Variance * of[1].Variance) / static_cast<double>(guide.Values.size());
-  EXPECT_GT(correlation, 0.8);
+  EXPECT_GT(Correlation(quilt, guide), 0.8);
 }
 
 TEST(GroundQuilt, SeedsDifferAndThreadsDoNot)
@@ -170,15 +177,32 @@ TEST(GroundQuilt, SeedsDifferAndThreadsDoNot)
   EXPECT_NE(QuiltGround(place, guide, 20, 2).Values, one.Values);
 }
 
-TEST(LandscapeQuilting, LandscapeDrainsAndHasThePlacesHeights)
+TEST(LandscapeQuilting, LandscapeDrainsAndIsLikeThePlace)
 {
   const GridSamples place = Hills(120, 100, 1);
-  GridSamples terrain = Hills(110, 90, 2);
-  const CarvingReport report = QuiltLandscape(terrain, place, 1);
-  EXPECT_EQ(FloodDepressions(terrain, BorderOutlets(110, 90)).DepressionCells, 0u);
-  EXPECT_NEAR(report.After.StandardDeviation / std::sqrt(Moments(place).Variance), 1.0, 0.15);
   const PlaceMatching matching(place, TargetOf(place));
-  EXPECT_LT(matching.SemivarianceError(terrain), 0.15);
+  for (const int seed : { 1, 2, 3 })
+  {
+    GridSamples terrain = Hills(110, 90, 1 + seed);
+    const CarvingReport report = QuiltLandscape(terrain, place, seed);
+    EXPECT_EQ(FloodDepressions(terrain, BorderOutlets(110, 90)).DepressionCells, 0u);
+    EXPECT_NEAR(report.After.StandardDeviation / std::sqrt(Moments(place).Variance), 1.0, 0.15);
+    EXPECT_NEAR(Steepness(terrain) / Steepness(place), 1.0, 0.06);
+    EXPECT_LT(matching.SemivarianceError(terrain), 0.15);
+    // follows the long waves of the terrain, whose ranks are those of the place
+    const GridSamples waves[] = { Smooth(Hills(110, 90, 1 + seed), 8.0), Smooth(terrain, 8.0) };
+    EXPECT_GT(Correlation(waves[0], waves[1]), 0.9);
+  }
+}
+
+TEST(LandscapeQuilting, GroundOfPitsDrains)
+{
+  const GridSamples place = Smooth(RandomGround(60, 60, { 0.1, 0.1 }, 1), 1.5);
+  GridSamples terrain = Smooth(RandomGround(64, 60, { 0.1, 0.1 }, 2), 1.5);
+  const std::size_t pits = FloodDepressions(terrain, BorderOutlets(64, 60)).DepressionCells;
+  QuiltLandscape(terrain, place, 1);
+  EXPECT_GT(pits, 64u * 60u / 5u);
+  EXPECT_EQ(FloodDepressions(terrain, BorderOutlets(64, 60)).DepressionCells, 0u);
 }
 
 TEST(LandscapeQuilting, HolesStay)
