@@ -29,8 +29,8 @@ constexpr float CostTolerance = 1.3F;
 constexpr float LeastCost = 1e-4F; ///< added, so that a perfect piece is no reason to use it again and again
 constexpr double HeightWeight = 1e-4;
 
-/// Cells of an overlap and of the guide at which a cost is taken: each second one, of sides of more than 80 cells fewer,
-/// and eight along a side.
+/// Cells of an overlap and of the guide at which a cost is taken: each second one, of sides of more than 80 cells
+/// fewer, and eight along a side.
 constexpr int LeastStep = 2;
 constexpr int OverlapSteps = 27;
 constexpr int GuideSteps = 8;
@@ -225,7 +225,8 @@ private:
   {
     const std::vector<Sample<Channels>> overlap = this->OverlapOf(to);
     const std::vector<Sample<1>> guide = this->GuideOf(to);
-    const std::size_t step = (this->Costs.size() + MaximumPieces - 1) / MaximumPieces;
+    const auto most = static_cast<std::size_t>(this->CountY); // one row of a place that is wide and low
+    const std::size_t step = std::min(most, (this->Costs.size() + MaximumPieces - 1) / MaximumPieces);
     const std::size_t first = this->Random.Words(static_cast<std::uint64_t>(number), 1)[0] % step;
     std::fill(this->Costs.begin(), this->Costs.end(), std::numeric_limits<float>::infinity());
     const std::size_t rows = (static_cast<std::size_t>(this->CountY) + step - 1 - first) / step;

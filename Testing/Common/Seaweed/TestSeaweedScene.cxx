@@ -215,6 +215,15 @@ View ViewFrom(const Vector3& eye)
   return view;
 }
 
+/// Levels seen from 100 m away.
+SeaweedLevels FarAway()
+{
+  SeaweedLevels levels;
+  levels.UseLevels = true;
+  levels.Seen = ViewFrom({ 0.0, -100.0, -5.7 });
+  return levels;
+}
+
 }
 
 TEST(SeaweedScene, IsTheSameToTheBitInAnyOrderOfTimes)
@@ -335,9 +344,7 @@ TEST(SeaweedScene, FarPlantsMoveByTheirCarriers)
 {
   for (const Bed& bed : { TwoPlants(), TwoCanopies() })
   {
-    SeaweedLevels levels;
-    levels.UseLevels = true;
-    levels.Seen = ViewFrom({ 0.0, -100.0, -5.7 });
+    const SeaweedLevels levels = FarAway();
     for (const bool isPhysical : { false, true })
     {
       SeaweedScene scene = SceneOf(bed, isPhysical);
@@ -379,9 +386,7 @@ TEST(SeaweedScene, JointsOfFarPlantsGoWithTheirCarriers)
 {
   for (const Bed& bed : { TwoPlants(), TwoCanopies() })
   {
-    SeaweedLevels levels;
-    levels.UseLevels = true;
-    levels.Seen = ViewFrom({ 0.0, -100.0, -5.7 });
+    const SeaweedLevels levels = FarAway();
     for (const bool isPhysical : { false, true })
     {
       SeaweedScene scene = SceneOf(bed, isPhysical);
@@ -448,9 +453,7 @@ TEST(SeaweedScene, ShowsTheSameAfterFindingMotion)
     scene.FindMotion();
     EXPECT_EQ(scene.NodePositions(), nodes);
     EXPECT_EQ(NodesAt(scene, 0.71), nodes);
-    SeaweedLevels levels;
-    levels.UseLevels = true;
-    levels.Seen = ViewFrom({ 0.0, -100.0, -5.7 });
+    const SeaweedLevels levels = FarAway();
     const std::vector<Vector3> far = NodesAt(scene, 0.71, levels);
     scene.FindMotion();
     EXPECT_EQ(scene.NodePositions(), far);
