@@ -44,6 +44,8 @@ vtkStandardNewMacro(vtkCurrentDriftFilter);
 namespace
 {
 
+constexpr int CurrentsPort = 1;
+
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 using littoral::Vector3;
 
@@ -162,7 +164,7 @@ vtkCurrentDriftFilter::~vtkCurrentDriftFilter()
 int vtkCurrentDriftFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  if (port == 1)
+  if (port == CurrentsPort)
   {
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
@@ -193,14 +195,14 @@ int vtkCurrentDriftFilter::RequestUpdateExtent(
   // Points start where they are at StartTime, whatever time is asked for.
   particles->Set(Pipeline::UPDATE_TIME_STEP(), this->StartTime);
 
-  const std::vector<littoral::CurrentSeries> currents = littoral::AnnouncedCurrents(inputVector[1]);
+  const std::vector<littoral::CurrentSeries> currents = littoral::AnnouncedCurrents(inputVector[CurrentsPort]);
   std::vector<double> key{ static_cast<double>(this->GetMTime()),
     static_cast<double>(littoral::PipelineTime(this, 0, 0)),
     static_cast<double>(output->Get(Pipeline::UPDATE_PIECE_NUMBER())),
     static_cast<double>(output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())) };
   for (std::size_t connection = 0; connection < currents.size(); ++connection)
   {
-    key.push_back(static_cast<double>(littoral::PipelineTime(this, 1, static_cast<int>(connection))));
+    key.push_back(static_cast<double>(littoral::PipelineTime(this, CurrentsPort, static_cast<int>(connection))));
   }
   littoral::AddTimes(currents, key);
   littoral::DriftHistory& history = this->Internals->Scene;
@@ -215,7 +217,7 @@ int vtkCurrentDriftFilter::RequestUpdateExtent(
     return 1; // said when data are asked for
   }
   history.SetGoal(time);
-  littoral::AskForSnapshots(history.Currents, history.GetGrid(), history.NextMoments(), inputVector[1]);
+  littoral::AskForSnapshots(history.Currents, history.GetGrid(), history.NextMoments(), inputVector[CurrentsPort]);
   return 1;
 }
 
@@ -254,7 +256,7 @@ void vtkCurrentDriftFilter::TakeInputs(vtkInformationVector** inputVector, doubl
 {
   littoral::Require(this->WhyInvalid(time));
   littoral::DriftHistory& history = this->Internals->Scene;
-  littoral::TakeSnapshots(history.Currents, history.GetGrid(), history.NextMoments(), inputVector[1],
+  littoral::TakeSnapshots(history.Currents, history.GetGrid(), history.NextMoments(), inputVector[CurrentsPort],
     this->VelocityArray, static_cast<littoral::VelocityInterpolation>(this->VelocityInterpolation),
     static_cast<littoral::CoastBehaviour>(this->Coast));
   if (!history.IsBegun())
@@ -288,10 +290,11 @@ void vtkCurrentDriftFilter::TakePoints(vtkDataObject* input)
 }
 
 //----------------------------------------------------------------------------
-bool vtkCurrentDriftFilter::Advance()
+littoral::MarchEnd vtkCurrentDriftFilter::March(vtkInformationVector** inputVector, double time)
 {
+  this->SetProgressText("Drifting");
   littoral::DriftHistory& history = this->Internals->Scene;
-  return this->Internals->March(this, 0.98, [&](const auto& progress) {
+  const auto advance = [&](const auto& progress) {
     const long long first = history.GetStep();
     const long long last = history.NextStop();
     const littoral::StepCurrents currents = history.NextCurrents();
@@ -302,46 +305,46 @@ bool vtkCurrentDriftFilter::Advance()
       history.Reach(last);
     }
     return isDone;
-  });
+  };
+  const auto ask = [&] {
+    littoral::AskForSnapshots(history.Currents, history.GetGrid(), history.NextMoments(), inputVector[CurrentsPort]);
+  };
+  return this->Internals->March(this, CurrentsPort, 0.98, advance, ask, [&] { this->TakeInputs(inputVector, time); });
 }
 
 //----------------------------------------------------------------------------
 int vtkCurrentDriftFilter::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
   const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
-  if (inputVector[1]->GetNumberOfInformationObjects() == 0 && this->WhyInvalid(time).empty())
+  if (inputVector[CurrentsPort]->GetNumberOfInformationObjects() == 0 && this->WhyInvalid(time).empty())
   {
     output->ShallowCopy(input);
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
-    return this->Internals->Succeed(request);
+    return 1;
   }
+  auto end = littoral::MarchEnd::Goal;
   try
   {
     this->TakeInputs(inputVector, time);
+    end = this->March(inputVector, time);
   }
   catch (const littoral::InvalidInput&)
   {
-    this->Internals->Fail(request, output);
+    this->Internals->Fail(output);
     throw;
   }
-  this->SetProgressText("Drifting");
-  const bool isDone = this->Advance();
-  if (isDone && this->Internals->Continues(request))
+  if (end != littoral::MarchEnd::Goal || !this->WriteAll(input, output))
   {
-    return 1;
-  }
-  if (!isDone || !this->WriteAll(input, output))
-  {
-    this->Internals->Fail(request, output); // aborted: what was carried halfway is of no use
-    return 1;
+    this->Internals->Fail(output); // what was carried halfway is of no use
+    return end == littoral::MarchEnd::FailedInput ? littoral::FailedRequest(this) : 1;
   }
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
   littoral::KeepRanges(output);
   this->UpdateProgress(1.0);
-  return this->Internals->Succeed(request);
+  return 1;
 }
 
 //----------------------------------------------------------------------------

@@ -49,6 +49,7 @@
 class vtkPointSet;
 namespace littoral
 {
+enum class MarchEnd;
 struct WaterLayer;
 }
 
@@ -202,7 +203,7 @@ private:
   littoral::WaterLayer GetWaterLayer() const;
   void TakeInputs(vtkInformationVector** inputVector, double time);
   void TakePoints(vtkDataObject* input);
-  bool Advance();
+  littoral::MarchEnd March(vtkInformationVector** inputVector, double time);
   bool WriteLeaf(vtkPointSet* input, vtkPointSet* output, std::size_t first);
   template <typename Array>
   bool WriteLeafAs(vtkPointSet* input, vtkPointSet* output, std::size_t first);

@@ -297,12 +297,9 @@ void vtkDrainageFilter::AskForTile(vtkInformation* input, vtkInformation* output
 }
 
 //----------------------------------------------------------------------------
-int vtkDrainageFilter::RequestTile(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkDrainageFilter::RequestTiles(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  using Requests = vtkStreamingDemandDrivenPipeline;
   littoral::TiledTerrain& terrain = this->Internals->Terrain;
-  request->Remove(Requests::CONTINUE_EXECUTING());
   try
   {
     if (const std::exception_ptr refusal = this->Internals->Refusal)
@@ -314,27 +311,30 @@ int vtkDrainageFilter::RequestTile(
     {
       return 1; // a rank with nothing to do
     }
+    vtkInformation* input = inputVector[0]->GetInformationObject(0);
+    const auto heights = [&](vtkImageData* image) {
+      return littoral::FindHeights(
+        image, this->GetInputArrayToProcess(0, inputVector), this->GetInputArrayInformation(0), "Terrain");
+    };
     auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Terrain");
-    vtkDataArray* heights = littoral::FindHeights(
-      image, this->GetInputArrayToProcess(0, inputVector), this->GetInputArrayInformation(0), "Terrain");
-    const bool isKnown = terrain.IsKnown();
-    if (isKnown)
+    while (!terrain.IsKnown())
     {
-      terrain.Write(image, heights, part, vtkImageData::GetData(outputVector, 0), littoral::PollOf(this));
-      this->UpdateProgress(1.0);
-    }
-    else
-    {
-      terrain.Take(image, heights, littoral::PollOf(this));
+      terrain.Take(image, heights(image), littoral::PollOf(this));
       this->UpdateProgress(0.9 * terrain.Share());
-      request->Set(Requests::CONTINUE_EXECUTING(), 1);
+      input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), terrain.NextExtent(part).data(), 6);
+      if (!littoral::UpdateInputs(this, 0))
+      {
+        this->Internals = std::make_unique<vtkInternals>();
+        return littoral::IsAborted(this) ? 1 : littoral::FailedRequest(this);
+      }
+      image = littoral::InputOf<vtkImageData>(inputVector[0], "Terrain");
     }
-    terrain.SetExecuting(!isKnown);
+    terrain.Write(image, heights(image), part, vtkImageData::GetData(outputVector, 0), littoral::PollOf(this));
+    this->UpdateProgress(1.0);
     return 1;
   }
   catch (...)
   {
-    request->Remove(Requests::CONTINUE_EXECUTING());
     this->Internals = std::make_unique<vtkInternals>();
     throw;
   }
@@ -511,8 +511,7 @@ int vtkDrainageFilter::RequestData(
   if (this->TileSize != 0)
   {
     int done = 0;
-    littoral::InContext(
-      "Cannot drain a terrain: ", [&] { done = this->RequestTile(request, inputVector, outputVector); });
+    littoral::InContext("Cannot drain a terrain: ", [&] { done = this->RequestTiles(inputVector, outputVector); });
     return done;
   }
   Ground ground;

@@ -298,7 +298,7 @@ private:
   struct Ground;
   class vtkInternals;
 
-  int RequestTile(vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  int RequestTiles(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
   void AskForTile(vtkInformation* input, vtkInformation* output);
   void ReadGround(vtkInformationVector** inputVector, Ground& ground);
   void CarveGround(vtkInformationVector** inputVector, Ground& ground);

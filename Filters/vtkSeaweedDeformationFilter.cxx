@@ -295,8 +295,23 @@ littoral::SeaweedLevels vtkSeaweedDeformationFilter::FindLevels()
 }
 
 //----------------------------------------------------------------------------
+littoral::MarchEnd vtkSeaweedDeformationFilter::March(vtkInformationVector** inputVector, vtkMultiBlockDataSet* plants)
+{
+  this->SetProgressText("Moving plants");
+  littoral::SeaweedScene& scene = this->Internals->Scene;
+  const auto advance = [&scene](const auto&) {
+    scene.Advance();
+    return true;
+  };
+  const auto ask = [&] {
+    littoral::AskForSnapshots(scene.Currents, scene.GetGrid(), scene.NextMoments(), inputVector[CurrentsPort]);
+  };
+  return this->Internals->March(this, CurrentsPort, 0.9, advance, ask, [&] { this->TakeInputs(inputVector, plants); });
+}
+
+//----------------------------------------------------------------------------
 int vtkSeaweedDeformationFilter::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   auto* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
   const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
@@ -318,40 +333,40 @@ int vtkSeaweedDeformationFilter::RequestData(
   }
   catch (const littoral::InvalidInput&)
   {
-    this->Fail(request, output);
+    this->Fail(output);
     throw;
   }
   if (!isInWater)
   {
-    this->Fail(request, output);
+    this->Fail(output);
     output->ShallowCopy(plants);
     return littoral::FailedBy(this,
       "There is no sea state and no current: connect one to Sea State or Currents. The seaweeds stay as they are.");
   }
   output->ShallowCopy(plants);
-  littoral::SeaweedScene& scene = this->Internals->Scene;
-  if (scene.GetNumberOfLinks() == 0)
-  {
-    return this->Internals->Succeed(request);
-  }
-  this->SetProgressText("Moving plants");
-  const auto advance = [&scene](const auto&) {
-    scene.Advance();
-    return true;
-  };
-  if (!this->Internals->March(this, 0.9, advance))
-  {
-    this->Fail(request, output); // aborted: what was moved halfway is of no use
-    return 1;
-  }
-  if (this->Internals->Continues(request))
+  if (this->Internals->Scene.GetNumberOfLinks() == 0)
   {
     return 1;
+  }
+  auto end = littoral::MarchEnd::Goal;
+  try
+  {
+    littoral::InContext("Cannot move seaweeds: ", [&] { end = this->March(inputVector, plants); });
+  }
+  catch (const littoral::InvalidInput&)
+  {
+    this->Fail(output);
+    throw;
+  }
+  if (end != littoral::MarchEnd::Goal)
+  {
+    this->Fail(output); // what was moved halfway is of no use
+    return end == littoral::MarchEnd::FailedInput ? littoral::FailedRequest(this) : 1;
   }
   this->Write(levels, plants, output);
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
   this->UpdateProgress(1.0);
-  return this->Internals->Succeed(request);
+  return 1;
 }
 
 //----------------------------------------------------------------------------
@@ -384,11 +399,11 @@ void vtkSeaweedDeformationFilter::Write(
 }
 
 //----------------------------------------------------------------------------
-void vtkSeaweedDeformationFilter::Fail(vtkInformation* request, vtkDataObject* output)
+void vtkSeaweedDeformationFilter::Fail(vtkDataObject* output)
 {
   this->Internals->Plants.clear();
   this->Internals->Skins.clear();
-  this->Internals->MarchingRequests::Fail(request, output);
+  this->Internals->MarchingRequests::Fail(output);
 }
 
 //----------------------------------------------------------------------------

@@ -49,6 +49,7 @@
 
 namespace littoral
 {
+enum class MarchEnd;
 struct SeaweedLevels;
 struct SeaweedOptions;
 }
@@ -359,7 +360,8 @@ private:
   void WarnOfLimits();
   littoral::SeaweedLevels FindLevels();
   void Write(const littoral::SeaweedLevels& levels, vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output);
-  void Fail(vtkInformation* request, vtkDataObject* output);
+  littoral::MarchEnd March(vtkInformationVector** inputVector, vtkMultiBlockDataSet* plants);
+  void Fail(vtkDataObject* output);
 
   std::unique_ptr<vtkInternals> Internals;
 };

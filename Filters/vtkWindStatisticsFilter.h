@@ -48,7 +48,7 @@ public:
   ///@{
   /**
    * Separation of the two points of the coherence across and up [m], not negative; default 4 0. It is rounded to the
-   * spacing of the grid, must not be 0 0 there and must lie within the field.
+   * spacing of the grid, to one spacing at least, must not be 0 0 and must lie within the field.
    */
   vtkSetVector2Macro(Separation, double);
   vtkGetVector2Macro(Separation, double);

@@ -19,14 +19,20 @@ WindPlaces FindPlaces(const WindGrid& grid, double height, const std::array<doub
   WindPlaces places;
   const double layer = std::round((height - grid.BottomHeight) / grid.VerticalSpacing);
   places.Layer = static_cast<int>(std::clamp(layer, 0.0, grid.Count[2] - 1.0));
-  const double columns = std::round(separation[0] / grid.LateralSpacing);
-  const double layers = std::round(separation[1] / grid.VerticalSpacing);
+  const double across = separation[0] / grid.LateralSpacing;
+  const double up = separation[1] / grid.VerticalSpacing;
+  double columns = std::round(across);
+  double layers = std::round(up);
+  if (columns == 0.0 && layers == 0.0 && across + up > 0.0)
+  {
+    (across >= up ? columns : layers) = 1.0; // a coherence needs two places
+  }
   const bool isAbove = places.Layer + layers < grid.Count[2];
   if ((columns == 0.0 && layers == 0.0) || columns >= grid.Count[1] || !(isAbove || layers <= places.Layer))
   {
     Refuse("Separation is ", TextOf(separation[0]), ", ", TextOf(separation[1]),
-      " m; it must be at least half a spacing of the grid, ", TextOf(grid.LateralSpacing), ", ",
-      TextOf(grid.VerticalSpacing), " m, and lie within the wind.");
+      " m; it must not be 0, 0 and, rounded to spacings of ", TextOf(grid.LateralSpacing), ", ",
+      TextOf(grid.VerticalSpacing), " m, lie within the wind.");
   }
   places.Columns = static_cast<int>(columns);
   places.Layers = static_cast<int>(isAbove ? layers : -layers);

@@ -41,7 +41,8 @@ struct WindPlaces
   int Layers = 0; ///< to the other layer of the coherence, downwards where there is none above
 };
 
-/// Places nearest to a height and to a separation across and up [m]. Throws InvalidInput if there are none.
+/// Places nearest to a height and to a separation across and up [m], which is one spacing at least. Throws InvalidInput
+/// if there are none.
 WindPlaces FindPlaces(const WindGrid& grid, double height, const std::array<double, 2>& separation);
 
 /**

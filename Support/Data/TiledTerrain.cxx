@@ -38,15 +38,9 @@ constexpr double BytesACellOfTile = 110.0; // heights, levels, labels, the queue
 
 bool TiledTerrain::BeginsAnew(const std::vector<double>& key)
 {
-  constexpr int MaximumRestarts = 2;
-  this->Restarts = this->IsExecuting ? this->Restarts : 0;
-  if (key == this->Key || this->Restarts >= MaximumRestarts)
-  {
-    return false;
-  }
+  const bool isNew = key != this->Key;
   this->Key = key;
-  ++this->Restarts;
-  return true;
+  return isNew;
 }
 
 void TiledTerrain::Begin(const std::array<int, 6>& whole, int side, double seaLevel)

@@ -26,8 +26,7 @@ namespace littoral
 class TiledTerrain
 {
 public:
-  /// Whether it must begin anew, for what it depends on has changed: within one request twice at most, so that a
-  /// pipeline that changes whenever it is asked does not keep a filter executing for ever.
+  /// Whether it must begin anew, for what it depends on has changed.
   bool BeginsAnew(const std::vector<double>& key);
 
   /// Begins with the first tile of a whole extent. Throws InvalidInput: too many cells, too little memory.
@@ -44,9 +43,6 @@ public:
 
   /// Takes the tile that was asked for. Throws InvalidInput if its heights are none.
   void Take(vtkImageData* image, vtkDataArray* heights, const Poll& poll);
-
-  /// Remembers whether the filter executes again.
-  void SetExecuting(bool isExecuting) { this->IsExecuting = isExecuting; }
 
   /// Makes the arrays of a part of the terrain, given the heights of NextExtent().
   void Write(vtkImageData* image, vtkDataArray* heights, const std::array<int, 6>& part, vtkImageData* output,
@@ -65,8 +61,6 @@ private:
   void FinishStage(const Poll& poll);
 
   std::vector<double> Key;
-  int Restarts = 0;
-  bool IsExecuting = false;
   std::array<int, 6> Whole{};
   int Side = 1;
   StageType Stage = Spills;

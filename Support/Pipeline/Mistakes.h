@@ -53,9 +53,9 @@ int FailedBy(vtkAlgorithm* algorithm, const std::string& message);
 
 /**
  * Sentence about a file that cannot be read or written (`verb`), named without its folder, unless that is what is
- * missing; `what` stands for one without a name. What a user can do about it ("; set ...", "; choose ...", "; give ...", at the end of the reason)
- * comes first, since ParaView's list of messages shows the first 75 characters: "Set Projection to UTM: cannot read
- * srtm.hgt, its coordinates are degrees."
+ * missing; `what` stands for one without a name. What a user can do about it ("; set ...", "; choose ...", "; give
+ * ...", at the end of the reason) comes first, since ParaView's list of messages shows the first 75 characters: "Set
+ * Projection to UTM: cannot read srtm.hgt, its coordinates are degrees."
  */
 std::string FileMessage(const std::string& verb, const std::string& path, const std::string& what, std::string reason);
 

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/Pipeline.h"
 
+#include "vtkAlgorithmOutput.h"
 #include "vtkDataObject.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkInformationVector.h"
 #include "vtkVersionMacros.h"
 
@@ -23,6 +25,20 @@ bool IsAborted(vtkAlgorithm* algorithm)
 #else
   return algorithm->GetAbortExecute() != 0;
 #endif
+}
+
+bool UpdateInputs(vtkAlgorithm* algorithm, int port)
+{
+  for (int connection = 0; connection < algorithm->GetNumberOfInputConnections(port); ++connection)
+  {
+    vtkAlgorithmOutput* input = algorithm->GetInputConnection(port, connection);
+    auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(input->GetProducer()->GetExecutive());
+    if (!pipeline || !pipeline->Update(input->GetIndex()))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 bool ForBatches(std::size_t count, const std::function<bool(std::size_t done)>& proceeds, const RangeTask& task)

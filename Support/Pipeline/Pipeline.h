@@ -59,6 +59,13 @@ bool RunWithProgress(vtkAlgorithm* algorithm, std::size_t count, double first, d
   });
 }
 
+/**
+ * Asks the inputs at a port again, for what their informations ask for by now, while the algorithm executes: for times
+ * or parts that it takes one after the other. VTK's own loop, CONTINUE_EXECUTING, never ends where an input fails.
+ * False where one does. For within RequestData.
+ */
+bool UpdateInputs(vtkAlgorithm* algorithm, int port);
+
 /// The time that is asked of an output [s]; 0 where none is.
 double RequestedTime(vtkInformation* output);
 

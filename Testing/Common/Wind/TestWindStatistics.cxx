@@ -179,7 +179,14 @@ TEST(WindStatistics, PlacesNearestToWhatIsAskedFor)
   EXPECT_EQ(places.Layer, 7);
   EXPECT_EQ(places.Layers, -2);
   EXPECT_EQ(FindPlaces(grid, -5.0, { 4.0, 0.0 }).Layer, 0);
-  for (const std::array<double, 2>& separation : { std::array{ 1.9, 0.9 }, { 24.0, 0.0 }, { 0.0, 16.0 } })
+  // Less than half a spacing is one spacing, along the axis of which it is more.
+  places = FindPlaces(grid, 6.1, { 1.9, 0.9 });
+  EXPECT_EQ(places.Columns, 1);
+  EXPECT_EQ(places.Layers, 0);
+  places = FindPlaces(grid, 6.1, { 0.5, 0.9 });
+  EXPECT_EQ(places.Columns, 0);
+  EXPECT_EQ(places.Layers, 1);
+  for (const std::array<double, 2>& separation : { std::array{ 0.0, 0.0 }, { 24.0, 0.0 }, { 0.0, 16.0 } })
   {
     const std::string why = WhyRefused([&] { FindPlaces(grid, 6.0, separation); });
     EXPECT_NE(why.find("Separation is"), std::string::npos) << separation[0] << separation[1];
