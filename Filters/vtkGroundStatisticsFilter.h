@@ -16,9 +16,10 @@
  * [1/m] and `CurvatureSkewness` (five-point Laplacian of inner cells, above 0 in valleys), `Concavity` and `Steepness`
  * (S = Steepness A^-Concavity, S the slope to the receiver, A [m^2]; see output 1), `HackExponent` (longest flow length
  * over A), `BifurcationRatio`, `LengthRatio` and `AreaRatio` (Horton's R_B, R_L, R_A; see output 3), `ThresholdSlope`
- * [m/m] (that a hundredth of the cells exceeds), `HeadArea` [m^2] (drainage area at which channels begin, the break of
- * slope and area), `ChannelHeads` (their number) and `DrainageDensity` [1/m] (length of channels over the area). NaN
- * where the grid is too small for a number. Hack's exponent and Horton's ratios hardly tell a random surface from real
+ * [m/m] (that a hundredth of the cells exceeds), `HeadArea` [m^2] (drainage area at which channels begin, where
+ * the plateau of hillslopes and the power law of channels meet), `ChannelHeads` (their number) and `DrainageDensity`
+ * [1/m] (length of channels over the area). NaN where the grid is too small for a number, of channels also where
+ * hillslopes are shorter than cells. Hack's exponent and Horton's ratios hardly tell a random surface from real
  * ground.
  *
  * Output 1: a vtkTable with a row per bin of drainage area, 20 of equal ratio from 100 cells to a tenth of the grid:

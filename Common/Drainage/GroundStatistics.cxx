@@ -153,7 +153,7 @@ GroundStatistics DescribeGround(const GridSamples& heights, const OutletMask& ou
     slopes.empty() ? std::numeric_limits<double>::quiet_NaN() : EvenQuantiles(slopes, 101)[ThresholdPercent];
   ground.Curvature = ShapeOf(LaplaciansOf(heights));
   poll();
-  const FlowRouting routing = RouteFlow(heights, outlets, parallel, poll);
+  const FlowRouting routing = RouteFlow(heights, outlets, parallel, poll, FlatWays::Shortest);
   const std::vector<CellIndex> cells = FlowAccumulation(routing);
   poll();
   ground.Hack = HackExponent(LongestFlowLengths(routing, lattice), cells, threshold);

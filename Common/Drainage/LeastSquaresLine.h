@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace littoral
@@ -17,23 +18,24 @@ struct LeastSquaresLine
   double Intercept = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Line of least squares through points of equal weight; NaN with fewer than two different x.
-inline LeastSquaresLine LineThrough(const std::vector<double>& x, const std::vector<double>& y)
+/// Line of least squares through points with weights; NaN with fewer than two different x.
+inline LeastSquaresLine LineThrough(
+  const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& weights)
 {
-  const auto count = static_cast<double>(x.size());
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   double meanX = 0.0;
   double meanY = 0.0;
   for (std::size_t i = 0; i < x.size(); ++i)
   {
-    meanX += x[i] / count;
-    meanY += y[i] / count;
+    meanX += weights[i] * x[i] / sum;
+    meanY += weights[i] * y[i] / sum;
   }
   double xx = 0.0;
   double xy = 0.0;
   for (std::size_t i = 0; i < x.size(); ++i)
   {
-    xx += (x[i] - meanX) * (x[i] - meanX);
-    xy += (x[i] - meanX) * (y[i] - meanY);
+    xx += weights[i] * (x[i] - meanX) * (x[i] - meanX);
+    xy += weights[i] * (x[i] - meanX) * (y[i] - meanY);
   }
   LeastSquaresLine line;
   if (xx > 0.0)
@@ -42,6 +44,12 @@ inline LeastSquaresLine LineThrough(const std::vector<double>& x, const std::vec
     line.Intercept = meanY - line.Slope * meanX;
   }
   return line;
+}
+
+/// The same through points of equal weight.
+inline LeastSquaresLine LineThrough(const std::vector<double>& x, const std::vector<double>& y)
+{
+  return LineThrough(x, y, std::vector<double>(x.size(), 1.0));
 }
 
 }

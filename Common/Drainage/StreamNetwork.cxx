@@ -155,11 +155,12 @@ std::vector<StreamOrderClass> ClassesByOrder(const std::vector<River>& rivers)
 
 HortonRatios RatiosOf(const std::vector<StreamOrderClass>& classes)
 {
-  // ln N = a - w ln R_B, ln L = b + w ln R_L, ln A = c + w ln R_A
+  // ln N = a - w ln R_B, ln L = b + w ln R_L, ln A = c + w ln R_A; the variance of each is as 1 / N
   std::vector<double> orders;
   std::vector<double> numbers;
   std::vector<double> lengths;
   std::vector<double> areas;
+  std::vector<double> weights;
   for (const StreamOrderClass& own : classes)
   {
     if (own.Streams > 0)
@@ -168,10 +169,11 @@ HortonRatios RatiosOf(const std::vector<StreamOrderClass>& classes)
       numbers.push_back(std::log(own.Streams));
       lengths.push_back(std::log(own.MeanLength));
       areas.push_back(std::log(own.MeanArea));
+      weights.push_back(own.Streams);
     }
   }
-  return { std::exp(-LineThrough(orders, numbers).Slope), std::exp(LineThrough(orders, lengths).Slope),
-    std::exp(LineThrough(orders, areas).Slope) };
+  return { std::exp(-LineThrough(orders, numbers, weights).Slope),
+    std::exp(LineThrough(orders, lengths, weights).Slope), std::exp(LineThrough(orders, areas, weights).Slope) };
 }
 
 }

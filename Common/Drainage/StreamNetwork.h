@@ -58,7 +58,7 @@ std::vector<StreamOrderClass> ClassesByOrder(const std::vector<River>& rivers);
 
 /**
  * Horton's ratios (1945) by least squares of ln N = a - w ln R_B, ln L = b + w ln R_L and ln A = c + w ln R_A over the
- * orders w; NaN where there are fewer than two orders.
+ * orders w, each with the weight of its streams; NaN where there are fewer than two orders.
  */
 struct HortonRatios
 {

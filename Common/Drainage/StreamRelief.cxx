@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drainage/StreamRelief.h"
 
-#include "Drainage/LeastSquaresLine.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,8 +13,10 @@ namespace
 {
 
 constexpr double BinsAnOctave = 2.0;
-constexpr double LargestPart = 0.1;  ///< of the grid
-constexpr std::size_t BinsASide = 3; ///< at least, of each line
+constexpr double LargestPart = 0.1; ///< of the grid
+constexpr std::size_t LeastBins = 6;
+constexpr double SmallestExponent = 0.05;
+constexpr double LargestExponent = 3.0;
 
 /// Distance between two cells [m].
 double DistanceOf(const GridSamples& heights, CellIndex one, CellIndex other)
@@ -26,50 +26,80 @@ double DistanceOf(const GridSamples& heights, CellIndex one, CellIndex other)
   return std::sqrt(x * x + y * y);
 }
 
-/// Sum of the squares of ln S about the least-squares line of a part of the bins, and its slope.
-struct PartialLine
+/// Mean square of ln S about S = S_0 / (1 + (A / A_c)^theta) with the S_0 that leaves the least, cell by cell.
+double RestOf(const std::vector<SlopeAreaBin>& bins, double logArea, double exponent)
 {
-  double Slope;
-  double Rest = 0.0;
-
-  PartialLine(const std::vector<SlopeAreaBin>& bins, std::size_t begin, std::size_t end)
+  double weight = 0.0;
+  double mean = 0.0;
+  double squares = 0.0;
+  for (const SlopeAreaBin& bin : bins)
   {
-    std::vector<double> areas;
-    std::vector<double> slopes;
-    for (std::size_t n = begin; n < end; ++n)
-    {
-      areas.push_back(std::log(bins[n].Cells));
-      slopes.push_back(std::log(bins[n].Slope));
-    }
-    const auto line = LineThrough(areas, slopes);
-    this->Slope = line.Slope;
-    for (std::size_t n = 0; n < areas.size(); ++n)
-    {
-      const double rest = slopes[n] - line.Intercept - line.Slope * areas[n];
-      this->Rest += rest * rest;
-    }
+    const double rest = std::log(bin.Slope) + std::log1p(std::exp(exponent * (std::log(bin.Cells) - logArea)));
+    const double before = rest - mean;
+    weight += bin.Count;
+    mean += before * bin.Count / weight;
+    squares += bin.Count * before * (rest - mean);
   }
+  return squares / weight;
+}
+
+struct Minimum
+{
+  double At;
+  double Value;
 };
+
+/// Least value between two places, by golden sections.
+template <typename Function>
+Minimum LeastBetween(double low, double high, const Function& of)
+{
+  constexpr double Part = 0.6180339887498949;
+  Minimum left{ high - Part * (high - low), 0.0 };
+  Minimum right{ low + Part * (high - low), 0.0 };
+  left.Value = of(left.At);
+  right.Value = of(right.At);
+  while (high - low > 1e-4)
+  {
+    const bool isLeft = left.Value < right.Value;
+    (isLeft ? high : low) = isLeft ? right.At : left.At;
+    Minimum& kept = isLeft ? left : right;
+    Minimum& made = isLeft ? right : left;
+    made = kept;
+    kept.At = isLeft ? high - Part * (high - low) : low + Part * (high - low);
+    kept.Value = of(kept.At);
+  }
+  return left.Value < right.Value ? left : right;
+}
 
 }
 
 double BreakOfSlopes(const std::vector<SlopeAreaBin>& bins)
 {
-  double least = std::numeric_limits<double>::infinity();
-  double found = std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t n = BinsASide; n + BinsASide <= bins.size(); ++n)
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  if (bins.size() < LeastBins)
   {
-    const PartialLine before(bins, 0, n);
-    const PartialLine beyond(bins, n, bins.size());
-    const double rest = before.Rest + beyond.Rest;
-    if (rest < least)
-    {
-      least = rest;
-      found = beyond.Slope < before.Slope ? std::sqrt(bins[n - 1].Cells * bins[n].Cells)
-                                          : std::numeric_limits<double>::quiet_NaN();
-    }
+    return nan;
   }
-  return found;
+  const auto exponentAt = [&](double logArea) {
+    return LeastBetween(
+      SmallestExponent, LargestExponent, [&](double exponent) { return RestOf(bins, logArea, exponent); });
+  };
+  const auto restAt = [&](double logArea) { return exponentAt(logArea).Value; };
+  constexpr double Step = 0.25;
+  const double largest = std::log(bins.back().Cells);
+  Minimum best{ 0.0, restAt(0.0) };
+  for (double logArea = Step; logArea < largest + Step; logArea += Step)
+  {
+    const double at = std::min(logArea, largest);
+    const double rest = restAt(at);
+    best = rest < best.Value ? Minimum{ at, rest } : best;
+  }
+  const bool isWithin = best.At > 0.0 && best.At < largest;
+  if (!isWithin || exponentAt(best.At).At < SmallestExponent + 0.01)
+  {
+    return nan;
+  }
+  return std::exp(LeastBetween(best.At - Step, std::min(best.At + Step, largest), restAt).At);
 }
 
 std::vector<SlopeAreaBin> SlopesByArea(

@@ -22,14 +22,17 @@ struct ChannelDensity
 };
 
 /**
- * Break of the slope-area relation of all cells above 0 [m/m], in bins of half an octave from one cell to a hundredth
- * of the grid: where two straight lines through the logarithms of slope and area, one on each side, leave the least
- * squares. It is a break if the line beyond falls more steeply than the one before; NaN if not, and with fewer than six
- * bins.
+ * Drainage area [cells] at which the plateau of hillslopes and the power law of channels meet: A_c of
+ *
+ *   S = S_0 / (1 + (A / A_c)^theta),
+ *
+ * of least squares of ln S through bins of slope and area, each with the weight of its cells. NaN where slopes fall
+ * from the first cell on, for hillslopes are shorter than cells; where they do not fall; and with fewer than six bins.
  */
 double BreakOfSlopes(const std::vector<SlopeAreaBin>& bins);
 
-/// Mean slope to the receiver and number of cells by drainage area, in bins of half an octave.
+/// Mean slope to the receiver, where it is not 0, and number of cells by drainage area, in bins of half an octave from
+/// one cell to a tenth of the grid.
 std::vector<SlopeAreaBin> SlopesByArea(
   const GridSamples& heights, const FlowRouting& routing, const std::vector<CellIndex>& accumulation);
 

@@ -16,6 +16,7 @@ from littoral.tables import column
 
 CURVATURE_SCALES = (1, 2, 4)  # cells
 SEARCHES = (3, 10, 30)  # cells
+FINE_STREAMS = 20  # cells; of 100 small grids have too few streams for ratios that stay when they are turned
 HORTON = ("BifurcationRatio", "LengthRatio", "AreaRatio")
 
 
@@ -124,7 +125,8 @@ def ground_measures(heights, spacing):
     raw = statistics(heights, spacing)
     first = raw.GetOutput(0)
     result["sunk"] = column(first, "DepressionFraction")[0]
-    result["horton"] = np.array([column(first, name)[0] for name in HORTON])
+    finer = statistics(heights, spacing, FINE_STREAMS).GetOutput(0)
+    result["horton"] = np.array([column(finer, name)[0] for name in HORTON])
     result["hack"] = column(first, "HackExponent")[0]
     threshold = 1000 if heights.size >= 100000 else 100
     relief = statistics(heights, spacing, threshold).GetOutput(5)

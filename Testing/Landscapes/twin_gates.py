@@ -68,7 +68,7 @@ def show_gates(heights, spacing, randoms, growns, brief):
             continue
         worst = int(np.argmax(np.nan_to_num(offs, nan=np.inf)))
         met = int((offs <= limit).sum())
-        count, all_met, median_met = count + 1, all_met + (met == len(offs)), median_met + (np.nanmedian(offs) <= limit)
+        count, all_met, median_met = count + 1, all_met + (met == len(offs)), median_met + (np.median(np.nan_to_num(offs, nan=np.inf)) <= limit)
         middle = [np.nanmedian([number(ground) for ground in grounds]) for grounds in (gaussians, grown)]
         if not brief or met < len(offs):
             print(f"  {gate:26} {number(truth):7.3f} {middle[0]:7.3f} {middle[1]:7.3f} {number(grown[worst]):7.3f} "

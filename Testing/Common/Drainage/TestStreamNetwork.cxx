@@ -260,6 +260,31 @@ TEST(StreamNetwork, HortonsLaws)
   EXPECT_NEAR(ratios.Area, 4.6, 1e-12);
 }
 
+// The weight of an order is its number of streams: as if each of them were a point of its own.
+TEST(StreamNetwork, RatiosAreThoseOfAllStreams)
+{
+  const std::vector<StreamOrderClass> classes{ { 1, 30, 100.0, 2000.0 }, { 2, 8, 260.0, 9000.0 },
+    { 3, 2, 300.0, 50000.0 }, { 4, 1, 5000.0, 61000.0 } };
+  double n = 0.0;
+  double mean[2] = { 0.0, 0.0 };
+  double products[2] = { 0.0, 0.0 };
+  for (const StreamOrderClass& own : classes)
+  {
+    for (int stream = 0; stream < own.Streams; ++stream)
+    {
+      const double values[2] = { static_cast<double>(own.Order), std::log(own.MeanLength) };
+      n += 1.0;
+      for (int i : { 0, 1 })
+      {
+        mean[i] += values[i];
+        products[i] += values[0] * values[i];
+      }
+    }
+  }
+  const double slope = (n * products[1] - mean[0] * mean[1]) / (n * products[0] - mean[0] * mean[0]);
+  EXPECT_NEAR(RatiosOf(classes).Length, std::exp(slope), 1e-10);
+}
+
 TEST(StreamNetwork, OneOrderHasNoRatios)
 {
   EXPECT_TRUE(std::isnan(RatiosOf({ { 1, 12, 100.0, 2000.0 } }).Bifurcation));

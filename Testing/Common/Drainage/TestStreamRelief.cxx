@@ -38,22 +38,39 @@ SlopeAreaBin Bin(double cells, double slope)
 
 }
 
-TEST(StreamRelief, SlopesBreakWhereTheyBeginToFall)
+TEST(StreamRelief, SlopesBreakWhereHillslopesAndChannelsMeet)
 {
-  std::vector<SlopeAreaBin> bins;
-  for (double cells = 1.0; cells < 5000.0; cells *= 1.5)
+  for (const double area : { 3.0, 60.0, 700.0 })
   {
-    bins.push_back(Bin(cells, 0.4 * std::pow(std::max(1.0, cells / 60.0), -0.5)));
+    for (const double exponent : { 0.3, 0.7, 1.6 })
+    {
+      std::vector<SlopeAreaBin> bins;
+      for (double cells = 1.0; cells < 5000.0; cells *= 1.5)
+      {
+        bins.push_back({ cells, 0.4 / (1.0 + std::pow(cells / area, exponent)), 1e5 / cells });
+      }
+      EXPECT_NEAR(BreakOfSlopes(bins) / area, 1.0, 0.01) << area << " " << exponent;
+      // One cell that is off hardly counts
+      bins.back().Count = 1.0;
+      bins.back().Slope *= 5.0;
+      EXPECT_NEAR(BreakOfSlopes(bins) / area, 1.0, 0.03) << area << " " << exponent;
+    }
   }
-  EXPECT_NEAR(std::log(BreakOfSlopes(bins) / 60.0), 0.0, std::log(1.5));
-  // one law has no break, nor has ground that grows steeper
-  for (SlopeAreaBin& bin : bins)
+}
+
+TEST(StreamRelief, SlopesThatFallFromTheFirstCellOnOrDoNotFallHaveNoBreak)
+{
+  for (const double exponent : { -0.5, 0.0, 0.5 })
   {
-    bin.Slope = std::pow(std::max(1.0, bin.Cells / 60.0), 0.5);
+    std::vector<SlopeAreaBin> bins;
+    for (double cells = 1.0; cells < 5000.0; cells *= 1.5)
+    {
+      bins.push_back(Bin(cells, 0.4 * std::pow(cells, exponent)));
+    }
+    EXPECT_TRUE(std::isnan(BreakOfSlopes(bins))) << exponent;
+    bins.resize(5);
+    EXPECT_TRUE(std::isnan(BreakOfSlopes(bins)));
   }
-  EXPECT_TRUE(std::isnan(BreakOfSlopes(bins)));
-  bins.resize(5);
-  EXPECT_TRUE(std::isnan(BreakOfSlopes(bins)));
 }
 
 TEST(StreamRelief, ValleyHasOneChannel)
@@ -62,10 +79,11 @@ TEST(StreamRelief, ValleyHasOneChannel)
   const FlowRouting routing = RouteFlow(valley, BorderOutlets(Length, Breadth));
   const std::vector<CellIndex> cells = FlowAccumulation(routing);
   const ChannelDensity channels = ChannelsOf(valley, routing, cells);
-  EXPECT_GT(channels.HeadCells, 25.0); // sides have 29 cells, the channel's head has 59
-  EXPECT_LE(channels.HeadCells, 90.0);
+  // Sides have 29 cells and the channel's head has 59. Slopes fall there in one step, which the law has not.
+  EXPECT_GT(channels.HeadCells, 29.0);
+  EXPECT_LE(channels.HeadCells, 3.0 * 59.0);
   EXPECT_EQ(channels.Heads, 1.0);
-  EXPECT_NEAR(channels.Density * Length * Breadth * 20.0, Length - 2, 1.0);
+  EXPECT_NEAR(channels.Density * Length * Breadth * 20.0, Length - 2, 2.0);
 }
 
 TEST(StreamRelief, HeightsAboveTheValleysStreamAreItsSides)
