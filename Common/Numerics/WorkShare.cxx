@@ -42,7 +42,8 @@ void WorkShare::AddUp(std::map<int, double>& numbers) const
     own.insert(own.end(), { static_cast<double>(key), number });
   }
   numbers.clear();
-  for (const std::vector<double>& row : this->Gather(std::move(own)))
+  const NumberRows rows = this->Gather(std::move(own));
+  for (const std::vector<double>& row : rows)
   {
     for (std::size_t n = 0; n < row.size(); n += 2)
     {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace littoral
 {
@@ -80,9 +81,8 @@ std::size_t ForestTiling::CutInHalf(std::size_t first, std::size_t end)
   const int axis = sides[1] > sides[0] ? 1 : 0;
   const std::size_t middle = first + (end - first + 1) / 2;
   const auto at = [this](std::size_t place) { return this->Order.begin() + static_cast<std::ptrdiff_t>(place); };
-  std::nth_element(at(first), at(middle), at(end), [&](int a, int b) {
-    return this->Feet[a][axis] < this->Feet[b][axis] || (this->Feet[a][axis] == this->Feet[b][axis] && a < b);
-  });
+  std::nth_element(at(first), at(middle), at(end),
+    [&](int a, int b) { return std::pair(this->Feet[a][axis], a) < std::pair(this->Feet[b][axis], b); });
   // nth_element leaves each side as its own library likes it.
   std::sort(at(first), at(middle));
   std::sort(at(middle), at(end));

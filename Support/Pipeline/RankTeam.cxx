@@ -104,7 +104,8 @@ void RankTeam::GoOn()
   throw InvalidInput(reason);
 }
 
-/// Lets the others know that this rank cannot go on, at the exchange that they are waiting in.
+/// Lets the others know that this rank cannot go on, at the exchange that they are waiting in. The first goes on to say
+/// why.
 void RankTeam::Leave(const std::string& reason)
 {
   if (!this->HasAgreed)
@@ -119,7 +120,6 @@ void RankTeam::Leave(const std::string& reason)
   {
     throw Aborted{};
   }
-  throw; // NOLINT(misc-throw-by-value-catch-by-reference): within a handler
 }
 
 void RankTeam::Run(const std::function<void()>& work)
@@ -136,10 +136,12 @@ void RankTeam::Run(const std::function<void()>& work)
   catch (const Aborted&)
   {
     this->Leave(WordOfAbort);
+    throw;
   }
   catch (const std::exception& error)
   {
     this->Leave(error.what());
+    throw;
   }
   if (this->IsShared)
   {

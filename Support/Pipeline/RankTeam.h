@@ -48,7 +48,7 @@ public:
 private:
   std::string FirstReason(const std::string& own) const;
   void GoOn();
-  [[noreturn]] void Leave(const std::string& reason);
+  void Leave(const std::string& reason);
   void Exchange(NumberRows& rows);
   void Deal(const SingleRows& sent, SingleRows& received);
 
