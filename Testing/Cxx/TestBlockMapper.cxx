@@ -102,7 +102,9 @@ struct Shown
 bool CheckKeptNumbers(Shown& blocks, Shown& plain, const std::string& when)
 {
   const bool good = Check(plain.KeptNumbers("vertexMC") > 1, when + ": VTK keeps no vertices");
-  return Check(blocks.KeptNumbers("vertexMC") == 0, when + ": vertices are sent and kept") && good;
+  vtkUnsignedCharArray* colors = blocks.Mapper->MapScalars(1.0);
+  return Check(blocks.KeptNumbers("vertexMC") == 0, when + ": vertices are sent and kept") &&
+    Check(colors->GetNumberOfTuples() == 1, when + ": colors are sent and kept") && good;
 }
 
 /// Triangles of a square of two metres, one behind the other, of colors that go from black to white.

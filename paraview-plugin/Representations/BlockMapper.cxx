@@ -81,13 +81,15 @@ vtkUnsignedCharArray* BlockMapper::MapScalars(vtkDataSet* input, double alpha, i
   const bool areColors = this->ScalarVisibility && this->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS &&
     vtkUnsignedCharArray::SafeDownCast(array);
   const vtkMTimeType time = array ? array->GetMTime() : 0;
-  if (areColors && this->Colors && !this->ColorTextureMap && this->Colored.Time == time && this->Colored.Alpha == alpha)
+  const bool areMade =
+    this->Colors && (this->Colors->GetNumberOfTuples() == this->Colored.Tuples || this->VBOs->GetVBO("scalarColor"));
+  if (areColors && areMade && !this->ColorTextureMap && this->Colored.Time == time && this->Colored.Alpha == alpha)
   {
     cellFlag = association;
     return this->Colors;
   }
   vtkUnsignedCharArray* colors = this->Superclass::MapScalars(input, alpha, cellFlag);
-  this->Colored = areColors ? Source{ time, alpha } : Source{};
+  this->Colored = areColors && colors ? Source{ time, alpha, colors->GetNumberOfTuples() } : Source{};
   return colors;
 }
 
@@ -105,7 +107,7 @@ void BlockMapper::ComputeBounds()
 
 //----------------------------------------------------------------------------
 /// Lets go of the vertices of the last picture before others are sent: what draws them holds them until it has the
-/// others. Drops those that were sent, since the graphics' memory has them too: VTK would keep them.
+/// others. Drops those that were sent, and their colors, since the graphics' memory has them too: VTK would keep them.
 void BlockMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
 {
   for (vtkOpenGLHelper& primitive : this->Primitives)
@@ -120,6 +122,10 @@ void BlockMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
     {
       std::vector<float>().swap(sent->GetPackedVBO());
     }
+  }
+  if (this->Colored.Tuples > 0 && !this->HaveCellScalars && this->VBOs->GetVBO("scalarColor"))
+  {
+    this->Colors->Resize(1); // VTK takes none for no colors
   }
 }
 
