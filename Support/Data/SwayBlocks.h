@@ -54,7 +54,7 @@ private:
     const char* Level;
     const char* Name;
     vtkSmartPointer<vtkPolyData> Rest;
-    SkinBinding Binding;
+    StandBinding Binding;
   };
 
   bool Whole = false;
