@@ -88,6 +88,7 @@ void SwayBlocks::Read(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBl
   this->MakeScene(plants, prototypes, wind, settings, progress);
   this->ReadHigh(plants, prototypes, progress);
   this->ReadMedium(plants);
+  this->Table = PlantTable(); // the scene has what it needs of it
   this->Whole = !IsAborted(progress);
 }
 

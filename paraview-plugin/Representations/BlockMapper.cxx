@@ -81,12 +81,20 @@ vtkUnsignedCharArray* BlockMapper::MapScalars(vtkDataSet* input, double alpha, i
   const bool areColors = this->ScalarVisibility && this->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS &&
     vtkUnsignedCharArray::SafeDownCast(array);
   const vtkMTimeType time = array ? array->GetMTime() : 0;
-  const bool areMade =
-    this->Colors && (this->Colors->GetNumberOfTuples() == this->Colored.Tuples || this->VBOs->GetVBO("scalarColor"));
+  const bool areDropped =
+    this->Colors && this->Colored.Tuples > 0 && this->Colors->GetNumberOfTuples() != this->Colored.Tuples;
+  // Others than the graphics, such as exporters, need all colors.
+  const bool areSent = this->IsDrawing && this->VBOs->GetVBO("scalarColor");
+  const bool areMade = this->Colors && (areSent || !areDropped);
   if (areColors && areMade && !this->ColorTextureMap && this->Colored.Time == time && this->Colored.Alpha == alpha)
   {
     cellFlag = association;
     return this->Colors;
+  }
+  if (areDropped)
+  {
+    this->Colors->UnRegister(this); // VTK takes those that it finds
+    this->Colors = nullptr;
   }
   vtkUnsignedCharArray* colors = this->Superclass::MapScalars(input, alpha, cellFlag);
   this->Colored = areColors && colors ? Source{ time, alpha, colors->GetNumberOfTuples() } : Source{};
@@ -103,6 +111,14 @@ void BlockMapper::ComputeBounds()
   {
     block->GetPoints()->GetBounds(this->Bounds);
   }
+}
+
+//----------------------------------------------------------------------------
+void BlockMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->IsDrawing = true;
+  this->Superclass::RenderPiece(renderer, actor);
+  this->IsDrawing = false;
 }
 
 //----------------------------------------------------------------------------

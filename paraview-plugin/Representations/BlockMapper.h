@@ -31,6 +31,8 @@ public:
   vtkUnsignedCharArray* MapScalars(vtkDataSet* input, double alpha, int& cellFlag) override;
   using Superclass::MapScalars;
 
+  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
+
 protected:
   BlockMapper() = default;
   ~BlockMapper() override = default;
@@ -56,6 +58,7 @@ private:
   };
   Source Colored;
   unsigned int BlockIndex = 0;
+  bool IsDrawing = false;
 };
 
 }
