@@ -72,6 +72,7 @@ vtkBeamTreeDeformationFilter::vtkBeamTreeDeformationFilter()
   , TextureSize{ 256, 128 }
   , Seed(1)
   , GenerateJoints(false)
+  , OverwriteFrames(false)
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
@@ -245,6 +246,7 @@ int vtkBeamTreeDeformationFilter::RequestData(
   if (this->Internals->Plants.IsWhole())
   {
     this->SetProgressText("Moving plants");
+    this->Internals->Plants.SetOverwritesFrames(this->OverwriteFrames);
     this->Internals->Plants.Move(time, plants, output, this);
     if (this->GenerateJoints && !littoral::IsAborted(this))
     {
@@ -284,4 +286,5 @@ void vtkBeamTreeDeformationFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TextureSize: " << this->TextureSize[0] << " " << this->TextureSize[1] << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "GenerateJoints: " << this->GenerateJoints << "\n";
+  os << indent << "OverwriteFrames: " << this->OverwriteFrames << "\n";
 }

@@ -212,6 +212,17 @@ public:
   vtkBooleanMacro(GenerateJoints, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether points and normals of a time may be written over those of the time before, also where others still hold
+   * them; default off. On: half the memory of what moves, for a scene that shows one time at a time. Whoever needs an
+   * earlier time copies it in depth; a view at another time, or a cache of geometry, shows the latest one.
+   */
+  vtkSetMacro(OverwriteFrames, bool);
+  vtkGetMacro(OverwriteFrames, bool);
+  vtkBooleanMacro(OverwriteFrames, bool);
+  ///@}
+
   /// Connects the wind, port 1.
   void SetWindConnection(vtkAlgorithmOutput* wind) { this->SetInputConnection(1, wind); }
 
@@ -249,6 +260,7 @@ protected:
   int TextureSize[2];
   int Seed;
   bool GenerateJoints;
+  bool OverwriteFrames;
 
 private:
   vtkBeamTreeDeformationFilter(const vtkBeamTreeDeformationFilter&) = delete;

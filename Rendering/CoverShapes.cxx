@@ -33,7 +33,8 @@ const glm::dvec3 Up(0.0, 0.0, 1.0);
 
 constexpr double MeanUp = 0.75; // part of the blades' normal that is upward, as of the grass that they stand for
 
-constexpr int StripPoints = 5; // of an element
+constexpr int StripPoints = 5;      // of an element
+constexpr int MostStrips = 1 << 12; // that are cells
 
 /// Names an array, makes room for some points, and returns the place of its first value.
 template <typename Array>
@@ -65,9 +66,10 @@ public:
     this->Data->GetPointData()->AddArray(feet);
     this->Data->GetPointData()->SetNormals(normals);
     this->Data->GetPointData()->SetScalars(shades);
+    const vtkIdType numbered = static_cast<vtkIdType>(StripPoints) * std::min(count, MostStrips);
     vtkNew<vtkIdTypeArray> numbers;
-    vtkIdType* number = Allocate(numbers.Get(), "Numbers", 1, points);
-    std::iota(number, number + points, 0);
+    vtkIdType* number = Allocate(numbers.Get(), "Numbers", 1, numbered);
+    std::iota(number, number + numbered, 0);
     this->Data->SetStrips(vtkNew<vtkCellArray>());
     this->Data->GetStrips()->SetData(StripPoints, numbers);
   }

@@ -42,7 +42,7 @@ struct CoverTile
 };
 
 /// The elements of a tile, cell by cell, with the ends of these among them and a 0 before the first. Points are
-/// relative to the array Foot, from 0 to 1 in the tile.
+/// relative to the array Foot, from 0 to 1 in the tile. The first elements alone are cells, as GroundCoverMapper asks.
 vtkSmartPointer<vtkPolyData> CoverShapes(const CoverTile& tile, std::vector<int>& ends);
 
 }

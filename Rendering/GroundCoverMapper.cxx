@@ -18,7 +18,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <cstdint>
+#include <algorithm>
 #include <utility>
 
 namespace littoral
@@ -40,12 +40,12 @@ void GroundCoverMapper::SetMaker(Maker maker)
 }
 
 //----------------------------------------------------------------------------
-/// Bounds stay when the strips are dropped.
+/// Bounds of all strips, which stay when these are dropped.
 void GroundCoverMapper::ComputeBounds()
 {
   if (this->GetInput()->GetNumberOfStrips() > 0)
   {
-    this->Superclass::ComputeBounds();
+    this->GetInput()->GetPoints()->GetBounds(this->Bounds);
   }
 }
 
@@ -59,8 +59,9 @@ void GroundCoverMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* acto
   }
   this->Superclass::BuildBufferObjects(renderer, actor);
   // VTK has the strips as triangles.
-  const auto corners = static_cast<vtkIdType>(this->Primitives[PrimitiveTriStrips].IBO->IndexCount);
-  this->CornersOfStrip = static_cast<int>(corners / strips->GetNumberOfStrips());
+  this->Indexed = static_cast<int>(strips->GetNumberOfStrips());
+  this->PointsOfStrip = static_cast<int>(strips->GetStrips()->GetNumberOfConnectivityIds()) / this->Indexed;
+  this->CornersOfStrip = static_cast<int>(this->Primitives[PrimitiveTriStrips].IBO->IndexCount) / this->Indexed;
   this->DropStrips();
   // What was sent is as new as what is left: VTK takes note of its time when it is asked.
   this->VBOBuildTime.Modified();
@@ -102,12 +103,14 @@ void GroundCoverMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
-  const int each = this->CornersOfStrip;
   strips.IBO->Bind();
   for (const Run& run : this->Runs)
   {
-    const auto offset = static_cast<std::uintptr_t>(run.From * each) * sizeof(GLuint);
-    glDrawElements(GL_TRIANGLES, (run.To - run.From) * each, GL_UNSIGNED_INT, reinterpret_cast<const GLvoid*>(offset));
+    for (int from = run.From; from < run.To; from += this->Indexed)
+    {
+      const int corners = this->CornersOfStrip * std::min(this->Indexed, run.To - from);
+      glDrawElementsBaseVertex(GL_TRIANGLES, corners, GL_UNSIGNED_INT, nullptr, this->PointsOfStrip * from);
+    }
   }
   strips.IBO->Release();
 }

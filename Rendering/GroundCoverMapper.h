@@ -30,7 +30,9 @@ public:
   };
   void SetRuns(std::vector<Run> runs);
 
-  /// Makes the strips, the same each time, which become the input.
+  /// Makes the points of the strips, as many of each, one strip after the other, the same each time. They become the
+  /// input. The first strips are its cells; all others are drawn as these are, by the same indices from other points
+  /// on.
   using Maker = std::function<vtkSmartPointer<vtkPolyData>()>;
   void SetMaker(Maker maker);
 
@@ -50,7 +52,9 @@ private:
 
   std::vector<Run> Runs;
   Maker MakeStrips;
-  int CornersOfStrip = 0; ///< of the triangles of a strip, in the graphics' memory
+  int Indexed = 0; ///< strips whose indices are in the graphics' memory
+  int PointsOfStrip = 0;
+  int CornersOfStrip = 0; ///< of the triangles of a strip
 };
 
 }

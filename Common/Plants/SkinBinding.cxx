@@ -40,18 +40,13 @@ SkinBinding::SkinBinding(const int* jointIds, const float* jointWeights, std::si
   {
     this->Add(jointIds + 4 * vertex, jointWeights + 4 * vertex);
   }
-  this->Shrink();
+  this->Runs.shrink_to_fit();
+  this->Weights.shrink_to_fit();
 }
 
 void SkinBinding::RequireRoom(std::size_t vertices)
 {
   Require(vertices <= MostVertices ? "" : "a skin has more than " + std::to_string(MostVertices) + " vertices.");
-}
-
-void SkinBinding::Shrink()
-{
-  this->Runs.shrink_to_fit();
-  this->Weights.shrink_to_fit();
 }
 
 void SkinBinding::Add(const int* ids, const float* weights)

@@ -39,12 +39,6 @@ public:
   /// Throws InvalidInput if a skin cannot have so many vertices.
   static void RequireRoom(std::size_t vertices);
 
-  /// Adds the next vertex, by its four joints and weights.
-  void Add(const int* ids, const float* weights);
-
-  /// Gives memory back that is not needed once all vertices are added.
-  void Shrink();
-
   /// The run of a vertex.
   const Run* RunOf(std::size_t vertex) const;
   const Run* EndOfRuns() const { return this->Runs.data() + this->Runs.size(); }
@@ -64,6 +58,9 @@ public:
 private:
   std::vector<Run> Runs;
   std::vector<float> Weights;
+
+  /// Adds the next vertex, by its four joints and weights.
+  void Add(const int* ids, const float* weights);
 };
 
 }

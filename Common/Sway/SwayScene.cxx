@@ -184,6 +184,7 @@ std::vector<int> SwayScene::GetParents() const
 void SwayScene::MoveTo(double time, const ParallelFor& parallel)
 {
   this->Time = time;
+  this->Rest.Nodes.shrink_to_fit(); // no work unless plants were added
   this->Poses.resize(this->Rest.Nodes.size());
   this->Changes.resize(this->Rest.Nodes.size());
   this->Winds.resize(this->Plants.size());

@@ -89,7 +89,8 @@ def build(folder, view, quick=False):
         registrationName="Wind", Dimensions=[60 if quick else 600, 128, 10], LateralSpacing=12.5,
         ReferenceSpeed=WIND_SPEED, RoughnessLength=0.1, Center=list(wind_center()))
     sway = simple.BeamTreeDeformation(
-        registrationName="Forest in the wind", Input=forest, Wind=wind, Prototypes=trees)
+        registrationName="Forest in the wind", Input=forest, Wind=wind, Prototypes=trees,
+        OverwriteFrames=True)
 
     views.light(view, Quality="Good" if quick else "Best", **LIGHT)
     look(drainage.GetOutput(), view, 0.0)

@@ -25,7 +25,7 @@ vtkSmartPointer<vtkDataArray> FrameArrays::Like(vtkDataArray* other, vtkIdType t
 {
   const int components = other->GetNumberOfComponents();
   Pointer array = this->Take([&](const Frame& former) {
-    return IsFree(former.Array, components, tuples) && former.Array->IsA(other->GetClassName());
+    return this->IsFree(former.Array, components, tuples) && former.Array->IsA(other->GetClassName());
   });
   if (!array)
   {
@@ -43,7 +43,7 @@ vtkSmartPointer<vtkFloatArray> FrameArrays::Like(vtkFloatArray* other)
   const int components = other->GetNumberOfComponents();
   const vtkIdType tuples = other->GetNumberOfTuples();
   const Pointer own = this->Take([&](const Frame& former) {
-    return former.Model == other && IsFree(former.Array, components, tuples) &&
+    return former.Model == other && this->IsFree(former.Array, components, tuples) &&
       former.Array->GetNumberOfTuples() == tuples && vtkFloatArray::SafeDownCast(former.Array);
   });
   if (own)
@@ -62,8 +62,13 @@ bool FrameArrays::IsFormer(vtkDataArray* array) const
     [array](const Frame& given) { return given.IsFormer && given.Array == array; });
 }
 
-bool FrameArrays::IsFree(vtkDataArray* array, int components, vtkIdType tuples)
+bool FrameArrays::IsFree(vtkDataArray* array, int components, vtkIdType tuples) const
 {
+  if (this->Overwrites && array && array->GetReferenceCount() > 1)
+  {
+    // Whoever holds it counts on its size.
+    return array->GetNumberOfComponents() == components && array->GetNumberOfTuples() == tuples;
+  }
   // One with room for twice as many would waste what it has beyond.
   const vtkIdType values = components * tuples;
   return array && array->GetReferenceCount() == 1 && array->GetNumberOfComponents() == components &&

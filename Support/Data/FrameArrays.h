@@ -41,12 +41,15 @@ private:
  * Arrays that a filter fills anew for each frame. An array that nobody else holds any more is filled again: new memory
  * costs a page fault for each 4 KiB, which takes as long as to move the points in it. An array that is still held, as
  * that of the picture on the screen, stays as it is. An array like another one is taken where that one's frames were,
- * if it can be: what never changes from frame to frame is there already.
+ * if it can be: what never changes from frame to frame is there already. With SetOverwrites(true) the arrays of the
+ * last frame are filled again whoever holds them: half the memory, where nobody needs a frame that has passed.
  */
 class FrameArrays
 {
 public:
   using Pointer = vtkSmartPointer<vtkDataArray>;
+
+  void SetOverwrites(bool overwrites) { this->Overwrites = overwrites; }
 
   /// A new frame begins: the arrays of the last one may be taken.
   void BeginFrame();
@@ -60,7 +63,7 @@ public:
   vtkSmartPointer<Array> New(const char* name, int components, vtkIdType tuples, std::size_t state = 0)
   {
     const auto fits = [&](const Frame& former) {
-      return IsFree(former.Array, components, tuples) && Array::SafeDownCast(former.Array);
+      return this->IsFree(former.Array, components, tuples) && Array::SafeDownCast(former.Array);
     };
     const auto isOfState = [&](const Frame& former) { return former.State == state && fits(former); };
     auto array = vtkSmartPointer<Array>(state > 0 ? Array::SafeDownCast(this->Take(isOfState)) : nullptr);
@@ -99,8 +102,9 @@ private:
   };
   std::vector<Frame> Former; ///< of earlier frames
   std::vector<Frame> Given;  ///< of this frame
+  bool Overwrites = false;
 
-  static bool IsFree(vtkDataArray* array, int components, vtkIdType tuples);
+  bool IsFree(vtkDataArray* array, int components, vtkIdType tuples) const;
 
   /// A former array of a kind, which VTK takes for modified: it drops the ranges of the former values. Null: none is.
   template <typename Kind>

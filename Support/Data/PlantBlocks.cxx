@@ -337,9 +337,9 @@ std::vector<LeafCorners> ReadLeaves(vtkPolyData* block)
   return LeavesOf(block, [nodes](std::size_t vertex) { return nodes[4 * vertex]; });
 }
 
-std::vector<LeafCorners> ReadLeaves(vtkPolyData* block, const SkinBinding& binding)
+std::vector<LeafCorners> ReadLeaves(vtkPolyData* block, const StandBinding& binding)
 {
-  return LeavesOf(block, [&binding](std::size_t vertex) { return binding.RunOf(vertex)->Joints[0]; });
+  return LeavesOf(block, [&binding](std::size_t vertex) { return binding.JointOf(vertex); });
 }
 
 bool ReadWood(vtkDataObject* plant, WoodParameters& wood)

@@ -9,6 +9,7 @@
 #include "Data/Arrays.h"
 #include "Data/Blocks.h"
 #include "Plants/PlantPrototype.h"
+#include "Plants/StandBinding.h"
 #include "Plants/WoodParameters.h"
 #include "Sway/LeafMotion.h"
 
@@ -123,7 +124,7 @@ vtkIntArray* FindPlantIds(vtkPolyData* block);
 std::vector<LeafCorners> ReadLeaves(vtkPolyData* block);
 
 /// The leaves of a block whose vertices follow joints by a binding.
-std::vector<LeafCorners> ReadLeaves(vtkPolyData* block, const SkinBinding& binding);
+std::vector<LeafCorners> ReadLeaves(vtkPolyData* block, const StandBinding& binding);
 
 /// The wood that a plant says it is of, as field data `Wood`; false where it does not.
 bool ReadWood(vtkDataObject* plant, WoodParameters& wood);

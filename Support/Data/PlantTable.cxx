@@ -38,6 +38,9 @@ PlantTable ReadTable(vtkDataObject* forest)
   {
     columns.NeedFinite(column);
   }
+  table.Rows.reserve(static_cast<std::size_t>(count));
+  table.Places.reserve(static_cast<std::size_t>(count));
+  table.Levels.reserve(static_cast<std::size_t>(count));
   for (vtkIdType row = 0; row < count; ++row)
   {
     const std::string ofPlant = " of plant " + std::to_string(row);

@@ -12,8 +12,8 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
+#include <memory>
 #include <string>
 
 namespace littoral
@@ -27,8 +27,7 @@ struct BoundPart
 {
   vtkIdType Points = 0;
   int Nodes = 0;
-  const int* Ids = nullptr;
-  const float* Weights = nullptr;
+  std::shared_ptr<const SkinBinding> Binding;
 };
 
 BoundPart PartOfPrototype(vtkMultiBlockDataSet* prototype, const char* name)
@@ -41,8 +40,7 @@ BoundPart PartOfPrototype(vtkMultiBlockDataSet* prototype, const char* name)
     part.Nodes = static_cast<int>(bones->GetNumberOfPoints());
     part.Points = block->GetNumberOfPoints();
     InContext("Of Prototypes: ", [&] { RequireSkin(block, name, static_cast<std::size_t>(part.Nodes)); });
-    part.Ids = ReadJointIds(block);
-    part.Weights = ReadJointWeights(block);
+    part.Binding = std::make_shared<const SkinBinding>(ReadBinding(block));
   }
   return part;
 }
@@ -80,7 +78,7 @@ bool TellsJoints(vtkPolyData* block)
   return ArrayReader::OfPoints(block, "a skin").Any(plant::JointIds) != nullptr;
 }
 
-SkinBinding BindingOfPrototypes(vtkPolyData* block, const char* name, const PlantTable& table,
+StandBinding BindingOfPrototypes(vtkPolyData* block, const char* name, const PlantTable& table,
   const std::vector<PlantNodes>& nodes, const std::vector<vtkMultiBlockDataSet*>& prototypes)
 {
   const std::string owner = std::string("High/") + name + " of the plants";
@@ -92,8 +90,7 @@ SkinBinding BindingOfPrototypes(vtkPolyData* block, const char* name, const Plan
   vtkIntArray* plantIds = FindPlantIds(block);
   Require(plantIds ? "" : owner + " has neither JointIds nor PlantId.");
   const vtkIdType points = block->GetNumberOfPoints();
-  SkinBinding binding;
-  binding.RequireRoom(static_cast<std::size_t>(points));
+  StandBinding binding;
   for (vtkIdType begin = 0, end = 0; begin < points; begin = end)
   {
     end = EndOfPlant(plantIds, begin);
@@ -108,15 +105,8 @@ SkinBinding BindingOfPrototypes(vtkPolyData* block, const char* name, const Plan
         "connect the Prototypes that the plants were made from, or switch on PassJoints where they are scattered: ",
         owner, " has no JointIds, and plants are not like their prototypes.");
     }
-    for (vtkIdType point = 0; point < part.Points; ++point)
-    {
-      std::array<int, 4> ids;
-      std::transform(part.Ids + 4 * point, part.Ids + 4 * point + 4, ids.begin(),
-        [first = own.First](int id) { return id < 0 ? id : id + first; });
-      binding.Add(ids.data(), part.Weights + 4 * point);
-    }
+    binding.Add(part.Binding, own.First);
   }
-  binding.Shrink();
   return binding;
 }
 

@@ -7,7 +7,7 @@
 
 #include "Data/PlantTable.h"
 #include "Plants/Skeleton.h"
-#include "Plants/SkinBinding.h"
+#include "Plants/StandBinding.h"
 
 #include <vector>
 
@@ -36,7 +36,7 @@ bool TellsJoints(vtkPolyData* block);
  * The binding of a part of the level High, from that of its prototypes: each plant has the vertices of its prototype,
  * in their order, and the joints count from its first node. Throws InvalidInput where plants are not of the prototypes.
  */
-SkinBinding BindingOfPrototypes(vtkPolyData* block, const char* name, const PlantTable& table,
+StandBinding BindingOfPrototypes(vtkPolyData* block, const char* name, const PlantTable& table,
   const std::vector<PlantNodes>& nodes, const std::vector<vtkMultiBlockDataSet*>& prototypes);
 
 }

@@ -88,6 +88,7 @@ void SwayBlocks::Read(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBl
   this->MakeScene(plants, prototypes, wind, settings, progress);
   this->ReadHigh(plants, prototypes, progress);
   this->ReadMedium(plants);
+  this->Table = PlantTable(); // the scene has what it needs of it
   this->Whole = !IsAborted(progress);
 }
 
@@ -188,7 +189,7 @@ void SwayBlocks::ReadHighSkins(vtkMultiBlockDataSet* plants, const std::vector<v
     {
       continue;
     }
-    SkinBinding binding;
+    StandBinding binding;
     if (this->Scattered && !prototypes.empty() && !TellsJoints(block))
     {
       RequireRest(block, name);
@@ -198,7 +199,7 @@ void SwayBlocks::ReadHighSkins(vtkMultiBlockDataSet* plants, const std::vector<v
     else
     {
       RequireSkin(block, name, leafAreas.size());
-      binding = ReadBinding(block);
+      binding = StandBinding(ReadBinding(block));
     }
     if (std::strcmp(name, plant::Leaves) == 0)
     {
@@ -303,7 +304,7 @@ void SwayBlocks::ReadMediumSkin(vtkPolyData* block, const char* name)
     }
   }
   this->Skins.push_back(
-    { plant::Medium, name, block, { joints.data(), weights.data(), static_cast<std::size_t>(count) } });
+    { plant::Medium, name, block, StandBinding({ joints.data(), weights.data(), static_cast<std::size_t>(count) }) });
 }
 
 //----------------------------------------------------------------------------
@@ -406,7 +407,7 @@ vtkSmartPointer<vtkPolyData> SwayBlocks::MovedSkin(const Skin& skin)
   TupleRanges directions;
   std::mutex adding;
   const auto move = [&](std::size_t begin, std::size_t end) {
-    MoveSkin(rest, skin.Binding, this->Scene->GetChanges().data(), begin, end, p, n);
+    skin.Binding.Move(rest, this->Scene->GetChanges().data(), begin, end, p, n);
   };
   const auto addToRanges = [&](std::size_t begin, std::size_t end) {
     TupleRanges ofPlaces;

@@ -32,6 +32,9 @@ public:
   /// False where an abort came before all was read.
   bool IsWhole() const { return this->Whole; }
 
+  /// Whether a frame may be written over the one before whoever holds it.
+  void SetOverwritesFrames(bool overwrites) { this->Arrays.SetOverwrites(overwrites); }
+
   /// Moves the plants to a time [s]; `output` is a shallow copy of the plants. An abort leaves it unchanged.
   void Move(double time, vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output, vtkAlgorithm* progress);
 
@@ -51,7 +54,7 @@ private:
     const char* Level;
     const char* Name;
     vtkSmartPointer<vtkPolyData> Rest;
-    SkinBinding Binding;
+    StandBinding Binding;
   };
 
   bool Whole = false;

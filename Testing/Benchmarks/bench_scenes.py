@@ -9,7 +9,8 @@ Each of the FRAMES (default: 12) is a step of 1/12 s, or, where nothing moves, a
 pipeline is updated, then the picture is drawn, then drawn again, of the same scene. Printed, or written as JSON, are means
 of wall and processor time [s] of update and first drawing ("render"); what of the update is spent in Littoral's algorithms,
 in other ones, and outside of any; and of the rendering, "raster", which is the second drawing, and "upload and building",
-the first less the second; the wall time until the first picture [s], and the most memory of the process [MB].
+the first less the second; the wall time until the first picture [s], the most memory of the process [MB], and what of its
+memory are files, nearly all of them libraries [MB].
 
 Where Landscape Light is shown, it is then hidden, a picture is drawn that does not count, and as many steps follow, each
 updated and drawn once: update and render "without light", and "light", what the rendering takes longer with it.
@@ -161,6 +162,12 @@ def measure_unlit(view, step, numbers):
     return updates, renders
 
 
+def memory_of_files():
+    """Memory of files that the process has mapped [MB]."""
+    with open("/proc/self/status", encoding="utf-8") as status:
+        return next(int(line.split()[1]) for line in status if line.startswith("RssFile")) / 1024.0
+
+
 def measure(name, frames, folder):
     """Times and memory of a scene, whose files go into a folder."""
     begin = now()
@@ -183,7 +190,7 @@ def measure(name, frames, folder):
         unlit = measure_unlit(view, step, range(frames + 1, 2 * frames + 1))
         parts.update({"update without light": unlit[0], "render without light": unlit[1], "light": renders - unlit[1]})
     return {"scene": name, "first picture": first[0], "frame": {part: list(all / frames) for part, all in parts.items()},
-            "memory": memory}
+            "memory": memory, "memory of files": memory_of_files()}
 
 
 def main(name, frames="12", filename=None):

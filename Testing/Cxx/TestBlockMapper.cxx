@@ -11,6 +11,7 @@
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
@@ -60,6 +61,17 @@ void FillBall(vtkPolyData* ball)
   ball->GetPointData()->SetScalars(colors);
 }
 
+/// Tells of the colors that it keeps.
+class MapperOfColors : public littoral::BlockMapper
+{
+public:
+  static MapperOfColors* New();
+  vtkTypeMacro(MapperOfColors, littoral::BlockMapper);
+
+  vtkIdType KeptColors() const { return this->Colors->GetNumberOfTuples(); }
+};
+vtkStandardNewMacro(MapperOfColors);
+
 /// A mapper of a ball in a window of its own.
 struct Shown
 {
@@ -102,7 +114,9 @@ struct Shown
 bool CheckKeptNumbers(Shown& blocks, Shown& plain, const std::string& when)
 {
   const bool good = Check(plain.KeptNumbers("vertexMC") > 1, when + ": VTK keeps no vertices");
-  return Check(blocks.KeptNumbers("vertexMC") == 0, when + ": vertices are sent and kept") && good;
+  const auto* mapper = static_cast<MapperOfColors*>(blocks.Mapper);
+  return Check(blocks.KeptNumbers("vertexMC") == 0, when + ": vertices are sent and kept") &&
+    Check(mapper->KeptColors() == 1, when + ": colors are sent and kept") && good;
 }
 
 /// Triangles of a square of two metres, one behind the other, of colors that go from black to white.
@@ -182,7 +196,7 @@ int TestBlockMapper(int, char*[])
 {
   vtkNew<vtkPolyData> ball;
   FillBall(ball);
-  vtkNew<littoral::BlockMapper> ofBlocks;
+  vtkNew<MapperOfColors> ofBlocks;
   vtkNew<vtkOpenGLPolyDataMapper> ofVtk;
   Shown blocks(ofBlocks, ball);
   Shown plain(ofVtk, ball);
@@ -210,6 +224,13 @@ int TestBlockMapper(int, char*[])
   good &= Check(colored != moved, "the ball has its former colors");
   good &= Check(blocks.Picture() == colored, "colored: another picture than VTK's");
   good &= CheckKeptNumbers(blocks, plain, "colored");
+
+  const vtkUnsignedCharArray* all = ofBlocks->MapScalars(1.0);
+  good &= Check(all->GetNumberOfTuples() == ball->GetNumberOfPoints(), "exporters get colors that were dropped");
+  good &= Check(blocks.Picture() == colored, "after an export: another picture than VTK's");
+  points->Modified();
+  good &= Check(blocks.Picture() == colored, "sent after an export: another picture than VTK's");
+  good &= CheckKeptNumbers(blocks, plain, "sent after an export");
 
   ofBlocks->ReleaseGraphicsResources(blocks.Window);
   good &= Check(blocks.Picture() == colored, "after a release: another picture than VTK's");

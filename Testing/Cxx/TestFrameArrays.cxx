@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Frames of a swaying tree and of kelp take each other's memory in turn, and never that of one which somebody holds.
+// Frames of a swaying tree and of kelp take each other's memory in turn, and never that of one which somebody holds,
+// unless frames may be overwritten.
 #include "Data/PlantBlocks.h"
 #include "Data/PlantForm.h"
 #include "PlantChecks.h"
@@ -96,7 +97,7 @@ bool FramesAreTheirOwn(const Make& make)
   return good;
 }
 
-vtkSmartPointer<vtkAlgorithm> Tree()
+vtkSmartPointer<vtkBeamTreeDeformationFilter> Tree()
 {
   vtkNew<vtkReevesTreeSource> tree;
   vtkNew<vtkWindFieldSource> wind;
@@ -116,6 +117,31 @@ vtkSmartPointer<vtkAlgorithm> Kelp()
   swell->SetInputConnection(kelp->GetOutputPort());
   swell->SetSeaStateConnection(sea->GetOutputPort());
   return swell;
+}
+
+/// A frame that is held is written over where it may be, and each frame is what it is without that.
+bool HeldFramesAreOverwritten()
+{
+  const auto plants = Tree();
+  plants->OverwriteFramesOn();
+  std::vector<vtkSmartPointer<vtkFloatArray>> held;
+  bool good = true;
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    const double time = 0.37 * frame;
+    plants->UpdateTimeStep(time);
+    const auto fresh = Tree();
+    fresh->UpdateTimeStep(time);
+    for (const bool normals : { false, true })
+    {
+      vtkFloatArray* array = Moving(plants, normals);
+      good &= Check(Values(array) == Values(Moving(fresh, normals)), "a frame over another differs from a fresh one");
+      good &= Check(HasTrueRanges(array), "ranges of the frame that was written over");
+      good &= Check(frame == 0 || array == held[normals], "a frame was not written over the one before");
+      held.emplace_back(array);
+    }
+  }
+  return good;
 }
 
 /// Kelp on a site.
@@ -177,6 +203,7 @@ int TestFrameArrays(int, char*[])
 {
   bool good = FramesAreTheirOwn(Tree);
   good &= FramesAreTheirOwn(Kelp);
+  good &= HeldFramesAreOverwritten();
   good &= PlantsThatWentAreWrittenAnew();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Strips that the graphics have are dropped, and made again only when the graphics are taken from their mapper.
+// Strips that the graphics have are dropped, and made again only when the graphics are taken from their mapper. The
+// indices of the first ones draw all.
 #include "Check.h"
 #include "GroundCoverMapper.h"
 
@@ -22,7 +23,8 @@ namespace
 {
 
 constexpr int Squares = 4;
-constexpr int Side = 40; // pixels of the picture
+constexpr int Indexed = 2; // of them are cells
+constexpr int Side = 40;   // pixels of the picture
 constexpr int Red = 200;
 
 /// Red squares of side 1, two apart, in a row along x, each a strip of four points.
@@ -35,12 +37,16 @@ vtkSmartPointer<vtkPolyData> RedSquares()
   colors->SetNumberOfComponents(3);
   for (int n = 0; n < Squares; ++n)
   {
-    squares->GetStrips()->InsertNextCell(4);
     for (int corner = 0; corner < 4; ++corner)
     {
-      const double x = 2.0 * n + corner % 2;
-      squares->GetStrips()->InsertCellPoint(squares->GetPoints()->InsertNextPoint(x, corner / 2, 0.0));
+      squares->GetPoints()->InsertNextPoint(2.0 * n + corner % 2, corner / 2, 0.0);
       colors->InsertNextTuple3(Red, 0, 0);
+    }
+    if (n < Indexed)
+    {
+      const vtkIdType first = 4 * static_cast<vtkIdType>(n);
+      const vtkIdType corners[] = { first, first + 1, first + 2, first + 3 };
+      squares->GetStrips()->InsertNextCell(4, corners);
     }
   }
   squares->GetPointData()->SetScalars(colors);
@@ -111,6 +117,8 @@ int TestGroundCoverMapper(int, char*[])
     "what was sent is kept");
   shown.Mapper->SetRuns({ { 0, 1 }, { 3, 4 } });
   good &= CheckPixels(shown, 2, "some");
+  const double* bounds = shown.Mapper->GetBounds();
+  good &= Check(bounds[0] == 0.0 && bounds[1] == 2.0 * Squares - 1.0, "bounds of the cells alone");
   good &= Check(made == 1, "made again for another picture");
   shown.Mapper->ReleaseGraphicsResources(shown.Window);
   good &= CheckPixels(shown, 2, "after a release");

@@ -81,13 +81,23 @@ vtkUnsignedCharArray* BlockMapper::MapScalars(vtkDataSet* input, double alpha, i
   const bool areColors = this->ScalarVisibility && this->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS &&
     vtkUnsignedCharArray::SafeDownCast(array);
   const vtkMTimeType time = array ? array->GetMTime() : 0;
-  if (areColors && this->Colors && !this->ColorTextureMap && this->Colored.Time == time && this->Colored.Alpha == alpha)
+  const bool areDropped =
+    this->Colors && this->Colored.Tuples > 0 && this->Colors->GetNumberOfTuples() != this->Colored.Tuples;
+  // Others than the graphics, such as exporters, need all colors.
+  const bool areSent = this->IsDrawing && this->VBOs->GetVBO("scalarColor");
+  const bool areMade = this->Colors && (areSent || !areDropped);
+  if (areColors && areMade && !this->ColorTextureMap && this->Colored.Time == time && this->Colored.Alpha == alpha)
   {
     cellFlag = association;
     return this->Colors;
   }
+  if (areDropped)
+  {
+    this->Colors->UnRegister(this); // VTK takes those that it finds
+    this->Colors = nullptr;
+  }
   vtkUnsignedCharArray* colors = this->Superclass::MapScalars(input, alpha, cellFlag);
-  this->Colored = areColors ? Source{ time, alpha } : Source{};
+  this->Colored = areColors && colors ? Source{ time, alpha, colors->GetNumberOfTuples() } : Source{};
   return colors;
 }
 
@@ -104,8 +114,16 @@ void BlockMapper::ComputeBounds()
 }
 
 //----------------------------------------------------------------------------
+void BlockMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->IsDrawing = true;
+  this->Superclass::RenderPiece(renderer, actor);
+  this->IsDrawing = false;
+}
+
+//----------------------------------------------------------------------------
 /// Lets go of the vertices of the last picture before others are sent: what draws them holds them until it has the
-/// others. Drops those that were sent, since the graphics' memory has them too: VTK would keep them.
+/// others. Drops those that were sent, and their colors, since the graphics' memory has them too: VTK would keep them.
 void BlockMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
 {
   for (vtkOpenGLHelper& primitive : this->Primitives)
@@ -120,6 +138,10 @@ void BlockMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
     {
       std::vector<float>().swap(sent->GetPackedVBO());
     }
+  }
+  if (this->Colored.Tuples > 0 && !this->HaveCellScalars && this->VBOs->GetVBO("scalarColor"))
+  {
+    this->Colors->Resize(1); // VTK takes none for no colors
   }
 }
 

@@ -31,6 +31,8 @@ public:
   vtkUnsignedCharArray* MapScalars(vtkDataSet* input, double alpha, int& cellFlag) override;
   using Superclass::MapScalars;
 
+  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
+
 protected:
   BlockMapper() = default;
   ~BlockMapper() override = default;
@@ -46,15 +48,17 @@ private:
 
   bool IsDrawnByParts(vtkRenderer* renderer, vtkActor* actor) const;
 
-  /// Time of change of the array whose colors are in use, and their opacity: no two arrays were ever changed at one
-  /// time.
+  /// Time of change of the array whose colors are in use, their opacity and number: no two arrays were ever changed at
+  /// one time.
   struct Source
   {
     vtkMTimeType Time = 0;
     double Alpha = 0.0;
+    vtkIdType Tuples = 0;
   };
   Source Colored;
   unsigned int BlockIndex = 0;
+  bool IsDrawing = false;
 };
 
 }

@@ -5,6 +5,7 @@
 #include "Numerics/RandomStream.h"
 #include "Plants/RigidSkinning.h"
 #include "Plants/Skinning.h"
+#include "Plants/StandBinding.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <memory>
 #include <vector>
 
 using namespace littoral;
@@ -332,6 +334,78 @@ TEST(SkinBinding, KeepsTheArraysItIsMadeOf)
   skin.Binding().Write(ids.data(), weights.data());
   EXPECT_EQ(ids, skin.Ids);
   EXPECT_EQ(weights, skin.Weights);
+}
+
+/// Two plants with the same skin, of which the second stands aside and has joints of its own; both by one binding, and
+/// by the binding that they share.
+struct TwoAlike
+{
+  RandomSkin One{ { 0.0, 0.0, 0.0 } };
+  std::vector<float> Points = One.Points;
+  std::vector<float> Normals = One.Normals;
+  std::vector<JointChange> Changes = One.Changes;
+  std::vector<int> Ids = One.Ids;
+  std::vector<float> Weights = One.Weights;
+  StandBinding Shared;
+
+  TwoAlike()
+  {
+    const std::size_t vertices = this->One.Ids.size() / 4;
+    const auto joints = static_cast<int>(this->One.Changes.size());
+    const RandomSkin other({ 40.0, -7.0, 0.5 });
+    this->Points.insert(this->Points.end(), other.Points.begin(), other.Points.end());
+    this->Normals.insert(this->Normals.end(), other.Normals.begin(), other.Normals.end());
+    for (int joint = joints - 1; joint >= 0; --joint) // unlike those of the first
+    {
+      this->Changes.push_back(ChangeOf(this->One.Poses[joint], other.Places[joints - 1 - joint]));
+    }
+    for (std::size_t n = 0; n < 4 * vertices; ++n)
+    {
+      this->Ids.push_back(this->One.Ids[n] + joints);
+      this->Weights.push_back(this->One.Weights[n]);
+    }
+    const auto binding = std::make_shared<const SkinBinding>(this->One.Binding());
+    this->Shared.Add(binding, 0);
+    this->Shared.Add(binding, joints);
+  }
+};
+
+TEST(StandBinding, PlantsThatShareABindingMoveAsByOneOfAll)
+{
+  const TwoAlike two;
+  const std::size_t vertices = two.Points.size() / 3;
+  const SkinBinding all(two.Ids.data(), two.Weights.data(), vertices);
+  ASSERT_EQ(two.Shared.GetNumberOfVertices(), vertices);
+  std::vector<float> expected(two.Points.size());
+  std::vector<float> expectedNormals(expected.size());
+  const RestSkin rest{ two.Points.data(), two.Normals.data() };
+  MoveSkin(rest, all, two.Changes.data(), 0, vertices, expected.data(), expectedNormals.data());
+  std::vector<float> points(expected.size(), -1.0f);
+  std::vector<float> normals(points);
+  const std::size_t third = vertices / 3; // the second of three ranges is of both plants
+  for (std::size_t begin = 0; begin < vertices; begin += third)
+  {
+    two.Shared.Move(rest, two.Changes.data(), begin, std::min(vertices, begin + third), points.data(), normals.data());
+  }
+  EXPECT_EQ(points, expected);
+  EXPECT_EQ(normals, expectedNormals);
+  std::fill(points.begin(), points.end(), -1.0f);
+  StandBinding(all).Move({ rest.Points }, two.Changes.data(), 0, vertices, points.data(), nullptr);
+  EXPECT_EQ(points, expected);
+}
+
+TEST(StandBinding, TellsTheJointsOfAll)
+{
+  const TwoAlike two;
+  std::vector<int> ids(two.Ids.size(), -1);
+  std::vector<float> weights(ids.size(), -1.0f);
+  two.Shared.Write(ids.data(), weights.data());
+  EXPECT_EQ(ids, two.Ids);
+  EXPECT_EQ(weights, two.Weights);
+  for (std::size_t vertex = 0; vertex < ids.size() / 4; ++vertex)
+  {
+    EXPECT_EQ(two.Shared.JointOf(vertex), two.Ids[4 * vertex]);
+  }
 }
 
 TEST(SkinBinding, VerticesAlikeAndVerticesOfTheSameJointsAreRuns)
