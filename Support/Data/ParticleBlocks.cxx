@@ -386,17 +386,31 @@ vtkSmartPointer<vtkFloatArray> AlphasOf(
 void AddLevelArrays(const ShownParticles& shown, ParticleLevel kind, FrameArrays& memory, vtkPointData* arrays)
 {
   const auto count = static_cast<vtkIdType>(SizeOf(shown.Selection, kind));
-  const auto add = [&](auto* type, const char* name) {
-    const auto array = memory.New<std::decay_t<decltype(*type)>>(name, 1, count);
-    arrays->AddArray(array);
-    return array->GetPointer(0);
-  };
-  auto* trains = add(static_cast<vtkIntArray*>(nullptr), sea::TrainCount);
-  auto* error = kind == ParticleLevel::Far ? nullptr : add(static_cast<vtkFloatArray*>(nullptr), sea::ErrorBound);
+  const auto trains = memory.New<vtkIntArray>(sea::TrainCount, 1, count);
+  const auto errors = kind == ParticleLevel::Far ? nullptr : memory.New<vtkFloatArray>(sea::ErrorBound, 1, count);
+  int* firstTrains = trains->GetPointer(0);
+  float* firstError = errors ? errors->GetPointer(0) : nullptr;
   Visit(shown, kind, [=](const ShownRun& run, std::size_t place) {
-    std::fill_n(trains + place, run.Size(), run.Trains);
-    std::fill_n(error ? error + place : nullptr, error ? run.Size() : 0, run.Error);
+    std::fill_n(firstTrains + place, run.Size(), run.Trains);
+    std::fill_n(firstError ? firstError + place : nullptr, firstError ? run.Size() : 0, run.Error);
   });
+  // All of a run are alike.
+  TupleRanges ofTrains;
+  TupleRanges ofErrors;
+  for (const ParticlePart& part : shown.Selection.Parts)
+  {
+    VisitPart(shown.Selection, part, kind, [&](const ShownRun& run, std::size_t) {
+      ofTrains.Components[0].Add(run.Trains);
+      ofErrors.Components[0].Add(run.Error);
+    });
+  }
+  KeepRangesOfParts(trains, { ofTrains });
+  arrays->AddArray(trains);
+  if (errors)
+  {
+    KeepRangesOfParts(errors, { ofErrors });
+    arrays->AddArray(errors);
+  }
 }
 
 //----------------------------------------------------------------------------
