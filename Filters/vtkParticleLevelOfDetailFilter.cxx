@@ -78,6 +78,10 @@ constexpr double LargestSpread = 0.25;
 /// current [m].
 constexpr double WayStep = 0.1;
 
+/// Ways that are below a multiple by no more count as those from it on: sums are rounded, and a choice of levels holds
+/// within as much [m].
+constexpr double WaySlack = 1e-6;
+
 /// Maximum length of the steps of fog, much less than its cells [m].
 constexpr double LargestFogStep = 0.02;
 
@@ -93,11 +97,11 @@ double FogStep(const littoral::View& view, const littoral::ParticleLevelOptions&
 /// gone asks for no choice of its own.
 littoral::Box RoundedWays(const littoral::Box& ways)
 {
-  littoral::Box rounded{ WayStep * glm::floor(ways.Low / WayStep), littoral::Vector3(0.0) };
+  const auto floor = [](const littoral::Vector3& way) { return WayStep * glm::floor((way + WaySlack) / WayStep); };
+  littoral::Box rounded{ floor(ways.Low), littoral::Vector3(0.0) };
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double above = WayStep * (std::floor(ways.High[axis] / WayStep) + 1.0);
-    rounded.High[axis] = ways.High[axis] == 0.0 ? 0.0 : above;
+    rounded.High[axis] = ways.High[axis] == 0.0 ? 0.0 : floor(ways.High)[axis] + WayStep;
   }
   return rounded;
 }

@@ -28,29 +28,53 @@ constexpr std::size_t PartsAtOnce = 128;
 
 /// Calls a task with each of some runs and the place of its first particle in a block.
 template <typename Task>
-std::size_t ForRuns(const ShownRuns& runs, std::size_t place, const Task& task)
+void ForRuns(const ShownRuns& runs, std::size_t place, const Task& task)
 {
   for (const ShownRun& run : runs)
   {
     task(run, place);
     place += run.Size();
   }
-  return place;
+}
+
+/// Calls a task with each list of runs of a part in a level, and with the place of its first particle in the block.
+template <typename Task>
+void VisitLists(const ParticleSelection& selection, const ParticlePart& part, ParticleLevel kind, const Task& task)
+{
+  const ParticleCounts& before = part.Before;
+  if (kind == ParticleLevel::Middle)
+  {
+    task(part.Orbits, static_cast<std::size_t>(before.Masters));
+    task(part.Slaves, static_cast<std::size_t>(selection.Masters + before.Slaves));
+    return;
+  }
+  const bool isNear = kind == ParticleLevel::Near;
+  task(isNear ? part.Near : part.Far, static_cast<std::size_t>(isNear ? before.Near : before.Far));
 }
 
 /// Calls a task with the runs of a part in a level, in their places in the block.
 template <typename Task>
 void VisitPart(const ParticleSelection& selection, const ParticlePart& part, ParticleLevel kind, const Task& task)
 {
-  const ParticleCounts& before = part.Before;
-  if (kind == ParticleLevel::Middle)
-  {
-    ForRuns(part.Orbits, static_cast<std::size_t>(before.Masters), task);
-    ForRuns(part.Slaves, static_cast<std::size_t>(selection.Masters + before.Slaves), task);
-    return;
-  }
-  const bool isNear = kind == ParticleLevel::Near;
-  ForRuns(isNear ? part.Near : part.Far, static_cast<std::size_t>(isNear ? before.Near : before.Far), task);
+  VisitLists(selection, part, kind, [&](const ShownRuns& runs, std::size_t place) { ForRuns(runs, place, task); });
+}
+
+/// The same with runs of one weight that follow each other as one, whatever else is told of them.
+template <typename Task>
+void VisitWeights(const ParticleSelection& selection, const ParticlePart& part, ParticleLevel kind, const Task& task)
+{
+  VisitLists(selection, part, kind, [&](const ShownRuns& runs, std::size_t place) {
+    for (auto run = runs.begin(); run != runs.end();)
+    {
+      ShownRun joined = *run;
+      while (++run != runs.end() && run->Begin == joined.End && run->Weight == joined.Weight)
+      {
+        joined.End = run->End;
+      }
+      task(joined, place);
+      place += joined.Size();
+    }
+  });
 }
 
 /// Calls a task with all parts, on all threads where they are worth calling, and with the number of its batch.
@@ -342,18 +366,16 @@ vtkSmartPointer<vtkFloatArray> AlphasOf(
   const auto* sorted = shown.Sorted ? Array::SafeDownCast(shown.Sorted)->GetPointer(0) : nullptr;
   std::vector<TupleRanges> ranges(shown.Selection.Parts.size() / PartsAtOnce + 1);
   ForBatchedParts(shown.Selection, [&](const ParticlePart& part, std::size_t batch) {
-    VisitPart(shown.Selection, part, kind, [&](const ShownRun& run, std::size_t place) {
-      const bool isBlended = run.Weight == RunWeight::ByDistance;
-      if (isBlended)
+    VisitWeights(shown.Selection, part, kind, [&](const ShownRun& run, std::size_t place) {
+      if (run.Weight == RunWeight::ByDistance)
       {
         Blend(shown, kind, run, shown.Groups.GetClusters()[part.Cluster], sorted, alpha + place);
+        ranges[batch].AddNumbers(alpha + place, alpha + place + run.Size());
+        return;
       }
-      else if (!isFormer)
-      {
-        std::fill_n(alpha + place, run.Size(), run.Weight == RunWeight::None ? 0.0f : 1.0f);
-      }
-      // All others of a run are like its first one.
-      ranges[batch].AddNumbers(alpha + place, alpha + place + (isBlended ? run.Size() : 1));
+      const float weight = run.Weight == RunWeight::None ? 0.0f : 1.0f;
+      std::fill_n(alpha + place, isFormer ? 0 : run.Size(), weight);
+      ranges[batch].Components[0].Add(weight);
     });
   });
   KeepRangesOfParts(array, ranges);
@@ -364,17 +386,31 @@ vtkSmartPointer<vtkFloatArray> AlphasOf(
 void AddLevelArrays(const ShownParticles& shown, ParticleLevel kind, FrameArrays& memory, vtkPointData* arrays)
 {
   const auto count = static_cast<vtkIdType>(SizeOf(shown.Selection, kind));
-  const auto add = [&](auto* type, const char* name) {
-    const auto array = memory.New<std::decay_t<decltype(*type)>>(name, 1, count);
-    arrays->AddArray(array);
-    return array->GetPointer(0);
-  };
-  auto* trains = add(static_cast<vtkIntArray*>(nullptr), sea::TrainCount);
-  auto* error = kind == ParticleLevel::Far ? nullptr : add(static_cast<vtkFloatArray*>(nullptr), sea::ErrorBound);
+  const auto trains = memory.New<vtkIntArray>(sea::TrainCount, 1, count);
+  const auto errors = kind == ParticleLevel::Far ? nullptr : memory.New<vtkFloatArray>(sea::ErrorBound, 1, count);
+  int* firstTrains = trains->GetPointer(0);
+  float* firstError = errors ? errors->GetPointer(0) : nullptr;
   Visit(shown, kind, [=](const ShownRun& run, std::size_t place) {
-    std::fill_n(trains + place, run.Size(), run.Trains);
-    std::fill_n(error ? error + place : nullptr, error ? run.Size() : 0, run.Error);
+    std::fill_n(firstTrains + place, run.Size(), run.Trains);
+    std::fill_n(firstError ? firstError + place : nullptr, firstError ? run.Size() : 0, run.Error);
   });
+  // All of a run are alike.
+  TupleRanges ofTrains;
+  TupleRanges ofErrors;
+  for (const ParticlePart& part : shown.Selection.Parts)
+  {
+    VisitPart(shown.Selection, part, kind, [&](const ShownRun& run, std::size_t) {
+      ofTrains.Components[0].Add(run.Trains);
+      ofErrors.Components[0].Add(run.Error);
+    });
+  }
+  KeepRangesOfParts(trains, { ofTrains });
+  arrays->AddArray(trains);
+  if (errors)
+  {
+    KeepRangesOfParts(errors, { ofErrors });
+    arrays->AddArray(errors);
+  }
 }
 
 //----------------------------------------------------------------------------

@@ -180,6 +180,14 @@ bool CheckDriftedFrames()
       Append(now, held[n]);
       good &= Check(now == bytes[n], "a frame that is held has changed");
     }
+    // A way of 0.1 m has the levels of those up to 0.2 m, and none of its own.
+    const auto masterIds = [&](double time) {
+      look(kept, time);
+      return vtkSmartPointer<vtkDataArray>(BlockOf(kept, 1)->GetPointData()->GetArray("MasterId"));
+    };
+    const bool goTogether = flow == vtkFlowPrimitiveSource::Uniform;
+    good &= Check(
+      !goTogether || masterIds(1.0 / 3.0) == masterIds(0.6), "a multiple of the step of ways has levels of its own");
     // Together, all keep their master.
     const auto masters = [&](double time) {
       look(kept, time);

@@ -132,6 +132,20 @@ void CheckDrifting(int flowType)
     CheckRanges(vtkPolyData::SafeDownCast(drift->GetOutputDataObject(0))->GetPoints()->GetData());
     CheckRanges(shown->GetPoints()->GetData());
   }
+  levels->UseLevelsOn();
+  levels->SetFarDistance(20.0);
+  levels->Update();
+  int compared = 0;
+  for (unsigned int block = 0; block < 3; ++block)
+  {
+    auto* shown = vtkPolyData::SafeDownCast(vtkMultiBlockDataSet::SafeDownCast(levels->GetOutput())->GetBlock(block));
+    const bool isLarge = shown->GetNumberOfPoints() >= littoral::FewTuples;
+    for (int index = 0; isLarge && index < shown->GetPointData()->GetNumberOfArrays(); ++index, ++compared)
+    {
+      CheckRanges(shown->GetPointData()->GetArray(index));
+    }
+  }
+  Check(compared > 0, "arrays of levels are compared");
 }
 
 /// Skins whose ranges are found plant by plant while they are bent: of blades, stipes and floats, each its own.
