@@ -37,13 +37,16 @@ constexpr std::size_t PlantsAhead = 4;
 class MovedSkin
 {
 public:
-  MovedSkin(SeaweedSkinBlock& skin, FrameArrays& arrays)
+  MovedSkin(const SeaweedScene& scene, SeaweedSkinBlock& skin, FrameArrays& arrays)
     : Block(skin)
     , Rest(ReadSkin(skin.Rest))
     , Points(arrays.Like(FloatPointsOf(skin.Rest)))
     , Normals(arrays.Like(FindNormals(skin.Rest)))
     , HasFixed(arrays.IsFormer(this->Points) && arrays.IsFormer(this->Normals))
+    , Since(std::min(arrays.NotedWith(this->Points), arrays.NotedWith(this->Normals)))
   {
+    arrays.Note(this->Points, scene.GetShow());
+    arrays.Note(this->Normals, scene.GetShow());
   }
 
   /// Sees to the vertices that never move: an array that is used again has them.
@@ -64,10 +67,35 @@ public:
     this->Found[1].Add(this->Block.FixedRanges[1]);
   }
 
+  /// Whether the arrays have a plant that stays for some pictures as it is.
+  bool HasPlant(const SeaweedScene& scene, std::size_t plant) const
+  {
+    return scene.Stays(plant) && !scene.HasChangedSince(plant, this->Since);
+  }
+
+  /// Adds the ranges of a plant that stays.
+  void AddPlant(std::size_t plant, std::array<TupleRanges, 2>& sum) const
+  {
+    sum[0].Add(this->Block.PlantRanges[plant][0], 3);
+    sum[1].Add(this->Block.PlantRanges[plant][1], 3);
+  }
+
+  /// Moves all of a plant that stays, and keeps its ranges.
+  void MoveStaying(const SeaweedScene& scene, std::size_t plant, const std::vector<JointChange>& changes,
+    std::array<TupleRanges, 2>& sum) const
+  {
+    SkinRanges ranges;
+    this->MovePlant(scene, plant, changes, ranges);
+    this->Block.PlantRanges[plant] = { ranges.Points.Range(), ranges.Normals.Range() };
+    this->AddPlant(plant, sum);
+  }
+
   /// Moves all of a plant; adds to the ranges.
   void MovePlant(
-    std::size_t plant, const std::vector<JointChange>& changes, float rigidity, bool isFar, SkinRanges& ranges) const
+    const SeaweedScene& scene, std::size_t plant, const std::vector<JointChange>& changes, SkinRanges& ranges) const
   {
+    const float rigidity = scene.RigidityOf(plant);
+    const bool isFar = scene.IsFar(plant);
     const SeaweedSkin& own = this->Block.Skin;
     const RigidBinding& rigid = isFar ? this->Block.Far : this->Block.Rigid;
     const std::vector<std::uint32_t>& firsts = this->Block.FirstRigid[isFar ? 1 : 0];
@@ -92,6 +120,12 @@ public:
   }
 
   void AddRanges(const SkinRanges& ranges) { this->Add(ranges, this->Found); }
+  void AddRanges(const std::array<TupleRanges, 2>& ranges)
+  {
+    const std::lock_guard<std::mutex> lock(this->Adding);
+    this->Found[0].Add(ranges[0]);
+    this->Found[1].Add(ranges[1]);
+  }
 
   void Write(vtkMultiBlockDataSet* blocks) const
   {
@@ -110,6 +144,7 @@ private:
   vtkSmartPointer<vtkFloatArray> Points;
   vtkSmartPointer<vtkFloatArray> Normals;
   bool HasFixed;
+  long long Since;                  ///< the Show() that the arrays are of; 0: of none
   std::array<TupleRanges, 2> Found; ///< of points and of normals
   std::mutex Adding;
 
@@ -138,6 +173,17 @@ private:
   }
 };
 
+bool HasStaying(const SeaweedScene& scene)
+{
+  const std::size_t plants = scene.GetStand().GetPlants().size();
+  std::size_t plant = 0;
+  while (plant < plants && !scene.Stays(plant))
+  {
+    ++plant;
+  }
+  return plant < plants;
+}
+
 /// Replaces the skins among the blocks. All of a plant is done by one thread, at one go.
 void WriteSkins(
   const SeaweedScene& scene, std::vector<SeaweedSkinBlock>& skins, SeaweedFrames& frames, vtkMultiBlockDataSet* blocks)
@@ -145,7 +191,13 @@ void WriteSkins(
   std::deque<MovedSkin> moved;
   for (SeaweedSkinBlock& skin : skins)
   {
-    moved.emplace_back(skin, frames.Arrays);
+    moved.emplace_back(scene, skin, frames.Arrays);
+  }
+  const std::size_t plants = scene.GetStand().GetPlants().size();
+  const bool someStay = HasStaying(scene);
+  for (SeaweedSkinBlock& skin : skins)
+  {
+    skin.PlantRanges.resize(someStay ? plants : 0);
   }
   std::vector<JointChange>& changes = frames.Changes;
   changes.resize(scene.GetStand().GetSkeleton().Nodes.size());
@@ -154,24 +206,45 @@ void WriteSkins(
     skin.MoveFixed(changes);
   }
   const std::vector<glm::dquat> rotations = scene.SkinRotations();
-  SmpFor(scene.GetStand().GetPlants().size(), [&](std::size_t begin, std::size_t end) {
+  SmpFor(plants, [&](std::size_t begin, std::size_t end) {
     std::vector<SkinRanges> parts(moved.size());
+    std::vector<std::array<TupleRanges, 2>> staying(moved.size());
+    const auto isThere = [&](std::size_t plant) {
+      return std::all_of(
+        moved.begin(), moved.end(), [&](const MovedSkin& skin) { return skin.HasPlant(scene, plant); });
+    };
     for (std::size_t plant = begin; plant < end; ++plant)
     {
-      for (const MovedSkin& skin : moved)
+      const std::size_t ahead = std::min(plant + PlantsAhead, end - 1);
+      if (!isThere(ahead))
       {
-        skin.FetchPlant(std::min(plant + PlantsAhead, end - 1));
+        std::for_each(moved.begin(), moved.end(), [ahead](const MovedSkin& skin) { skin.FetchPlant(ahead); });
       }
-      const bool isFar = scene.IsFar(plant);
-      scene.FindChanges(plant, rotations, changes, isFar);
+      const bool isWritten = isThere(plant);
+      if (!isWritten)
+      {
+        scene.FindChanges(plant, rotations, changes, scene.IsFar(plant));
+      }
       for (std::size_t skin = 0; skin < moved.size(); ++skin)
       {
-        moved[skin].MovePlant(plant, changes, scene.RigidityOf(plant), isFar, parts[skin]);
+        if (isWritten)
+        {
+          moved[skin].AddPlant(plant, staying[skin]);
+        }
+        else if (scene.Stays(plant))
+        {
+          moved[skin].MoveStaying(scene, plant, changes, staying[skin]);
+        }
+        else
+        {
+          moved[skin].MovePlant(scene, plant, changes, parts[skin]);
+        }
       }
     }
     for (std::size_t skin = 0; skin < moved.size(); ++skin)
     {
       moved[skin].AddRanges(parts[skin]);
+      moved[skin].AddRanges(staying[skin]);
     }
   });
   for (const MovedSkin& skin : moved)
@@ -187,10 +260,16 @@ vtkSmartPointer<vtkDataArray> MovedNodes(const SeaweedScene& scene, vtkDataArray
   if (auto* floats = vtkFloatArray::SafeDownCast(rest))
   {
     const auto moved = arrays.Like(floats);
+    const long long since = arrays.NotedWith(moved);
+    arrays.Note(moved, scene.GetShow());
     float* to = moved->GetPointer(0);
     SmpFor(nodes, [&](std::size_t begin, std::size_t end) {
       for (std::size_t node = begin; node < end; ++node)
       {
+        if (!scene.HasChangedSince(scene.GetStand().PlantOf(node), since))
+        {
+          continue;
+        }
         const Vector3 place = scene.NodePosition(node);
         to[3 * node] = static_cast<float>(place.x);
         to[3 * node + 1] = static_cast<float>(place.y);

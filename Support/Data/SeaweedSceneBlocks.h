@@ -38,6 +38,8 @@ struct SeaweedSkinBlock
   /// some vertices.
   std::array<std::vector<std::uint32_t>, 2> FirstRigid;
   std::array<TupleRanges, 2> FixedRanges; ///< of points and normals that never move, once they were written
+  /// Of points and normals of plants that stay as they are for some pictures; empty until there are some.
+  std::vector<std::array<VectorRange, 2>> PlantRanges;
 };
 
 /// Arrays and joints that the frames of a scene take in turn.
