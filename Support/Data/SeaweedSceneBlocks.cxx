@@ -33,6 +33,13 @@ void Fetch(const float* numbers)
 
 constexpr std::size_t PlantsAhead = 4;
 
+/// Ranges of the plants of one thread.
+struct PlantSums
+{
+  SkinRanges Moving;
+  std::array<TupleRanges, 2> Staying; ///< of points and of normals
+};
+
 /// A skin on its way: arrays, and the ranges of their values, which are found while these are at hand.
 class MovedSkin
 {
@@ -59,7 +66,7 @@ public:
       SmpFor(runs.size(), [&](std::size_t begin, std::size_t end) {
         SkinRanges ranges;
         std::for_each(runs.data() + begin, runs.data() + end,
-          [&](const SkinRun& run) { this->Move(run, changes, 0.0f, nullptr, ranges); });
+          [&](const SkinRun& run) { this->Bend(run, changes, 0.0f, nullptr, ranges); });
         this->Add(ranges, this->Block.FixedRanges);
       });
     }
@@ -74,33 +81,25 @@ public:
   }
 
   /// Adds the ranges of a plant that stays.
-  void AddPlant(std::size_t plant, std::array<TupleRanges, 2>& sum) const
+  void AddPlant(std::size_t plant, PlantSums& sums) const
   {
-    sum[0].Add(this->Block.PlantRanges[plant][0], 3);
-    sum[1].Add(this->Block.PlantRanges[plant][1], 3);
+    sums.Staying[0].Add(this->Block.PlantRanges[plant][0], 3);
+    sums.Staying[1].Add(this->Block.PlantRanges[plant][1], 3);
   }
 
-  /// Moves all of a plant that stays, and keeps its ranges.
-  void MoveStaying(const SeaweedScene& scene, std::size_t plant, const std::vector<JointChange>& changes,
-    std::array<TupleRanges, 2>& sum) const
-  {
-    SkinRanges ranges;
-    this->MovePlant(scene, plant, changes, ranges);
-    this->Block.PlantRanges[plant] = { ranges.Points.Range(), ranges.Normals.Range() };
-    this->AddPlant(plant, sum);
-  }
-
-  /// Moves all of a plant; adds to the ranges.
+  /// Moves a plant, and keeps its ranges if it stays.
   void MovePlant(
-    const SeaweedScene& scene, std::size_t plant, const std::vector<JointChange>& changes, SkinRanges& ranges) const
+    const SeaweedScene& scene, std::size_t plant, const std::vector<JointChange>& changes, PlantSums& sums) const
   {
-    const float rigidity = scene.RigidityOf(plant);
-    const bool isFar = scene.IsFar(plant);
-    const SeaweedSkin& own = this->Block.Skin;
-    const RigidBinding& rigid = isFar ? this->Block.Far : this->Block.Rigid;
-    const std::vector<std::uint32_t>& firsts = this->Block.FirstRigid[isFar ? 1 : 0];
-    std::for_each(own.RunsOf(plant), own.RunsOf(plant + 1),
-      [&](const SkinRun& run) { this->Move(run, changes, rigidity, rigid.RunAt(firsts[own.IndexOf(&run)]), ranges); });
+    if (!scene.Stays(plant))
+    {
+      this->MoveRuns(scene, plant, changes, sums.Moving);
+      return;
+    }
+    SkinRanges ranges;
+    this->MoveRuns(scene, plant, changes, ranges);
+    this->Block.PlantRanges[plant] = { ranges.Points.Range(), ranges.Normals.Range() };
+    this->AddPlant(plant, sums);
   }
 
   /// Asks for the memory of a plant whose turn comes soon.
@@ -119,12 +118,12 @@ public:
     });
   }
 
-  void AddRanges(const SkinRanges& ranges) { this->Add(ranges, this->Found); }
-  void AddRanges(const std::array<TupleRanges, 2>& ranges)
+  void AddRanges(const PlantSums& sums)
   {
+    this->Add(sums.Moving, this->Found);
     const std::lock_guard<std::mutex> lock(this->Adding);
-    this->Found[0].Add(ranges[0]);
-    this->Found[1].Add(ranges[1]);
+    this->Found[0].Add(sums.Staying[0]);
+    this->Found[1].Add(sums.Staying[1]);
   }
 
   void Write(vtkMultiBlockDataSet* blocks) const
@@ -148,21 +147,30 @@ private:
   std::array<TupleRanges, 2> Found; ///< of points and of normals
   std::mutex Adding;
 
-  void Move(const SkinRun& run, const std::vector<JointChange>& changes, float rigidity, const RigidBinding::Run* rigid,
+  /// Moves all of a plant; adds to the ranges.
+  void MoveRuns(
+    const SeaweedScene& scene, std::size_t plant, const std::vector<JointChange>& changes, SkinRanges& ranges) const
+  {
+    const SeaweedSkin& own = this->Block.Skin;
+    const float rigidity = scene.RigidityOf(plant);
+    const std::size_t kind = rigidity < 1.0f ? 2 : (scene.IsFar(plant) ? 1 : 0);
+    const RigidBinding& rigid = kind == 1 ? this->Block.Far : this->Block.Rigid;
+    std::for_each(own.RunsOf(plant), own.RunsOf(plant + 1), [&](const SkinRun& run) {
+      const std::size_t first = this->Block.FirstRuns[kind][own.IndexOf(&run)];
+      kind == 2 ? this->Bend(run, changes, rigidity, this->Block.Binding.RunAt(first), ranges)
+                : MoveRigidly(this->Rest, rigid.RunAt(first), changes.data(), run.First, run.End,
+                    this->Points->GetPointer(0), this->Normals->GetPointer(0), ranges);
+    });
+  }
+
+  void Bend(const SkinRun& run, const std::vector<JointChange>& changes, float rigidity, const SkinBinding::Run* first,
     SkinRanges& ranges) const
   {
     float* p = this->Points->GetPointer(0);
     float* n = this->Normals->GetPointer(0);
-    if (rigidity < 1.0f)
-    {
-      MoveSkin(this->Rest, this->Block.Binding, changes.data(), run.First, run.End, p, n, rigidity);
-      AddVectors(p + 3 * run.First, run.End - run.First, ranges.Points);
-      AddVectors(n + 3 * run.First, run.End - run.First, ranges.Normals);
-    }
-    else
-    {
-      MoveRigidly(this->Rest, rigid, changes.data(), run.First, run.End, p, n, ranges);
-    }
+    MoveSkin(this->Rest, this->Block.Binding, changes.data(), run.First, run.End, p, n, rigidity, first);
+    AddVectors(p + 3 * run.First, run.End - run.First, ranges.Points);
+    AddVectors(n + 3 * run.First, run.End - run.First, ranges.Normals);
   }
 
   void Add(const SkinRanges& part, std::array<TupleRanges, 2>& sum)
@@ -184,69 +192,53 @@ bool HasStaying(const SeaweedScene& scene)
   return plant < plants;
 }
 
-/// Replaces the skins among the blocks. All of a plant is done by one thread, at one go.
-void WriteSkins(
-  const SeaweedScene& scene, std::vector<SeaweedSkinBlock>& skins, SeaweedFrames& frames, vtkMultiBlockDataSet* blocks)
+/// Moves plants in all skins, but for those that these have. All of a plant is done by one thread, at one go.
+void MovePlants(const SeaweedScene& scene, std::deque<MovedSkin>& skins, std::vector<JointChange>& changes)
 {
-  std::deque<MovedSkin> moved;
-  for (SeaweedSkinBlock& skin : skins)
-  {
-    moved.emplace_back(scene, skin, frames.Arrays);
-  }
-  const std::size_t plants = scene.GetStand().GetPlants().size();
   const bool someStay = HasStaying(scene);
-  for (SeaweedSkinBlock& skin : skins)
-  {
-    skin.PlantRanges.resize(someStay ? plants : 0);
-  }
-  std::vector<JointChange>& changes = frames.Changes;
-  changes.resize(scene.GetStand().GetSkeleton().Nodes.size());
-  for (MovedSkin& skin : moved)
-  {
-    skin.MoveFixed(changes);
-  }
   const std::vector<glm::dquat> rotations = scene.SkinRotations();
-  SmpFor(plants, [&](std::size_t begin, std::size_t end) {
-    std::vector<SkinRanges> parts(moved.size());
-    std::vector<std::array<TupleRanges, 2>> staying(moved.size());
-    const auto isThere = [&](std::size_t plant) {
-      return std::all_of(
-        moved.begin(), moved.end(), [&](const MovedSkin& skin) { return skin.HasPlant(scene, plant); });
-    };
+  const auto isThere = [&](std::size_t plant) {
+    const auto has = [&](const MovedSkin& skin) { return skin.HasPlant(scene, plant); };
+    return someStay && std::all_of(skins.begin(), skins.end(), has);
+  };
+  SmpFor(scene.GetStand().GetPlants().size(), [&](std::size_t begin, std::size_t end) {
+    std::vector<PlantSums> sums(skins.size());
     for (std::size_t plant = begin; plant < end; ++plant)
     {
       const std::size_t ahead = std::min(plant + PlantsAhead, end - 1);
       if (!isThere(ahead))
       {
-        std::for_each(moved.begin(), moved.end(), [ahead](const MovedSkin& skin) { skin.FetchPlant(ahead); });
+        std::for_each(skins.begin(), skins.end(), [ahead](const MovedSkin& skin) { skin.FetchPlant(ahead); });
       }
-      const bool isWritten = isThere(plant);
-      if (!isWritten)
+      const bool isDone = isThere(plant);
+      if (!isDone)
       {
         scene.FindChanges(plant, rotations, changes, scene.IsFar(plant));
       }
-      for (std::size_t skin = 0; skin < moved.size(); ++skin)
+      for (std::size_t skin = 0; skin < skins.size(); ++skin)
       {
-        if (isWritten)
-        {
-          moved[skin].AddPlant(plant, staying[skin]);
-        }
-        else if (scene.Stays(plant))
-        {
-          moved[skin].MoveStaying(scene, plant, changes, staying[skin]);
-        }
-        else
-        {
-          moved[skin].MovePlant(scene, plant, changes, parts[skin]);
-        }
+        isDone ? skins[skin].AddPlant(plant, sums[skin]) : skins[skin].MovePlant(scene, plant, changes, sums[skin]);
       }
     }
-    for (std::size_t skin = 0; skin < moved.size(); ++skin)
+    for (std::size_t skin = 0; skin < skins.size(); ++skin)
     {
-      moved[skin].AddRanges(parts[skin]);
-      moved[skin].AddRanges(staying[skin]);
+      skins[skin].AddRanges(sums[skin]);
     }
   });
+}
+
+/// Replaces the skins among the blocks.
+void WriteSkins(
+  const SeaweedScene& scene, std::vector<SeaweedSkinBlock>& skins, SeaweedFrames& frames, vtkMultiBlockDataSet* blocks)
+{
+  frames.Changes.resize(scene.GetStand().GetSkeleton().Nodes.size());
+  std::deque<MovedSkin> moved;
+  for (SeaweedSkinBlock& skin : skins)
+  {
+    skin.PlantRanges.resize(HasStaying(scene) ? scene.GetStand().GetPlants().size() : 0);
+    moved.emplace_back(scene, skin, frames.Arrays).MoveFixed(frames.Changes);
+  }
+  MovePlants(scene, moved, frames.Changes);
   for (const MovedSkin& skin : moved)
   {
     skin.Write(blocks);
@@ -322,8 +314,12 @@ std::vector<SeaweedSkinBlock> ReadSkins(vtkMultiBlockDataSet* plants, const Seaw
     SeaweedSkinBlock& skin = skins.back();
     for (const SkinRun& run : skin.Skin.GetRuns())
     {
-      skin.FirstRigid[0].push_back(static_cast<std::uint32_t>(skin.Rigid.IndexOf(skin.Rigid.RunOf(run.First))));
-      skin.FirstRigid[1].push_back(static_cast<std::uint32_t>(skin.Far.IndexOf(skin.Far.RunOf(run.First))));
+      const auto add = [&run](const auto& bound, std::vector<std::uint32_t>& firsts) {
+        firsts.push_back(static_cast<std::uint32_t>(bound.IndexOf(bound.RunOf(run.First))));
+      };
+      add(skin.Rigid, skin.FirstRuns[0]);
+      add(skin.Far, skin.FirstRuns[1]);
+      add(skin.Binding, skin.FirstRuns[2]);
     }
   }
   return skins;

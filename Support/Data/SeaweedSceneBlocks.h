@@ -34,9 +34,9 @@ struct SeaweedSkinBlock
   SkinBinding Binding;
   RigidBinding Rigid;
   RigidBinding Far; ///< to the carriers of joints
-  /// Indices of the runs in Rigid and in Far where those of Skin begin: to search them would take as long as to move
-  /// some vertices.
-  std::array<std::vector<std::uint32_t>, 2> FirstRigid;
+  /// Indices of the runs in Rigid, in Far and in Binding where those of Skin begin: to search them would take as long
+  /// as to move some vertices.
+  std::array<std::vector<std::uint32_t>, 3> FirstRuns;
   std::array<TupleRanges, 2> FixedRanges; ///< of points and normals that never move, once they were written
   /// Of points and normals of plants that stay as they are for some pictures; empty until there are some.
   std::vector<std::array<VectorRange, 2>> PlantRanges;
