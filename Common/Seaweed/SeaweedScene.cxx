@@ -527,19 +527,31 @@ std::map<long long, SeaweedScene::Moment> SeaweedScene::MomentsToShow(double tim
 }
 
 //----------------------------------------------------------------------------
-void SeaweedScene::ShowMoment(const Moment& moment, const Picture& picture)
+/// Shows plants, those of a moment side by side.
+void SeaweedScene::ShowPlants(const std::map<long long, Moment>& moments, const Picture& picture)
 {
+  std::vector<std::pair<const Moment*, std::size_t>> plants;
+  for (const auto& [step, moment] : moments)
+  {
+    for (const std::size_t plant : moment.Plants)
+    {
+      plants.emplace_back(&moment, plant);
+    }
+  }
   // What has been moved by its equations needs to be posed only: some 30 ns a link.
   const std::size_t links = std::max<std::size_t>(1, this->GetNumberOfLinks());
   const std::size_t atOnce = this->Plants.size() * (this->Physical ? PosesAtOnce : LinksAtOnce) / links;
-  ForRanges(this->Parallel, moment.Plants.size(), atOnce, [&](std::size_t begin, std::size_t end) {
+  ForRanges(this->Parallel, plants.size(), atOnce, [&](std::size_t begin, std::size_t end) {
     Work work;
     for (std::size_t next = begin; next < end; ++next)
     {
-      const std::size_t plant = moment.Plants[next];
+      const auto [moment, plant] = plants[next];
       this->Plants[plant].Counters = this->ShowPlant(plant, picture, work);
+      if (next + 1 == end || plants[next + 1].first != moment)
+      {
+        this->ShowMoving(*moment, work);
+      }
     }
-    this->ShowMoving(moment, work);
   });
 }
 
@@ -556,10 +568,7 @@ void SeaweedScene::ShowAt(double time, double remainder, const StepCurrents& cur
     this->StepAll(time - remainder, remainder, currents, partly, partlyPoses);
   }
   const Picture picture{ partly.empty() ? this->Marching.State() : partly, partly.empty() ? this->Poses : partlyPoses };
-  for (const auto& [step, moment] : this->MomentsToShow(time, currents))
-  {
-    this->ShowMoment(moment, picture);
-  }
+  this->ShowPlants(this->MomentsToShow(time, currents), picture);
 }
 
 //----------------------------------------------------------------------------

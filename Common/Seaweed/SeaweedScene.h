@@ -207,7 +207,7 @@ private:
   PlantLook LookOf(std::size_t index, const SeaweedLevels& levels, const ViewFrustum& frustum, bool mayBeHeld) const;
   void FindLooks(const SeaweedLevels& levels);
   std::map<long long, Moment> MomentsToShow(double time, const StepCurrents& currents);
-  void ShowMoment(const Moment& moment, const Picture& picture);
+  void ShowPlants(const std::map<long long, Moment>& moments, const Picture& picture);
   void ShowAt(double time, double remainder, const StepCurrents& currents);
   void FindPhysicalMotion();
   void FindProceduralMotion();
