@@ -465,11 +465,12 @@ SeaweedScene::PlantLook SeaweedScene::LookOf(
 void SeaweedScene::FindLooks(const SeaweedLevels& levels)
 {
   const std::size_t plants = this->Stand.GetPlants().size();
-  if (this->AreLooksFound && this->HadJoints == this->NeedsJoints && AreTheSame(this->Levels, levels))
+  const bool isKnown = this->AreLooksFound && this->HadJoints == this->NeedsJoints;
+  this->StandsStill = isKnown && AreTheSame(this->Levels, levels);
+  if (this->StandsStill)
   {
     return;
   }
-  const bool isKnown = this->AreLooksFound && this->HadJoints == this->NeedsJoints;
   this->Levels = levels;
   this->HadJoints = this->NeedsJoints;
   this->Plants.resize(plants);
@@ -705,6 +706,7 @@ void SeaweedScene::FindProceduralMotion()
   const std::vector<LinkPose> shown = this->Shown;
   const std::vector<ShownPlant> plants = this->Plants;
   const SeaweedLevels levels = this->Levels;
+  const bool standsStill = this->StandsStill;
   this->AreLooksFound = false; // until they are those of before
   this->FindLooks(SeaweedLevels());
   this->AreLooksFound = false;
@@ -717,6 +719,7 @@ void SeaweedScene::FindProceduralMotion()
   this->Shown = shown;
   this->Plants = plants;
   this->Levels = levels;
+  this->StandsStill = standsStill;
   this->AreLooksFound = true;
   for (std::size_t node = 0; node < positions[0].size(); ++node)
   {

@@ -115,8 +115,12 @@ public:
   /// Whether a plant is not as it was after an earlier Show().
   bool HasChangedSince(std::size_t plant, long long show) const { return this->Plants[plant].Changed > show; }
 
-  /// Whether a plant stays as it is for some more pictures of the same view.
-  bool Stays(std::size_t plant) const { return !this->Plants[plant].Look.IsSeen || this->Plants[plant].Look.Held > 0; }
+  /// Whether a plant stays as it is for some pictures of a view that seems to stand still.
+  bool Stays(std::size_t plant) const
+  {
+    const PlantLook& look = this->Plants[plant].Look;
+    return !look.IsSeen || (look.Held > 0 && this->StandsStill);
+  }
 
   /// Rotations of the links as skins show them; empty: those of their poses.
   std::vector<glm::dquat> SkinRotations() const;
@@ -234,7 +238,8 @@ private:
   std::vector<ShownPlant> Plants;
   SeaweedLevels Levels; ///< by which their looks were found
   bool AreLooksFound = false;
-  bool HadJoints = false; ///< NeedsJoints as they were shown
+  bool HadJoints = false;   ///< NeedsJoints as they were shown
+  bool StandsStill = false; ///< the view is that of the Show() before
   long long ShowNumber = 0;
   /// Procedural plants as they are near by, in the middle and far away, where two of these are mixed.
   std::array<std::vector<LinkPose>, 3> LevelPoses;

@@ -74,17 +74,19 @@ public:
     this->Found[1].Add(this->Block.FixedRanges[1]);
   }
 
-  /// Whether the arrays have a plant that stays for some pictures as it is.
+  /// Whether the arrays have a plant that stays for some pictures as it is, and its ranges are known.
   bool HasPlant(const SeaweedScene& scene, std::size_t plant) const
   {
-    return scene.Stays(plant) && !scene.HasChangedSince(plant, this->Since);
+    return scene.Stays(plant) && !scene.HasChangedSince(plant, this->Since) &&
+      !scene.HasChangedSince(plant, this->Block.PlantRanges[plant].Show);
   }
 
   /// Adds the ranges of a plant that stays.
   void AddPlant(std::size_t plant, PlantSums& sums) const
   {
-    sums.Staying[0].Add(this->Block.PlantRanges[plant][0], 3);
-    sums.Staying[1].Add(this->Block.PlantRanges[plant][1], 3);
+    const std::array<VectorRange, 2>& ranges = this->Block.PlantRanges[plant].Ranges;
+    sums.Staying[0].Add(ranges[0], 3);
+    sums.Staying[1].Add(ranges[1], 3);
   }
 
   /// Moves a plant, and keeps its ranges if it stays.
@@ -98,7 +100,7 @@ public:
     }
     SkinRanges ranges;
     this->MoveRuns(scene, plant, changes, ranges);
-    this->Block.PlantRanges[plant] = { ranges.Points.Range(), ranges.Normals.Range() };
+    this->Block.PlantRanges[plant] = { { ranges.Points.Range(), ranges.Normals.Range() }, scene.GetShow() };
     this->AddPlant(plant, sums);
   }
 
@@ -235,7 +237,7 @@ void WriteSkins(
   std::deque<MovedSkin> moved;
   for (SeaweedSkinBlock& skin : skins)
   {
-    skin.PlantRanges.resize(HasStaying(scene) ? scene.GetStand().GetPlants().size() : 0);
+    skin.PlantRanges.resize(HasStaying(scene) ? scene.GetStand().GetPlants().size() : skin.PlantRanges.size());
     moved.emplace_back(scene, skin, frames.Arrays).MoveFixed(frames.Changes);
   }
   MovePlants(scene, moved, frames.Changes);
