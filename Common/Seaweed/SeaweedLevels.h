@@ -45,7 +45,7 @@ double TrainSpeed(const SeaState& sea, double height);
 /// The most steps for which a plant is shown as it was.
 constexpr int MostHeld = 32;
 
-/// For how many steps [s] a plant is shown as it was while water of a speed [m/s] moves by `maximum` [m] at most: a
+/// The steps [s] for which a plant is shown as it was while water of a speed [m/s] moves by `maximum` [m] at most: a
 /// power of two up to MostHeld; 0: its motion is shown at all times.
 int StepsHeld(double maximum, double speed, double step);
 

@@ -438,7 +438,7 @@ SeaweedCounters SeaweedScene::ShowPlant(std::size_t index, const Picture& pictur
 }
 
 //----------------------------------------------------------------------------
-/// How a plant is to be shown in levels. All that are not seen look alike, wherever the camera is.
+/// The look of a plant in levels. All that are not seen look alike, wherever the camera is.
 SeaweedScene::PlantLook SeaweedScene::LookOf(
   std::size_t index, const SeaweedLevels& levels, const ViewFrustum& frustum, bool mayBeHeld) const
 {

@@ -137,7 +137,7 @@ private:
     std::size_t First = 0;
     std::size_t End = 0;
   };
-  /// How a plant is to be shown in a view.
+  /// The motion and the level of a plant in a view.
   struct PlantLook
   {
     SeaweedLevelShares Shares;
