@@ -21,8 +21,9 @@
  * With UseLevels: within NearDistance all segments of a branch move; from there to FarDistance the half next to its
  * base; beyond, the first. Segments that do not move keep their angles of rest. Beyond NearDistance each vertex of the
  * skin follows one segment. Levels blend over BlendDistance and BlendTime. Plants outside the view stay at rest;
- * procedural ones omit the shortest wave trains below PixelError, gradually with the distance. The state does not
- * depend on any of this.
+ * procedural ones omit the shortest wave trains below PixelError, gradually with the distance, and in steady currents
+ * each stays as it is for a power of two of TimeSteps, up to 32, in which its water moves by less than PixelError. The
+ * state does not depend on any of this.
  *
  * Segments of blades should be shorter towards their base, as those of vtkSeaweedSource are: ten of them have the drag
  * of the blade within 5 % up to a Cauchy number of 1e4. Where they are not, a warning gives the largest Cauchy number
@@ -142,7 +143,7 @@ public:
 
   ///@{
   /**
-   * Time step of physical plants [s], 1e-5 to 1; default 1/48.
+   * Time step of physical plants, and of the times at which far procedural ones move [s], 1e-5 to 1; default 1/48.
    */
   vtkSetMacro(TimeStep, double);
   vtkGetMacro(TimeStep, double);
@@ -254,9 +255,9 @@ public:
 
   ///@{
   /**
-   * Maximum screen-space displacement of the water at the top of a procedural plant by all omitted wave trains
-   * [pixels], 0 to 1e9; default 0.5. The error of a flexible plant may be several times larger, up to 6 pixels for the
-   * presets with the default.
+   * Maximum screen-space displacement of the water at the top of a procedural plant by all omitted wave trains, and as
+   * much while it stays as it is [pixels], 0 to 1e9; default 0.5. The error of a flexible plant may be many times
+   * larger.
    */
   vtkSetMacro(PixelError, double);
   vtkGetMacro(PixelError, double);

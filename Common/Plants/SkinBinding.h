@@ -41,6 +41,9 @@ public:
 
   /// The run of a vertex.
   const Run* RunOf(std::size_t vertex) const;
+  /// The index of a run.
+  std::size_t IndexOf(const Run* run) const { return static_cast<std::size_t>(run - this->Runs.data()); }
+  const Run* RunAt(std::size_t index) const { return this->Runs.data() + index; }
   const Run* EndOfRuns() const { return this->Runs.data() + this->Runs.size(); }
 
   /// The weights of a vertex of a run, as many as its joints.

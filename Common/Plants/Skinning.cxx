@@ -102,11 +102,12 @@ public:
   SimdFloat4 Shift{};
   SimdFloat4 Center{};
 
-  LITTORAL_INLINE Blend(const SkinBinding& binding, const JointChange* changes, float rigidity, std::size_t begin)
+  LITTORAL_INLINE Blend(const SkinBinding& binding, const JointChange* changes, float rigidity, std::size_t begin,
+    const SkinBinding::Run* run)
     : Binding(binding)
     , Changes(changes)
     , Rigidity(rigidity)
-    , Next(binding.RunOf(begin))
+    , Next(run ? run : binding.RunOf(begin))
     , End(binding.EndOfRuns())
     , Until(begin)
   {
@@ -251,10 +252,10 @@ Vector3 JointChange::Of(const Vector3& place) const
 
 //----------------------------------------------------------------------------
 LITTORAL_SIMD_CLONES void MoveSkin(const RestSkin& rest, const SkinBinding& binding, const JointChange* joints,
-  std::size_t begin, std::size_t end, float* points, float* normals, float rigidity)
+  std::size_t begin, std::size_t end, float* points, float* normals, float rigidity, const SkinBinding::Run* run)
 {
   constexpr std::size_t Block = 256; // vertices whose normals are still near when they get their lengths
-  Blend blend(binding, joints, rigidity, begin);
+  Blend blend(binding, joints, rigidity, begin, run);
   for (std::size_t block = begin; block < end; block += Block)
   {
     const std::size_t last = std::min(end, block + Block) - 1;

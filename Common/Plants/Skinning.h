@@ -43,9 +43,9 @@ struct RestSkin
 /// Linear blend skinning of the vertices [begin, end): where joints are at rest, vertices stay to the last bit. Normals
 /// keep their lengths. In single precision: displacements are exact to some 1e-7 of themselves and of the distance from
 /// the joint. Weights of a vertex sum to 1; `rigidity` is 0 where it follows up to four joints so, 1 where it follows
-/// the one of the largest weight alone.
+/// the one of the largest weight alone. `run` is that of the first vertex; null: it is searched.
 void MoveSkin(const RestSkin& rest, const SkinBinding& binding, const JointChange* joints, std::size_t begin,
-  std::size_t end, float* points, float* normals, float rigidity = 0.0f);
+  std::size_t end, float* points, float* normals, float rigidity = 0.0f, const SkinBinding::Run* run = nullptr);
 
 }
 

@@ -6,6 +6,7 @@
 #include "Sea/WaveOrbits.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace littoral
 {
@@ -26,6 +27,55 @@ SeaweedLevelShares LevelSharesAt(const SeaweedLevels& levels, double distance, d
   // What reaches far sweeps over more pixels.
   const double band = levels.BlendDistance > 0.0 ? std::max(levels.BlendDistance, reach) : 0.0;
   return { ShareOf(distance, levels.NearDistance, band), ShareOf(distance, levels.FarDistance, band) };
+}
+
+bool AreTheSame(const SeaweedLevels& a, const SeaweedLevels& b)
+{
+  if (!a.UseLevels || !b.UseLevels)
+  {
+    return a.UseLevels == b.UseLevels;
+  }
+  const View& x = a.Seen;
+  const View& y = b.Seen;
+  return AreTheSame(x, y) && x.Near == y.Near && x.Far == y.Far && x.Margin == y.Margin &&
+    x.AngleMargin == y.AngleMargin && a.NearDistance == b.NearDistance && a.FarDistance == b.FarDistance &&
+    a.BlendDistance == b.BlendDistance && a.PixelError == b.PixelError;
+}
+
+double ErrorOfWater(const SeaweedLevels& levels, double distance)
+{
+  const View& seen = levels.Seen;
+  return levels.UseLevels ? levels.PixelError * 2.0 * distance * std::tan(0.5 * seen.Angle) / seen.Height : 0.0;
+}
+
+double TrainSpeed(const SeaState& sea, double height)
+{
+  double speed = 0.0;
+  for (const WaveTrain& train : sea.Trains)
+  {
+    speed += AxesAt(train, height, sea.Depth).Horizontal * train.AngularFrequency;
+  }
+  return speed;
+}
+
+int StepsHeld(double maximum, double speed, double step)
+{
+  if (!(speed * step <= maximum) || !(maximum > 0.0))
+  {
+    return 0;
+  }
+  int held = 1;
+  while (held < MostHeld && 2.0 * held * speed * step <= maximum)
+  {
+    held *= 2;
+  }
+  return held;
+}
+
+long long StepOfHeld(long long step, int held, std::size_t plant)
+{
+  // Powers of two: the lowest bits of what is negative, too.
+  return step - ((step + static_cast<long long>(plant)) & (held - 1));
 }
 
 std::vector<double> TrainSums(const SeaState& sea, double height)

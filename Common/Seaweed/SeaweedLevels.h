@@ -33,6 +33,25 @@ struct SeaweedLevelShares
 /// The weights for a plant at a distance from the eye that reaches some way from its middle [m].
 SeaweedLevelShares LevelSharesAt(const SeaweedLevels& levels, double distance, double reach);
 
+/// Whether all plants are shown alike in two of them.
+bool AreTheSame(const SeaweedLevels& a, const SeaweedLevels& b);
+
+/// The error that the water may have at a distance from the eye [m]: PixelError; 0 without levels.
+double ErrorOfWater(const SeaweedLevels& levels, double distance);
+
+/// A bound of the speed of the water by all wave trains at a height above the sea level [m/s].
+double TrainSpeed(const SeaState& sea, double height);
+
+/// The most steps for which a plant is shown as it was.
+constexpr int MostHeld = 32;
+
+/// The steps [s] for which a plant is shown as it was while water of a speed [m/s] moves by `maximum` [m] at most: a
+/// power of two up to MostHeld; 0: its motion is shown at all times.
+int StepsHeld(double maximum, double speed, double step);
+
+/// The last step up to another one at which a plant that is held for so many steps is shown anew: plants take turns.
+long long StepOfHeld(long long step, int held, std::size_t plant);
+
 /// The sum of the amplitudes of each wave train and all after it at a height above the sea level [m].
 std::vector<double> TrainSums(const SeaState& sea, double height);
 

@@ -68,6 +68,8 @@ std::string SeaweedScene::SetPlants(Skeleton rest, const std::vector<SeaweedSegm
   this->Stand = SeaweedStand(std::move(rest), this->Motion->GetLinks(), plantIds);
   this->MakeBatchRanges();
   this->TrainSums.clear();
+  this->AreLooksFound = false;
+  this->Plants.clear();
   this->Marching.Begin(this->Motion->AtRest());
   this->PoseAll();
   return {};
@@ -247,12 +249,14 @@ void SeaweedScene::FindTrainSums()
   const std::vector<StandPlant>& plants = this->Stand.GetPlants();
   const std::size_t trains = this->Sea.Trains.size();
   this->TrainSums.resize(plants.size() * trains);
+  this->TrainSpeeds.resize(plants.size());
   this->Parallel(plants.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t plant = begin; plant < end; ++plant)
     {
       const double top = std::min(0.0, plants[plant].Middle.z + plants[plant].Reach - this->Sea.SeaLevel);
       const std::vector<double> sums = littoral::TrainSums(this->Sea, top);
       std::copy(sums.begin(), sums.end(), this->TrainSums.begin() + static_cast<std::ptrdiff_t>(plant * trains));
+      this->TrainSpeeds[plant] = TrainSpeed(this->Sea, top);
     }
   });
 }
@@ -260,13 +264,11 @@ void SeaweedScene::FindTrainSums()
 //----------------------------------------------------------------------------
 /// Adds weights of wave trains, none where all count: what they leave out moves the water at the plant's top by
 /// PixelError at most. The number of trains that count.
-std::int64_t SeaweedScene::AddSharesFor(
-  std::size_t plant, const SeaweedLevels& levels, std::vector<float>& shares) const
+std::int64_t SeaweedScene::AddSharesFor(std::size_t plant, std::vector<float>& shares) const
 {
   const std::size_t trains = this->Sea.Trains.size();
-  const double distance = LevelDistance(levels.Seen, this->Stand.GetPlants()[plant].Middle);
-  const double maximum = levels.PixelError * 2.0 * distance * std::tan(0.5 * levels.Seen.Angle) / levels.Seen.Height;
-  if (!levels.UseLevels || !(levels.PixelError > 0.0))
+  const double maximum = this->Plants[plant].Look.WaterError;
+  if (!this->Levels.UseLevels || !(this->Levels.PixelError > 0.0))
   {
     return static_cast<std::int64_t>(trains);
   }
@@ -348,10 +350,10 @@ SeaweedCounters SeaweedScene::ShowPhysical(
 
 //----------------------------------------------------------------------------
 /// Adds a procedural plant to those whose water is found at one go.
-SeaweedCounters SeaweedScene::AddMoving(const MovingPlant& moving, const Picture& picture, Work& work) const
+SeaweedCounters SeaweedScene::AddMoving(std::size_t index, Work& work) const
 {
-  const StandPlant& plant = this->Stand.GetPlants()[moving.Index];
-  const std::array<double, 3> byLevel = ByLevel(moving.Shares);
+  const StandPlant& plant = this->Stand.GetPlants()[index];
+  const std::array<double, 3> byLevel = ByLevel(this->Plants[index].Look.Shares);
   SeaweedCounters counters;
   counters.Plants = 1;
   for (std::size_t link = plant.FirstLink; link < plant.EndLink; ++link)
@@ -365,27 +367,28 @@ SeaweedCounters SeaweedScene::AddMoving(const MovingPlant& moving, const Picture
       ++counters.Segments;
     }
   }
-  counters.TrainEvaluations = counters.Segments * this->AddSharesFor(moving.Index, picture.Levels, work.Shares);
-  work.Plants.push_back(moving);
+  counters.TrainEvaluations = counters.Segments * this->AddSharesFor(index, work.Shares);
+  work.Plants.push_back(index);
   return counters;
 }
 
 //----------------------------------------------------------------------------
 /// Shows the procedural plants that were added.
-void SeaweedScene::ShowMoving(const Picture& picture, Work& work)
+void SeaweedScene::ShowMoving(const Moment& moment, Work& work)
 {
-  this->WaterAt(picture.Orbits, picture.Currents, work);
+  this->WaterAt(moment.Orbits, moment.Currents, work);
   auto next = work.Water.begin();
-  for (const MovingPlant& moving : work.Plants)
+  for (const std::size_t index : work.Plants)
   {
-    const StandPlant& plant = this->Stand.GetPlants()[moving.Index];
-    const std::array<double, 3> byLevel = ByLevel(moving.Shares);
+    const StandPlant& plant = this->Stand.GetPlants()[index];
+    const SeaweedLevelShares& shares = this->Plants[index].Look.Shares;
+    const std::array<double, 3> byLevel = ByLevel(shares);
     for (std::size_t link = plant.FirstLink; link < plant.EndLink; ++link)
     {
-      if (this->IsPosed(moving.Index, link))
+      if (this->IsPosed(index, link))
       {
         const bool moves = byLevel[this->Stand.LastLevelOf(link)] > 0.0;
-        this->ShowLink(link, moves ? *next++ : WaterAtLink(), moving.Shares);
+        this->ShowLink(link, moves ? *next++ : WaterAtLink(), shares);
       }
     }
   }
@@ -419,32 +422,143 @@ void SeaweedScene::ShowAtRest(std::size_t index)
 /// Shows a plant; a procedural one by ShowMoving().
 SeaweedCounters SeaweedScene::ShowPlant(std::size_t index, const Picture& picture, Work& work)
 {
-  const StandPlant& plant = this->Stand.GetPlants()[index];
-  SeaweedLevelShares shares;
-  if (picture.View)
-  {
-    shares = LevelSharesAt(picture.Levels, LevelDistance(picture.Levels.Seen, plant.Middle), plant.Reach);
-  }
-  this->Rigidities[index] = static_cast<float>(1.0 - shares.Near);
-  this->AreFar[index] = shares.Near <= 0.0 && shares.Far <= 0.0;
-  const bool isSeen = !picture.View || picture.View->MayShow(plant.Middle, plant.Reach);
-  if (!isSeen)
+  const PlantLook& look = this->Plants[index].Look;
+  if (!look.IsSeen)
   {
     this->ShowAtRest(index);
     return {};
   }
   if (!this->Physical)
   {
-    return this->AddMoving({ index, shares }, picture, work);
+    return this->AddMoving(index, work);
   }
-  SeaweedCounters counters = this->ShowPhysical(index, ByLevel(shares), picture);
+  SeaweedCounters counters = this->ShowPhysical(index, ByLevel(look.Shares), picture);
   counters.Plants = 1;
   return counters;
 }
 
 //----------------------------------------------------------------------------
-SeaweedCounters SeaweedScene::ShowAt(
-  double time, double remainder, const StepCurrents& currents, const SeaweedLevels& levels)
+/// The look of a plant in levels. All that are not seen look alike, wherever the camera is.
+SeaweedScene::PlantLook SeaweedScene::LookOf(
+  std::size_t index, const SeaweedLevels& levels, const ViewFrustum& frustum, bool mayBeHeld) const
+{
+  const StandPlant& plant = this->Stand.GetPlants()[index];
+  PlantLook look;
+  look.IsSeen = frustum.MayShow(plant.Middle, plant.Reach);
+  if (!look.IsSeen)
+  {
+    look.Shares = { 0.0, 0.0 };
+    return look;
+  }
+  const double distance = LevelDistance(levels.Seen, plant.Middle);
+  look.Shares = LevelSharesAt(levels, distance, plant.Reach);
+  if (!this->Physical)
+  {
+    look.WaterError = ErrorOfWater(levels, distance);
+    look.Held = mayBeHeld ? StepsHeld(look.WaterError, this->TrainSpeeds[index], this->GetGrid().Step) : 0;
+  }
+  return look;
+}
+
+//----------------------------------------------------------------------------
+/// Finds how plants are to be shown; those that look otherwise than before are to be shown anew.
+void SeaweedScene::FindLooks(const SeaweedLevels& levels)
+{
+  const std::size_t plants = this->Stand.GetPlants().size();
+  const bool isKnown = this->AreLooksFound && this->HadJoints == this->NeedsJoints;
+  this->StandsStill = isKnown && AreTheSame(this->Levels, levels);
+  if (this->StandsStill)
+  {
+    return;
+  }
+  this->Levels = levels;
+  this->HadJoints = this->NeedsJoints;
+  this->Plants.resize(plants);
+  if (levels.UseLevels && !this->Physical && this->TrainSums.empty())
+  {
+    this->FindTrainSums();
+  }
+  const std::unique_ptr<ViewFrustum> frustum = levels.UseLevels ? std::make_unique<ViewFrustum>(levels.Seen) : nullptr;
+  const bool mayBeHeld = this->Currents.AreSteady();
+  ForRanges(this->Parallel, plants, PosesAtOnce, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t plant = begin; plant < end; ++plant)
+    {
+      const PlantLook look = frustum ? this->LookOf(plant, levels, *frustum, mayBeHeld) : PlantLook();
+      ShownPlant& shown = this->Plants[plant];
+      shown.Time = isKnown && look == shown.Look ? shown.Time : std::numeric_limits<double>::quiet_NaN();
+      shown.Look = look;
+    }
+  });
+  this->AreLooksFound = true;
+}
+
+//----------------------------------------------------------------------------
+/// The plants that are to be shown anew at a time, by the steps at which held ones move; all others after these.
+std::map<long long, SeaweedScene::Moment> SeaweedScene::MomentsToShow(double time, const StepCurrents& currents)
+{
+  constexpr long long now = std::numeric_limits<long long>::max();
+  const TimeGrid& grid = this->GetGrid();
+  const double steps = (time - grid.Start) / grid.Step;
+  const auto last = static_cast<long long>(std::floor(TimeGrid::WholeWithin(steps, std::abs(steps))));
+  std::map<long long, Moment> moments;
+  for (std::size_t plant = 0; plant < this->Plants.size(); ++plant)
+  {
+    ShownPlant& shown = this->Plants[plant];
+    const PlantLook& look = shown.Look;
+    const long long step = look.Held > 0 ? StepOfHeld(last, look.Held, plant) : now;
+    // The time does not matter at rest.
+    const double moved = !look.IsSeen ? 0.0 : (look.Held > 0 ? grid.TimeOf(step) : time);
+    if (shown.Time == moved)
+    {
+      continue;
+    }
+    shown.Time = moved;
+    shown.Changed = this->ShowNumber;
+    auto moment = moments.find(step);
+    if (moment == moments.end())
+    {
+      const std::vector<StepMoment> ends{ { step, 0.0 }, { step, 0.0 }, { step, 1.0 } };
+      Moment made{ WaveOrbits(this->Sea, FlowAtPlaces(), step == now ? time : grid.TimeOf(step)),
+        step == now ? currents : this->Currents.At(grid, ends), {} };
+      moment = moments.emplace(step, std::move(made)).first;
+    }
+    moment->second.Plants.push_back(plant);
+  }
+  return moments;
+}
+
+//----------------------------------------------------------------------------
+/// Shows plants, those of a moment side by side.
+void SeaweedScene::ShowPlants(const std::map<long long, Moment>& moments, const Picture& picture)
+{
+  std::vector<std::pair<const Moment*, std::size_t>> plants;
+  for (const auto& [step, moment] : moments)
+  {
+    for (const std::size_t plant : moment.Plants)
+    {
+      plants.emplace_back(&moment, plant);
+    }
+  }
+  // What has been moved by its equations needs to be posed only: some 30 ns a link.
+  const std::size_t links = std::max<std::size_t>(1, this->GetNumberOfLinks());
+  const std::size_t atOnce = this->Plants.size() * (this->Physical ? PosesAtOnce : LinksAtOnce) / links;
+  ForRanges(this->Parallel, plants.size(), atOnce, [&](std::size_t begin, std::size_t end) {
+    Work work;
+    for (std::size_t next = begin; next < end; ++next)
+    {
+      const auto [moment, plant] = plants[next];
+      this->Plants[plant].Counters = this->ShowPlant(plant, picture, work);
+      if (next + 1 == end || plants[next + 1].first != moment)
+      {
+        this->ShowMoving(*moment, work);
+      }
+    }
+  });
+}
+
+//----------------------------------------------------------------------------
+/// Shows plants as they look at a time; what is shown so already stays.
+void SeaweedScene::ShowAt(double time, double remainder, const StepCurrents& currents)
 {
   std::vector<LinkState> partly;
   std::vector<LinkPose> partlyPoses;
@@ -454,31 +568,8 @@ SeaweedCounters SeaweedScene::ShowAt(
     partlyPoses = this->Poses;
     this->StepAll(time - remainder, remainder, currents, partly, partlyPoses);
   }
-  const WaveOrbits orbits(this->Sea, FlowAtPlaces(), time);
-  const Picture picture{ orbits, currents, levels, partly.empty() ? this->Marching.State() : partly,
-    partly.empty() ? this->Poses : partlyPoses,
-    levels.UseLevels ? std::make_unique<ViewFrustum>(levels.Seen) : nullptr };
-  const std::size_t plants = this->Stand.GetPlants().size();
-  std::vector<SeaweedCounters> counters(plants);
-  // What has been moved by its equations needs to be posed only: some 30 ns a link.
-  const std::size_t links = std::max<std::size_t>(1, this->GetNumberOfLinks());
-  const std::size_t atOnce = plants * (this->Physical ? PosesAtOnce : LinksAtOnce) / links;
-  ForRanges(this->Parallel, plants, atOnce, [&](std::size_t begin, std::size_t end) {
-    Work work;
-    for (std::size_t plant = begin; plant < end; ++plant)
-    {
-      counters[plant] = this->ShowPlant(plant, picture, work);
-    }
-    this->ShowMoving(picture, work);
-  });
-  SeaweedCounters sum;
-  for (const SeaweedCounters& one : counters)
-  {
-    sum.Plants += one.Plants;
-    sum.Segments += one.Segments;
-    sum.TrainEvaluations += one.TrainEvaluations;
-  }
-  return sum;
+  const Picture picture{ partly.empty() ? this->Marching.State() : partly, partly.empty() ? this->Poses : partlyPoses };
+  this->ShowPlants(this->MomentsToShow(time, currents), picture);
 }
 
 //----------------------------------------------------------------------------
@@ -486,19 +577,25 @@ SeaweedCounters SeaweedScene::Show(const SeaweedLevels& levels)
 {
   this->Velocities.clear();
   this->Accelerations.clear();
-  this->Rigidities.resize(this->Stand.GetPlants().size());
-  this->AreFar.resize(this->Stand.GetPlants().size());
   this->Shown.resize(this->GetNumberOfLinks());
   for (std::vector<LinkPose>& poses : this->LevelPoses)
   {
     poses.resize(this->Physical ? 0 : this->Shown.size());
   }
-  if (levels.UseLevels && !this->Physical && this->TrainSums.empty())
-  {
-    this->FindTrainSums();
-  }
+  ++this->ShowNumber;
+  this->FindLooks(levels);
+  this->AreLooksFound = false; // until all is shown
   const StepGoal& goal = this->GetGoal();
-  return this->ShowAt(goal.Time, goal.Remainder, this->CurrentsOver(goal.Remainder), levels);
+  this->ShowAt(goal.Time, goal.Remainder, this->CurrentsOver(goal.Remainder));
+  this->AreLooksFound = true;
+  SeaweedCounters sum;
+  for (const ShownPlant& plant : this->Plants)
+  {
+    sum.Plants += plant.Counters.Plants;
+    sum.Segments += plant.Counters.Segments;
+    sum.TrainEvaluations += plant.Counters.TrainEvaluations;
+  }
+  return sum;
 }
 
 //----------------------------------------------------------------------------
@@ -607,17 +704,23 @@ void SeaweedScene::FindProceduralMotion()
   const double step = this->GetGrid().Step;
   const StepCurrents currents = this->CurrentsOver(goal.Remainder);
   const std::vector<LinkPose> shown = this->Shown;
-  const std::vector<float> rigidities = this->Rigidities;
-  const std::vector<char> areFar = this->AreFar;
+  const std::vector<ShownPlant> plants = this->Plants;
+  const SeaweedLevels levels = this->Levels;
+  const bool standsStill = this->StandsStill;
+  this->AreLooksFound = false; // until they are those of before
+  this->FindLooks(SeaweedLevels());
+  this->AreLooksFound = false;
   std::vector<Vector3> positions[3];
   for (int moment = 0; moment < 3; ++moment)
   {
-    this->ShowAt(goal.Time + (moment - 1) * step, 0.0, currents, SeaweedLevels());
+    this->ShowAt(goal.Time + (moment - 1) * step, 0.0, currents);
     positions[moment] = this->NodePositions();
   }
   this->Shown = shown;
-  this->Rigidities = rigidities;
-  this->AreFar = areFar;
+  this->Plants = plants;
+  this->Levels = levels;
+  this->StandsStill = standsStill;
+  this->AreLooksFound = true;
   for (std::size_t node = 0; node < positions[0].size(); ++node)
   {
     this->Velocities.push_back((positions[2][node] - positions[0][node]) / (2.0 * step));

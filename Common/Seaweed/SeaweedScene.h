@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -103,10 +104,23 @@ public:
   const std::vector<Vector3>& GetAccelerations() const { return this->Accelerations; }
 
   /// Rigidity of the skin of a plant in its level, 0 to 1; see MoveSkin.
-  float RigidityOf(std::size_t plant) const { return this->Rigidities[plant]; }
+  float RigidityOf(std::size_t plant) const { return static_cast<float>(1.0 - this->Plants[plant].Look.Shares.Near); }
 
   /// Whether only links of the level 2 move in a plant: its skin may follow the carriers of its joints.
-  bool IsFar(std::size_t plant) const { return this->AreFar[plant] != 0; }
+  bool IsFar(std::size_t plant) const { return this->Plants[plant].Look.IsFar(); }
+
+  /// The number of the last Show(), from 1.
+  long long GetShow() const { return this->ShowNumber; }
+
+  /// Whether a plant is not as it was after an earlier Show().
+  bool HasChangedSince(std::size_t plant, long long show) const { return this->Plants[plant].Changed > show; }
+
+  /// Whether a plant stays as it is for some pictures of a view that seems to stand still.
+  bool Stays(std::size_t plant) const
+  {
+    const PlantLook& look = this->Plants[plant].Look;
+    return !look.IsSeen || (look.Held > 0 && this->StandsStill);
+  }
 
   /// Rotations of the links as skins show them; empty: those of their poses.
   std::vector<glm::dquat> SkinRotations() const;
@@ -123,22 +137,42 @@ private:
     std::size_t First = 0;
     std::size_t End = 0;
   };
-  /// View data that all plants of a picture share.
-  struct Picture
+  /// The motion and the level of a plant in a view.
+  struct PlantLook
   {
-    const WaveOrbits& Orbits;
-    const StepCurrents& Currents;
-    const SeaweedLevels& Levels;
-    const std::vector<LinkState>& States;
-    const std::vector<LinkPose>& Poses; ///< those that go with them
-    std::unique_ptr<ViewFrustum> View;  ///< null: no levels
+    SeaweedLevelShares Shares;
+    double WaterError = 0.0; ///< [m]
+    int Held = 0;            ///< steps for which it is shown as it was
+    bool IsSeen = true;      ///< else it is at rest
+
+    bool IsFar() const { return this->Shares.Near <= 0.0 && this->Shares.Far <= 0.0; }
+    bool operator==(const PlantLook& other) const
+    {
+      return this->Shares.Near == other.Shares.Near && this->Shares.Far == other.Shares.Far &&
+        this->WaterError == other.WaterError && this->Held == other.Held && this->IsSeen == other.IsSeen;
+    }
+  };
+  /// A plant as it is shown.
+  struct ShownPlant
+  {
+    PlantLook Look;
+    double Time = std::numeric_limits<double>::quiet_NaN(); ///< of its motion; no number: it is to be shown anew
+    long long Changed = 0;                                  ///< the Show() that found it
+    SeaweedCounters Counters;
   };
 
-  /// A procedural plant whose water is to be found.
-  struct MovingPlant
+  /// The water at a moment and the plants to be shown in it.
+  struct Moment
   {
-    std::size_t Index = 0;
-    SeaweedLevelShares Shares;
+    WaveOrbits Orbits;
+    StepCurrents Currents;
+    std::vector<std::size_t> Plants;
+  };
+  /// The state that physical plants of a picture share.
+  struct Picture
+  {
+    const std::vector<LinkState>& States;
+    const std::vector<LinkPose>& Poses; ///< those that go with them
   };
 
   /// Memory of one thread, kept from plant to plant.
@@ -146,9 +180,9 @@ private:
   {
     std::vector<Vector3> Middles;
     std::vector<WaterAtLink> Water;
-    std::vector<float> Shares;  ///< of wave trains, a set a plant; none: all of all
-    std::vector<int> ShareSets; ///< of links
-    std::vector<MovingPlant> Plants;
+    std::vector<float> Shares;       ///< of wave trains, a set a plant; none: all of all
+    std::vector<int> ShareSets;      ///< of links
+    std::vector<std::size_t> Plants; ///< procedural ones whose water is to be found
     std::vector<float> Centers;
     std::vector<float> First;
     std::vector<float> Second;
@@ -165,16 +199,20 @@ private:
   void StepBatches(const BatchRange& range, double step, const WaveOrbits& orbits, const StepCurrents& currents,
     std::vector<LinkState>& states, std::vector<LinkPose>& poses, Work& work) const;
   void FindTrainSums();
-  std::int64_t AddSharesFor(std::size_t plant, const SeaweedLevels& levels, std::vector<float>& shares) const;
+  std::int64_t AddSharesFor(std::size_t plant, std::vector<float>& shares) const;
   LinkState ProceduralIn(int level, std::size_t link, const WaterAtLink& water, const LinkPose* poses) const;
   void ShowLink(std::size_t link, const WaterAtLink& water, const SeaweedLevelShares& shares);
   SeaweedCounters ShowPhysical(std::size_t index, const std::array<double, 3>& shares, const Picture& picture);
-  SeaweedCounters AddMoving(const MovingPlant& moving, const Picture& picture, Work& work) const;
-  void ShowMoving(const Picture& picture, Work& work);
+  SeaweedCounters AddMoving(std::size_t index, Work& work) const;
+  void ShowMoving(const Moment& moment, Work& work);
   bool IsPosed(std::size_t plant, std::size_t link) const;
   void ShowAtRest(std::size_t index);
   SeaweedCounters ShowPlant(std::size_t index, const Picture& picture, Work& work);
-  SeaweedCounters ShowAt(double time, double remainder, const StepCurrents& currents, const SeaweedLevels& levels);
+  PlantLook LookOf(std::size_t index, const SeaweedLevels& levels, const ViewFrustum& frustum, bool mayBeHeld) const;
+  void FindLooks(const SeaweedLevels& levels);
+  std::map<long long, Moment> MomentsToShow(double time, const StepCurrents& currents);
+  void ShowPlants(const std::map<long long, Moment>& moments, const Picture& picture);
+  void ShowAt(double time, double remainder, const StepCurrents& currents);
   void FindPhysicalMotion();
   void FindProceduralMotion();
   Vector3 NodeBy(int link, std::size_t node, const std::vector<LinkPose>& poses) const;
@@ -190,14 +228,19 @@ private:
   std::unique_ptr<SeaweedMotion> Motion;
   double UngradedCauchy = std::numeric_limits<double>::infinity();
   std::vector<BatchRange> BatchRanges;
-  std::vector<double> TrainSums; ///< at the tops of plants, those of a plant together; empty until they are needed
+  std::vector<double> TrainSums;   ///< at the tops of plants, those of a plant together; empty until they are needed
+  std::vector<double> TrainSpeeds; ///< there, one a plant
 
   TimeMarching<std::vector<LinkState>> Marching;
   std::vector<LinkPose> Poses; ///< of the state that marches
 
   std::vector<LinkPose> Shown;
-  std::vector<float> Rigidities; ///< of plants, as shown
-  std::vector<char> AreFar;      ///< plants, as shown
+  std::vector<ShownPlant> Plants;
+  SeaweedLevels Levels; ///< by which their looks were found
+  bool AreLooksFound = false;
+  bool HadJoints = false;   ///< NeedsJoints as they were shown
+  bool StandsStill = false; ///< the view is that of the Show() before
+  long long ShowNumber = 0;
   /// Procedural plants as they are near by, in the middle and far away, where two of these are mixed.
   std::array<std::vector<LinkPose>, 3> LevelPoses;
   std::vector<Vector3> Velocities;    ///< of nodes

@@ -42,13 +42,15 @@ vtkSmartPointer<vtkFloatArray> FrameArrays::Like(vtkFloatArray* other)
 {
   const int components = other->GetNumberOfComponents();
   const vtkIdType tuples = other->GetNumberOfTuples();
+  long long number = 0;
   const Pointer own = this->Take([&](const Frame& former) {
+    number = former.Number;
     return former.Model == other && this->IsFree(former.Array, components, tuples) &&
       former.Array->GetNumberOfTuples() == tuples && vtkFloatArray::SafeDownCast(former.Array);
   });
   if (own)
   {
-    this->Given.push_back({ own, other, true, 0 });
+    this->Given.push_back({ own, other, true, 0, number });
     return vtkFloatArray::SafeDownCast(own);
   }
   auto array = this->New<vtkFloatArray>(other->GetName(), components, tuples);
@@ -60,6 +62,21 @@ bool FrameArrays::IsFormer(vtkDataArray* array) const
 {
   return std::any_of(this->Given.begin(), this->Given.end(),
     [array](const Frame& given) { return given.IsFormer && given.Array == array; });
+}
+
+long long FrameArrays::NotedWith(vtkDataArray* array) const
+{
+  const auto given = std::find_if(
+    this->Given.begin(), this->Given.end(), [array](const Frame& one) { return one.IsFormer && one.Array == array; });
+  return given != this->Given.end() ? given->Number : 0;
+}
+
+void FrameArrays::Note(vtkDataArray* array, long long number)
+{
+  for (Frame& given : this->Given)
+  {
+    given.Number = given.Array == array ? number : given.Number;
+  }
 }
 
 bool FrameArrays::IsFree(vtkDataArray* array, int components, vtkIdType tuples) const

@@ -91,6 +91,12 @@ public:
   /// Whether an array of this frame has the values of an earlier one that was like the same other, or of one state.
   bool IsFormer(vtkDataArray* array) const;
 
+  /// The number that was noted with the values that an array of this frame has from an earlier one; 0: none.
+  long long NotedWith(vtkDataArray* array) const;
+
+  /// Notes a number with the values that an array of this frame gets.
+  void Note(vtkDataArray* array, long long number);
+
 private:
   /// An array, and the one that it is like.
   struct Frame
@@ -99,6 +105,7 @@ private:
     const vtkDataArray* Model = nullptr;
     bool IsFormer = false;
     std::size_t State = 0;
+    long long Number = 0; ///< that was noted
   };
   std::vector<Frame> Former; ///< of earlier frames
   std::vector<Frame> Given;  ///< of this frame

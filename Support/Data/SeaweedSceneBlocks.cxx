@@ -33,17 +33,27 @@ void Fetch(const float* numbers)
 
 constexpr std::size_t PlantsAhead = 4;
 
+/// Ranges of the plants of one thread.
+struct PlantSums
+{
+  SkinRanges Moving;
+  std::array<TupleRanges, 2> Staying; ///< of points and of normals
+};
+
 /// A skin on its way: arrays, and the ranges of their values, which are found while these are at hand.
 class MovedSkin
 {
 public:
-  MovedSkin(SeaweedSkinBlock& skin, FrameArrays& arrays)
+  MovedSkin(const SeaweedScene& scene, SeaweedSkinBlock& skin, FrameArrays& arrays)
     : Block(skin)
     , Rest(ReadSkin(skin.Rest))
     , Points(arrays.Like(FloatPointsOf(skin.Rest)))
     , Normals(arrays.Like(FindNormals(skin.Rest)))
     , HasFixed(arrays.IsFormer(this->Points) && arrays.IsFormer(this->Normals))
+    , Since(std::min(arrays.NotedWith(this->Points), arrays.NotedWith(this->Normals)))
   {
+    arrays.Note(this->Points, scene.GetShow());
+    arrays.Note(this->Normals, scene.GetShow());
   }
 
   /// Sees to the vertices that never move: an array that is used again has them.
@@ -56,7 +66,7 @@ public:
       SmpFor(runs.size(), [&](std::size_t begin, std::size_t end) {
         SkinRanges ranges;
         std::for_each(runs.data() + begin, runs.data() + end,
-          [&](const SkinRun& run) { this->Move(run, changes, 0.0f, nullptr, ranges); });
+          [&](const SkinRun& run) { this->Bend(run, changes, 0.0f, nullptr, ranges); });
         this->Add(ranges, this->Block.FixedRanges);
       });
     }
@@ -64,15 +74,34 @@ public:
     this->Found[1].Add(this->Block.FixedRanges[1]);
   }
 
-  /// Moves all of a plant; adds to the ranges.
-  void MovePlant(
-    std::size_t plant, const std::vector<JointChange>& changes, float rigidity, bool isFar, SkinRanges& ranges) const
+  /// Whether the arrays have a plant that stays for some pictures as it is, and its ranges are known.
+  bool HasPlant(const SeaweedScene& scene, std::size_t plant) const
   {
-    const SeaweedSkin& own = this->Block.Skin;
-    const RigidBinding& rigid = isFar ? this->Block.Far : this->Block.Rigid;
-    const std::vector<std::uint32_t>& firsts = this->Block.FirstRigid[isFar ? 1 : 0];
-    std::for_each(own.RunsOf(plant), own.RunsOf(plant + 1),
-      [&](const SkinRun& run) { this->Move(run, changes, rigidity, rigid.RunAt(firsts[own.IndexOf(&run)]), ranges); });
+    return scene.Stays(plant) && !scene.HasChangedSince(plant, this->Since) &&
+      !scene.HasChangedSince(plant, this->Block.PlantRanges[plant].Show);
+  }
+
+  /// Adds the ranges of a plant that stays.
+  void AddPlant(std::size_t plant, PlantSums& sums) const
+  {
+    const std::array<VectorRange, 2>& ranges = this->Block.PlantRanges[plant].Ranges;
+    sums.Staying[0].Add(ranges[0], 3);
+    sums.Staying[1].Add(ranges[1], 3);
+  }
+
+  /// Moves a plant, and keeps its ranges if it stays.
+  void MovePlant(
+    const SeaweedScene& scene, std::size_t plant, const std::vector<JointChange>& changes, PlantSums& sums) const
+  {
+    if (!scene.Stays(plant))
+    {
+      this->MoveRuns(scene, plant, changes, sums.Moving);
+      return;
+    }
+    SkinRanges ranges;
+    this->MoveRuns(scene, plant, changes, ranges);
+    this->Block.PlantRanges[plant] = { { ranges.Points.Range(), ranges.Normals.Range() }, scene.GetShow() };
+    this->AddPlant(plant, sums);
   }
 
   /// Asks for the memory of a plant whose turn comes soon.
@@ -91,7 +120,13 @@ public:
     });
   }
 
-  void AddRanges(const SkinRanges& ranges) { this->Add(ranges, this->Found); }
+  void AddRanges(const PlantSums& sums)
+  {
+    this->Add(sums.Moving, this->Found);
+    const std::lock_guard<std::mutex> lock(this->Adding);
+    this->Found[0].Add(sums.Staying[0]);
+    this->Found[1].Add(sums.Staying[1]);
+  }
 
   void Write(vtkMultiBlockDataSet* blocks) const
   {
@@ -110,24 +145,34 @@ private:
   vtkSmartPointer<vtkFloatArray> Points;
   vtkSmartPointer<vtkFloatArray> Normals;
   bool HasFixed;
+  long long Since;                  ///< the Show() that the arrays are of; 0: of none
   std::array<TupleRanges, 2> Found; ///< of points and of normals
   std::mutex Adding;
 
-  void Move(const SkinRun& run, const std::vector<JointChange>& changes, float rigidity, const RigidBinding::Run* rigid,
+  /// Moves all of a plant; adds to the ranges.
+  void MoveRuns(
+    const SeaweedScene& scene, std::size_t plant, const std::vector<JointChange>& changes, SkinRanges& ranges) const
+  {
+    const SeaweedSkin& own = this->Block.Skin;
+    const float rigidity = scene.RigidityOf(plant);
+    const std::size_t kind = rigidity < 1.0f ? 2 : (scene.IsFar(plant) ? 1 : 0);
+    const RigidBinding& rigid = kind == 1 ? this->Block.Far : this->Block.Rigid;
+    std::for_each(own.RunsOf(plant), own.RunsOf(plant + 1), [&](const SkinRun& run) {
+      const std::size_t first = this->Block.FirstRuns[kind][own.IndexOf(&run)];
+      kind == 2 ? this->Bend(run, changes, rigidity, this->Block.Binding.RunAt(first), ranges)
+                : MoveRigidly(this->Rest, rigid.RunAt(first), changes.data(), run.First, run.End,
+                    this->Points->GetPointer(0), this->Normals->GetPointer(0), ranges);
+    });
+  }
+
+  void Bend(const SkinRun& run, const std::vector<JointChange>& changes, float rigidity, const SkinBinding::Run* first,
     SkinRanges& ranges) const
   {
     float* p = this->Points->GetPointer(0);
     float* n = this->Normals->GetPointer(0);
-    if (rigidity < 1.0f)
-    {
-      MoveSkin(this->Rest, this->Block.Binding, changes.data(), run.First, run.End, p, n, rigidity);
-      AddVectors(p + 3 * run.First, run.End - run.First, ranges.Points);
-      AddVectors(n + 3 * run.First, run.End - run.First, ranges.Normals);
-    }
-    else
-    {
-      MoveRigidly(this->Rest, rigid, changes.data(), run.First, run.End, p, n, ranges);
-    }
+    MoveSkin(this->Rest, this->Block.Binding, changes.data(), run.First, run.End, p, n, rigidity, first);
+    AddVectors(p + 3 * run.First, run.End - run.First, ranges.Points);
+    AddVectors(n + 3 * run.First, run.End - run.First, ranges.Normals);
   }
 
   void Add(const SkinRanges& part, std::array<TupleRanges, 2>& sum)
@@ -138,42 +183,64 @@ private:
   }
 };
 
-/// Replaces the skins among the blocks. All of a plant is done by one thread, at one go.
+bool HasStaying(const SeaweedScene& scene)
+{
+  const std::size_t plants = scene.GetStand().GetPlants().size();
+  std::size_t plant = 0;
+  while (plant < plants && !scene.Stays(plant))
+  {
+    ++plant;
+  }
+  return plant < plants;
+}
+
+/// Moves plants in all skins, but for those that these have. All of a plant is done by one thread, at one go.
+void MovePlants(const SeaweedScene& scene, std::deque<MovedSkin>& skins, std::vector<JointChange>& changes)
+{
+  const bool someStay = HasStaying(scene);
+  const std::vector<glm::dquat> rotations = scene.SkinRotations();
+  const auto isThere = [&](std::size_t plant) {
+    const auto has = [&](const MovedSkin& skin) { return skin.HasPlant(scene, plant); };
+    return someStay && std::all_of(skins.begin(), skins.end(), has);
+  };
+  SmpFor(scene.GetStand().GetPlants().size(), [&](std::size_t begin, std::size_t end) {
+    std::vector<PlantSums> sums(skins.size());
+    for (std::size_t plant = begin; plant < end; ++plant)
+    {
+      const std::size_t ahead = std::min(plant + PlantsAhead, end - 1);
+      if (!isThere(ahead))
+      {
+        std::for_each(skins.begin(), skins.end(), [ahead](const MovedSkin& skin) { skin.FetchPlant(ahead); });
+      }
+      const bool isDone = isThere(plant);
+      if (!isDone)
+      {
+        scene.FindChanges(plant, rotations, changes, scene.IsFar(plant));
+      }
+      for (std::size_t skin = 0; skin < skins.size(); ++skin)
+      {
+        isDone ? skins[skin].AddPlant(plant, sums[skin]) : skins[skin].MovePlant(scene, plant, changes, sums[skin]);
+      }
+    }
+    for (std::size_t skin = 0; skin < skins.size(); ++skin)
+    {
+      skins[skin].AddRanges(sums[skin]);
+    }
+  });
+}
+
+/// Replaces the skins among the blocks.
 void WriteSkins(
   const SeaweedScene& scene, std::vector<SeaweedSkinBlock>& skins, SeaweedFrames& frames, vtkMultiBlockDataSet* blocks)
 {
+  frames.Changes.resize(scene.GetStand().GetSkeleton().Nodes.size());
   std::deque<MovedSkin> moved;
   for (SeaweedSkinBlock& skin : skins)
   {
-    moved.emplace_back(skin, frames.Arrays);
+    skin.PlantRanges.resize(HasStaying(scene) ? scene.GetStand().GetPlants().size() : skin.PlantRanges.size());
+    moved.emplace_back(scene, skin, frames.Arrays).MoveFixed(frames.Changes);
   }
-  std::vector<JointChange>& changes = frames.Changes;
-  changes.resize(scene.GetStand().GetSkeleton().Nodes.size());
-  for (MovedSkin& skin : moved)
-  {
-    skin.MoveFixed(changes);
-  }
-  const std::vector<glm::dquat> rotations = scene.SkinRotations();
-  SmpFor(scene.GetStand().GetPlants().size(), [&](std::size_t begin, std::size_t end) {
-    std::vector<SkinRanges> parts(moved.size());
-    for (std::size_t plant = begin; plant < end; ++plant)
-    {
-      for (const MovedSkin& skin : moved)
-      {
-        skin.FetchPlant(std::min(plant + PlantsAhead, end - 1));
-      }
-      const bool isFar = scene.IsFar(plant);
-      scene.FindChanges(plant, rotations, changes, isFar);
-      for (std::size_t skin = 0; skin < moved.size(); ++skin)
-      {
-        moved[skin].MovePlant(plant, changes, scene.RigidityOf(plant), isFar, parts[skin]);
-      }
-    }
-    for (std::size_t skin = 0; skin < moved.size(); ++skin)
-    {
-      moved[skin].AddRanges(parts[skin]);
-    }
-  });
+  MovePlants(scene, moved, frames.Changes);
   for (const MovedSkin& skin : moved)
   {
     skin.Write(blocks);
@@ -187,10 +254,16 @@ vtkSmartPointer<vtkDataArray> MovedNodes(const SeaweedScene& scene, vtkDataArray
   if (auto* floats = vtkFloatArray::SafeDownCast(rest))
   {
     const auto moved = arrays.Like(floats);
+    const long long since = arrays.NotedWith(moved);
+    arrays.Note(moved, scene.GetShow());
     float* to = moved->GetPointer(0);
     SmpFor(nodes, [&](std::size_t begin, std::size_t end) {
       for (std::size_t node = begin; node < end; ++node)
       {
+        if (!scene.HasChangedSince(scene.GetStand().PlantOf(node), since))
+        {
+          continue;
+        }
         const Vector3 place = scene.NodePosition(node);
         to[3 * node] = static_cast<float>(place.x);
         to[3 * node + 1] = static_cast<float>(place.y);
@@ -243,8 +316,12 @@ std::vector<SeaweedSkinBlock> ReadSkins(vtkMultiBlockDataSet* plants, const Seaw
     SeaweedSkinBlock& skin = skins.back();
     for (const SkinRun& run : skin.Skin.GetRuns())
     {
-      skin.FirstRigid[0].push_back(static_cast<std::uint32_t>(skin.Rigid.IndexOf(skin.Rigid.RunOf(run.First))));
-      skin.FirstRigid[1].push_back(static_cast<std::uint32_t>(skin.Far.IndexOf(skin.Far.RunOf(run.First))));
+      const auto add = [&run](const auto& bound, std::vector<std::uint32_t>& firsts) {
+        firsts.push_back(static_cast<std::uint32_t>(bound.IndexOf(bound.RunOf(run.First))));
+      };
+      add(skin.Rigid, skin.FirstRuns[0]);
+      add(skin.Far, skin.FirstRuns[1]);
+      add(skin.Binding, skin.FirstRuns[2]);
     }
   }
   return skins;

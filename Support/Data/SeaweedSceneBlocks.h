@@ -6,6 +6,7 @@
 // Scenes of seaweeds between blocks and the numerics. Private: never installed, never wrapped.
 
 #include "Data/FrameArrays.h"
+#include "Numerics/VectorRange.h"
 #include "Pipeline/Ranges.h"
 #include "Plants/RigidSkinning.h"
 #include "Plants/SkinBinding.h"
@@ -25,6 +26,13 @@ class vtkMultiBlockDataSet;
 namespace littoral
 {
 
+/// Ranges of points and normals of a plant after a Show().
+struct PlantRange
+{
+  std::array<VectorRange, 2> Ranges;
+  long long Show = 0;
+};
+
 /// A block of vertices that follow the skeleton.
 struct SeaweedSkinBlock
 {
@@ -34,10 +42,11 @@ struct SeaweedSkinBlock
   SkinBinding Binding;
   RigidBinding Rigid;
   RigidBinding Far; ///< to the carriers of joints
-  /// Indices of the runs in Rigid and in Far where those of Skin begin: to search them would take as long as to move
-  /// some vertices.
-  std::array<std::vector<std::uint32_t>, 2> FirstRigid;
+  /// Indices of the runs in Rigid, in Far and in Binding where those of Skin begin: to search them would take as long
+  /// as to move some vertices.
+  std::array<std::vector<std::uint32_t>, 3> FirstRuns;
   std::array<TupleRanges, 2> FixedRanges; ///< of points and normals that never move, once they were written
+  std::vector<PlantRange> PlantRanges;    ///< of those that stay as they are for some pictures; empty: none did so far
 };
 
 /// Arrays and joints that the frames of a scene take in turn.

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace
@@ -197,6 +198,83 @@ bool PlantsThatWentAreWrittenAnew()
   return good;
 }
 
+/// A bed with some plants out of view and others held, and a fresh one for each picture.
+struct WatchedBed
+{
+  KelpBed Bed{ 0.0 };
+
+  WatchedBed()
+  {
+    vtkNew<vtkSeaweedSource> grass;
+    grass->SetPreset(vtkSeaweedSource::Eelgrass);
+    this->Bed.Scatter->RemoveAllInputConnections(1);
+    this->Bed.Scatter->AddPrototypeConnection(grass->GetOutputPort());
+    for (int plant = 1; plant < 12; ++plant)
+    {
+      this->Bed.Points->InsertNextPoint(1.5 * plant, 0.3 * (plant % 7), 0.0);
+    }
+    vtkSeaweedDeformationFilter* move = this->Bed.Move;
+    move->UseLevelsOn();
+    move->SetBlendDistance(2.0);
+    move->SetViewAngle(120.0);
+    move->SetPixelError(20.0);
+    move->SetStartTime(0.0);
+  }
+
+  /// A picture, that of a camera which looks along x or back.
+  vtkSmartPointer<vtkMultiBlockDataSet> At(double time, bool isBack, int method)
+  {
+    vtkSeaweedDeformationFilter* move = this->Bed.Move;
+    move->SetMethod(method);
+    move->SetViewPoint(8.0, 0.5, 1.0);
+    move->SetViewDirection(isBack ? -1.0 : 1.0, 0.0, 0.0);
+    move->UpdateTimeStep(time);
+    auto picture = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+    picture->ShallowCopy(move->GetOutputDataObject(0));
+    return picture;
+  }
+};
+
+/// Plants that stay as they are are not written again: each picture is that of a filter without any before it, with its
+/// ranges, whichever of the former ones are still held.
+bool PlantsThatStayAreAsWritten(int method)
+{
+  WatchedBed bed;
+  std::vector<vtkSmartPointer<vtkMultiBlockDataSet>> held;
+  bool good = true;
+  int shown = 0;
+  for (int frame = 0; good && frame < 16; ++frame)
+  {
+    const double time = frame / 24.0;
+    const bool isBack = frame % 8 > 4;
+    held.push_back(bed.At(time, isBack, method));
+    held.erase(held.begin(), held.end() - (frame % 5 < 3 ? 1 : 2)); // one or two are on the screen
+    WatchedBed fresh;
+    const auto expected = fresh.At(time, isBack, method);
+    for (const char* name : { littoral::plant::Skeleton, littoral::plant::Skin, littoral::plant::Leaves })
+    {
+      vtkPolyData* own = littoral::PlantPartOf(held.back(), littoral::plant::High, name);
+      vtkPolyData* other = littoral::PlantPartOf(expected, littoral::plant::High, name);
+      for (const bool isNormals : { false, true })
+      {
+        auto* values =
+          vtkFloatArray::SafeDownCast(isNormals ? own->GetPointData()->GetNormals() : own->GetPoints()->GetData());
+        auto* wanted =
+          vtkFloatArray::SafeDownCast(isNormals ? other->GetPointData()->GetNormals() : other->GetPoints()->GetData());
+        if (!values || !wanted)
+        {
+          continue;
+        }
+        const std::string where = std::string(name) + ", frame " + std::to_string(frame);
+        good &= Check(Values(values) == Values(wanted), where + ": values are those of another picture");
+        good &= Check(HasTrueRanges(values), where + ": ranges are those of other values");
+        ++shown;
+      }
+    }
+  }
+  return Check(shown >= 16 * 5, "there is less to be seen than there should be") && good;
+}
+
 }
 
 int TestFrameArrays(int, char*[])
@@ -205,5 +283,9 @@ int TestFrameArrays(int, char*[])
   good &= FramesAreTheirOwn(Kelp);
   good &= HeldFramesAreOverwritten();
   good &= PlantsThatWentAreWrittenAnew();
+  for (const int method : { 0, 1 })
+  {
+    good &= PlantsThatStayAreAsWritten(method);
+  }
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

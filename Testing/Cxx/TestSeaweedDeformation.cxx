@@ -504,6 +504,50 @@ bool TestTrains()
   return Check(before < 30 * Counter(move, "SegmentsMoved") / 2, "far away most trains count") && good;
 }
 
+/// A plant far away stays as it is for some steps of 1/48 s: it is where one with steps too short for that was within
+/// these, and so less than two pixels from it. Limp plants swing by more than PixelError.
+bool TestHeld()
+{
+  Scene held;
+  Scene moving;
+  for (Scene* scene : { &held, &moving })
+  {
+    scene->Plant->SetPreset(vtkSeaweedSource::Eelgrass);
+    scene->Move->SetMethodToProcedural();
+    scene->Move->SetUseLevels(true);
+    scene->Move->SetViewDirection(0.0, 1.0, 0.0);
+  }
+  moving.Move->SetTimeStep(1e-5);
+  bool good = true;
+  for (const double distance : { 50.0, 500.0, 3000.0 })
+  {
+    const double pixel = 2.0 * distance * std::tan(15.0 * 3.14159265358979323846 / 180.0) / 1080.0;
+    double error = 0.0;
+    int still = 0;
+    std::vector<char> last;
+    for (int frame = 0; frame < 48; ++frame)
+    {
+      const double time = 1.0 + frame / 24.0;
+      held.Move->SetViewPoint(0.0, -distance, 1.0);
+      moving.Move->SetViewPoint(0.0, -distance, 1.0);
+      const std::vector<char> now = BytesAt(held.Move, time);
+      moving.Move->UpdateTimeStep(time);
+      error = std::max(error,
+        Farthest(
+          Part(moving.Move->GetOutputDataObject(0), "Leaves"), Part(held.Move->GetOutputDataObject(0), "Leaves")));
+      still += now == last ? 1 : 0;
+      last = now;
+    }
+    std::cout << "at " << distance << " m " << still << " of 47 pictures are the one before, " << error / pixel
+              << " pixels off\n";
+    const bool isNear = distance < 100.0;
+    good = Check(isNear ? still == 0 : still > 20, "a plant is held for too long or too short") && good;
+    good =
+      Check(isNear ? error < 0.1 * pixel : error < 2.0 * pixel, "a plant is held too far from where it is") && good;
+  }
+  return good;
+}
+
 /// A view that moves at its speed takes BlendTime, at least, through a change of levels.
 bool TestBlendTime()
 {
@@ -778,8 +822,9 @@ int TestSeaweedDeformation(int, char*[])
     bool (*Run)();
   } tests[] = { { "moves", TestMoves }, { "rest", TestRest }, { "times", TestTimes },
     { "changing current", TestChangingCurrent }, { "rates", TestFrameRates }, { "skin", TestSkin },
-    { "table", TestTable }, { "camera", TestCamera }, { "trains", TestTrains }, { "blend time", TestBlendTime },
-    { "holes", TestHolesInCurrent }, { "warning", TestWarning }, { "bad input", TestBadInput } };
+    { "table", TestTable }, { "camera", TestCamera }, { "trains", TestTrains }, { "held", TestHeld },
+    { "blend time", TestBlendTime }, { "holes", TestHolesInCurrent }, { "warning", TestWarning },
+    { "bad input", TestBadInput } };
   for (const auto& test : tests)
   {
     const bool passed = test.Run();

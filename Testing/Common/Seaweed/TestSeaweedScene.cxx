@@ -409,6 +409,120 @@ TEST(SeaweedScene, JointsOfFarPlantsGoWithTheirCarriers)
   }
 }
 
+/// Plants in steady water, seen from so far away that they are held.
+struct HeldBed
+{
+  Bed Plants = TwoPlants();
+  SeaweedLevels Levels = FarAway();
+  SeaweedScene Scene = SceneOf(this->Plants, false);
+
+  HeldBed()
+  {
+    this->Scene.Currents.Series.clear();
+    this->NodesAt(-0.9); // from the second picture on the view stands still
+  }
+  std::vector<Vector3> NodesAt(double time) { return ::NodesAt(this->Scene, time, this->Levels); }
+
+  /// Whether a plant is in one place in two pictures.
+  bool IsSame(std::size_t plant, const std::vector<Vector3>& a, const std::vector<Vector3>& b) const
+  {
+    bool isSame = a.size() == b.size();
+    for (std::size_t node = 0; isSame && node < a.size(); ++node)
+    {
+      isSame = this->Scene.GetStand().PlantOf(node) != plant || a[node] == b[node];
+    }
+    return isSame;
+  }
+};
+
+/// What is held is where it moved last, a step of its own, and is said not to have changed.
+TEST(SeaweedScene, HeldPlantsAreThoseOfTheStepAtWhichTheyMoved)
+{
+  HeldBed bed;
+  HeldBed exact;
+  std::vector<Vector3> before;
+  int held = 0;
+  int moved = 0;
+  for (int frame = 0; frame < 60; ++frame)
+  {
+    const double time = 0.313 + 0.04 * frame;
+    const std::vector<Vector3> nodes = bed.NodesAt(time);
+    for (std::size_t plant = 0; plant < 2; ++plant)
+    {
+      ASSERT_TRUE(bed.Scene.Stays(plant));
+      const long long last = bed.Scene.GetGoal().Step;
+      long long step = last;
+      while (step > last - MostHeld && !bed.IsSame(plant, nodes, exact.NodesAt(Grid.TimeOf(step))))
+      {
+        --step;
+      }
+      ASSERT_GT(step, last - MostHeld) << frame;
+      // The water at its top has not moved by more than the error since.
+      const StandPlant& own = bed.Scene.GetStand().GetPlants()[plant];
+      const double speed = TrainSpeed(Waves(), own.Middle.z + own.Reach);
+      const double most = ErrorOfWater(bed.Levels, LevelDistance(bed.Levels.Seen, own.Middle));
+      EXPECT_LT((time - Grid.TimeOf(step)) * speed, most) << frame;
+      if (frame > 0)
+      {
+        const bool isSame = bed.IsSame(plant, nodes, before);
+        EXPECT_EQ(bed.Scene.HasChangedSince(plant, bed.Scene.GetShow() - 1), !isSame) << frame;
+        (isSame ? held : moved) += 1;
+      }
+    }
+    before = nodes;
+  }
+  EXPECT_GT(held, 30);
+  EXPECT_GT(moved, 10);
+}
+
+/// Which pictures came before makes no difference, nor does where the camera was.
+TEST(SeaweedScene, HeldPlantsAreFunctionsOfTimeAndView)
+{
+  HeldBed bed;
+  std::mt19937 random(5);
+  for (int n = 0; n < 60; ++n)
+  {
+    const double time = -3.0 + 0.0125 * static_cast<double>(random() % 400); // before the start, too
+    bed.Levels.UseLevels = random() % 5 > 0;
+    bed.Levels.PixelError = random() % 2 > 0 ? 4.0 : 0.5;
+    bed.Levels.Seen = ViewFrom({ random() % 2 > 0 ? 0.0 : 3.0, random() % 2 > 0 ? -100.0 : -20.0, -5.7 });
+    bed.Levels.Seen.Direction *= random() % 4 > 0 ? 1.0 : -1.0;
+    HeldBed fresh;
+    fresh.Levels = bed.Levels;
+    ASSERT_EQ(bed.NodesAt(time), fresh.NodesAt(time)) << n;
+  }
+}
+
+/// A current that changes is known at the time alone: nothing is held in it.
+TEST(SeaweedScene, PlantsInChangingCurrentsAreNotHeld)
+{
+  SeaweedScene scene = SceneOf(TwoPlants(), false);
+  SeaweedLevels levels = FarAway();
+  levels.PixelError = 4.0;
+  const std::vector<Vector3> nodes = NodesAt(scene, 1.0, levels);
+  EXPECT_GT(MaximumDistance(nodes, NodesAt(scene, 1.01, levels)), 1e-6);
+  EXPECT_FALSE(scene.Stays(0));
+}
+
+/// Plants out of view are at rest, wherever the camera goes.
+TEST(SeaweedScene, PlantsOutOfViewDoNotChange)
+{
+  for (const bool isPhysical : { true, false })
+  {
+    SeaweedScene scene = SceneOf(TwoPlants(), isPhysical);
+    SeaweedLevels levels = FarAway();
+    levels.Seen.Direction *= -1.0;
+    NodesAt(scene, 1.0, levels);
+    levels.Seen.Point.y -= 10.0;
+    EXPECT_LT(MaximumDistance(NodesAt(scene, 1.3, levels), NodesAtRest(TwoPlants())), 1e-12);
+    EXPECT_TRUE(scene.Stays(1));
+    EXPECT_FALSE(scene.HasChangedSince(1, 1));
+    levels.Seen.Direction *= -1.0;
+    EXPECT_GT(MaximumDistance(NodesAt(scene, 1.3, levels), NodesAtRest(TwoPlants())), 1e-3);
+    EXPECT_TRUE(scene.HasChangedSince(1, 2));
+  }
+}
+
 TEST(SeaweedScene, VelocitiesAreThoseOfThePositions)
 {
   const Bed bed = TwoPlants();
@@ -614,6 +728,62 @@ TEST(SeaweedLevels, SharesFallFromOneToZeroOverTheBand)
   levels.BlendDistance = 0.0;
   EXPECT_EQ(LevelSharesAt(levels, 5.0, 40.0).Near, 1.0);
   EXPECT_EQ(LevelSharesAt(levels, 5.001, 40.0).Near, 0.0);
+}
+
+/// The speed of the water comes up to its bound where one train is all, and never beyond it.
+TEST(SeaweedLevels, TrainSpeedBoundsTheSpeedOfTheWater)
+{
+  SeaState sea = Waves();
+  for (const bool isOne : { false, true })
+  {
+    sea.Trains.resize(isOne ? 1 : 2);
+    for (const float height : { -0.5f, -3.0f, -5.5f })
+    {
+      double fastest = 0.0;
+      for (int n = 0; n < 400; ++n)
+      {
+        WaveOrbitOptions options;
+        options.Bound.Motion = BoundMotion::Places;
+        const WaveOrbits orbits(sea, options, 0.05 * n);
+        const float place[3] = { 1.0f, 2.0f, height };
+        float velocity[3] = { 0.0f, 0.0f, 0.0f };
+        OrbitRequest<float> request;
+        request.Centers = place;
+        request.Velocity = velocity;
+        orbits.Evaluate(request, 0, 1);
+        fastest = std::max(fastest, static_cast<double>(std::hypot(velocity[0], velocity[1], velocity[2])));
+      }
+      const double bound = TrainSpeed(sea, static_cast<double>(height));
+      EXPECT_LE(fastest, bound * (1.0 + 1e-6));
+      EXPECT_GT(fastest, (isOne ? 0.999 : 0.8) * bound);
+    }
+  }
+}
+
+TEST(SeaweedLevels, PlantsAreHeldWhileTheWaterMovesByTheErrorAtMost)
+{
+  constexpr double step = 1.0 / 48.0;
+  for (const double speed : { 0.01, 0.4, 3.0 })
+  {
+    for (double most = 1e-4; most < 10.0; most *= 1.3)
+    {
+      const int held = StepsHeld(most, speed, step);
+      EXPECT_LE(held * step * speed, most);
+      EXPECT_TRUE(held == MostHeld || std::max(1, 2 * held) * step * speed > most) << most << " " << speed;
+      if (held > 0)
+      {
+        for (long long now = -70; now < 70; ++now)
+        {
+          const long long last = StepOfHeld(now, held, 13);
+          EXPECT_TRUE(last <= now && last > now - held) << now;
+          EXPECT_EQ(StepOfHeld(last, held, 13), last);
+        }
+        EXPECT_TRUE(held == 1 || StepOfHeld(40, held, 13) != StepOfHeld(40, held, 14));
+      }
+    }
+  }
+  EXPECT_EQ(StepsHeld(0.0, 0.0, step), 0);
+  EXPECT_EQ(StepsHeld(1.0, 0.0, step), MostHeld);
 }
 
 TEST(SeaweedLevels, TrainsLeaveOutNoMoreThanTheMaximum)
