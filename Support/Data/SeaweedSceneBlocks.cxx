@@ -312,7 +312,7 @@ std::vector<SeaweedSkinBlock> ReadSkins(vtkMultiBlockDataSet* plants, const Seaw
     const auto vertices = static_cast<std::size_t>(block->GetNumberOfPoints());
     const SkinBinding binding = ReadBinding(block);
     skins.push_back({ name, block, SeaweedSkin(ReadJointIds(block), vertices, stand), binding, RigidBinding(binding),
-      RigidBinding(binding, carriers), {}, {} });
+      RigidBinding(binding, carriers), {}, {}, {} });
     SeaweedSkinBlock& skin = skins.back();
     for (const SkinRun& run : skin.Skin.GetRuns())
     {
