@@ -6,6 +6,7 @@
 #include "Drainage/ValleySpreading.h"
 #include "Numerics/Constants.h"
 #include "Numerics/RandomStream.h"
+#include "Numerics/SimdClones.h"
 
 #include <algorithm>
 #include <array>
@@ -49,14 +50,48 @@ struct Relief
   std::size_t Index(int x, int y) const { return static_cast<std::size_t>(y) * this->Width + x; }
 };
 
-/// A cell of a square, with values that a piece is to have there.
-template <int Count>
+/// A value that pieces are to have in a cell of a square, and where the first piece of the place has its own.
 struct Sample
 {
-  int X;
-  int Y;
-  std::array<float, Count> Values;
+  const float* First;
+  float Value;
 };
+
+/// Adds squared differences to samples to the sums of pieces side by side, of the cells from `shift` on. Four samples
+/// are taken at once, as each turn reads and writes the sums.
+LITTORAL_SIMD_CLONES void AddSquares(
+  const std::vector<Sample>& samples, std::size_t shift, std::size_t count, float* sums)
+{
+  constexpr std::size_t atOnce = 4;
+  const std::size_t whole = samples.size() / atOnce * atOnce;
+  for (std::size_t first = 0; first < whole; first += atOnce)
+  {
+    const Sample* of = samples.data() + first;
+    const float a = of[0].Value;
+    const float b = of[1].Value;
+    const float c = of[2].Value;
+    const float d = of[3].Value;
+    LITTORAL_INDEPENDENT
+    for (std::size_t n = shift; n < shift + count; ++n)
+    {
+      const float p = of[0].First[n] - a;
+      const float q = of[1].First[n] - b;
+      const float r = of[2].First[n] - c;
+      const float s = of[3].First[n] - d;
+      sums[n - shift] += (p * p + q * q) + (r * r + s * s);
+    }
+  }
+  for (std::size_t last = whole; last < samples.size(); ++last)
+  {
+    const Sample of = samples[last];
+    LITTORAL_INDEPENDENT
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      const float difference = of.First[shift + n] - of.Value;
+      sums[n] += difference * difference;
+    }
+  }
+}
 
 struct Corner
 {
@@ -181,20 +216,20 @@ private:
     this->CountUse(from);
   }
 
-  /// Cells of the square that are laid already.
-  std::vector<Sample<Channels>> OverlapOf(const Corner& to) const
+  /// Values of the cells of the square that are laid already.
+  std::vector<Sample> OverlapOf(const Corner& to) const
   {
-    std::vector<Sample<Channels>> samples;
+    std::vector<Sample> samples;
     const int step = std::max(LeastStep, this->Side / OverlapSteps);
     for (int y = 0; y < this->Side; y += step)
     {
       for (int x = 0; x < this->Side; x += step)
       {
         const std::size_t cell = this->Ground.Index(to.X + x, to.Y + y);
-        if (this->IsLaid[cell])
+        for (int channel = 0; channel < Channels && this->IsLaid[cell]; ++channel)
         {
           samples.push_back(
-            { x, y, { this->Ground.Values[0][cell], this->Ground.Values[1][cell], this->Ground.Values[2][cell] } });
+            { this->Place.Values[channel].data() + this->Place.Index(x, y), this->Ground.Values[channel][cell] });
         }
       }
     }
@@ -202,9 +237,9 @@ private:
   }
 
   /// Smooth heights that the square is to have.
-  std::vector<Sample<1>> GuideOf(const Corner& to) const
+  std::vector<Sample> GuideOf(const Corner& to) const
   {
-    std::vector<Sample<1>> samples;
+    std::vector<Sample> samples;
     for (int j = 0; j < GuideSteps; ++j)
     {
       for (int i = 0; i < GuideSteps; ++i)
@@ -213,7 +248,8 @@ private:
         const int y = (2 * j + 1) * this->Side / (2 * GuideSteps);
         if (to.X + x < this->Guide.Width && to.Y + y < this->Guide.Height)
         {
-          samples.push_back({ x, y, { this->Scaled(this->Guide.At(to.X + x, to.Y + y)) } });
+          samples.push_back(
+            { this->SmoothPlace.data() + this->Place.Index(x, y), this->Scaled(this->Guide.At(to.X + x, to.Y + y)) });
         }
       }
     }
@@ -223,8 +259,8 @@ private:
   /// Costs of the pieces by their corners in the place.
   void TakeCosts(const Corner& to, int number)
   {
-    const std::vector<Sample<Channels>> overlap = this->OverlapOf(to);
-    const std::vector<Sample<1>> guide = this->GuideOf(to);
+    const std::vector<Sample> overlap = this->OverlapOf(to);
+    const std::vector<Sample> guide = this->GuideOf(to);
     const auto most = static_cast<std::size_t>(this->CountY); // one row of a place that is wide and low
     const std::size_t step = std::min(most, (this->Costs.size() + MaximumPieces - 1) / MaximumPieces);
     const std::size_t first = this->Random.Words(static_cast<std::uint64_t>(number), 1)[0] % step;
@@ -238,20 +274,12 @@ private:
         float* costs = this->Costs.data() + static_cast<std::size_t>(y) * this->CountX;
         const float* uses = this->Uses.data() + static_cast<std::size_t>(y) * this->CountX;
         std::fill_n(costs, this->CountX, 0.0F);
-        for (const Sample<1>& sample : guide)
-        {
-          this->AddSquares(this->SmoothPlace, sample.X, y + sample.Y, sample.Values[0], costs);
-        }
+        AddSquares(guide, this->Place.Index(0, y), sums.size(), costs);
         std::fill(sums.begin(), sums.end(), 0.0F);
-        for (const Sample<Channels>& sample : overlap)
-        {
-          for (int channel = 0; channel < Channels; ++channel)
-          {
-            this->AddSquares(this->Place.Values[channel], sample.X, y + sample.Y, sample.Values[channel], sums.data());
-          }
-        }
+        AddSquares(overlap, this->Place.Index(0, y), sums.size(), sums.data());
         const float ofGuide = GuideWeight / static_cast<float>(std::max<std::size_t>(1, guide.size()));
-        const float ofOverlap = 1.0F / static_cast<float>(std::max<std::size_t>(1, overlap.size()));
+        const float ofOverlap =
+          static_cast<float>(Channels) / static_cast<float>(std::max<std::size_t>(1, overlap.size()));
         for (int x = 0; x < this->CountX; ++x)
         {
           const float use = uses[x];
@@ -259,17 +287,6 @@ private:
         }
       }
     });
-  }
-
-  /// Adds squared differences to a value, of the cells from one on, to the sums of a row of pieces.
-  void AddSquares(const std::vector<float>& values, int x, int y, float value, float* sums) const
-  {
-    const float* row = values.data() + this->Place.Index(x, y);
-    for (int n = 0; n < this->CountX; ++n)
-    {
-      const float difference = row[n] - value;
-      sums[n] += difference * difference;
-    }
   }
 
   /// Leaves out pieces that go on where one beside the square ends, unless none is left.

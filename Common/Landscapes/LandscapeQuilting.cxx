@@ -5,9 +5,9 @@
 #include "Drainage/ChannelGrading.h"
 #include "Drainage/DepressionBreaching.h"
 #include "Drainage/FlowRouting.h"
+#include "Drainage/GroundStatistics.h"
 #include "Drainage/ValleySpreading.h"
 #include "Landscapes/GroundQuilt.h"
-#include "Landscapes/LandscapeMeasures.h"
 #include "Landscapes/LongWaves.h"
 #include "Landscapes/PlaceMatching.h"
 #include "Numerics/ParameterCheck.h"
@@ -55,6 +55,11 @@ std::string WhyTooSmall(const GridSamples& ground, const char* name)
   return std::min(ground.Width, ground.Height) >= leastCells
     ? ""
     : std::string(name) + " has fewer than 16 rows or columns; no pieces can be cut of it.";
+}
+
+double MeanSlope(const GridSamples& ground)
+{
+  return ShapeOf(GradientsOf(ground)).Mean;
 }
 
 std::string WhyOfOtherCells(const GridSamples& terrain, const GridSamples& place)
@@ -150,27 +155,36 @@ CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& measured, 
   const GridSamples quilt =
     QuiltGround(place, guide, side, seed, parallel, [&](double part) { progress(QuiltWork * part); });
   const GridSamples smooth = Smooth(quilt, smoothing, parallel);
-  const double meanSlope = MeasureLandscape(place, parallel).MeanSlope;
+  const double meanSlope = MeanSlope(place);
   double least = std::numeric_limits<double>::infinity();
   double cut = FirstCut;
   CarvingReport report;
-  for (; report.Iterations < MaximumRounds && least > 1.0; ++report.Iterations)
+  while (true)
   {
     const double done = QuiltWork + (1.0 - QuiltWork) * report.Iterations / MaximumRounds;
     GridSamples ground = Sum(quilt, guide, smooth);
     matching.Match(ground, 1.0, parallel);
     DrainDepressions(ground, LeastSlopeFactor * meanSlope, cut, parallel, [&] { progress(done); });
-    const double steep = MeasureLandscape(ground, parallel).MeanSlope / meanSlope;
+    const double steep = MeanSlope(ground) / meanSlope;
     const double misfit = std::max(
       matching.SemivarianceError(ground, parallel) / SemivarianceTolerance, std::abs(steep - 1.0) / SlopeTolerance);
-    // what is filled is flat, and what is cut is steep
-    cut = std::clamp(cut + CutGain * (1.0 - steep), LeastCut, 1.0);
-    waves.Correct(ground, target.Measures, parallel);
-    guide = Smooth(waves.Heights(parallel), smoothing, parallel);
+    ++report.Iterations;
+    const bool isLast = misfit <= 1.0 || report.Iterations == MaximumRounds;
+    if (!isLast)
+    {
+      // what is filled is flat, and what is cut is steep
+      cut = std::clamp(cut + CutGain * (1.0 - steep), LeastCut, 1.0);
+      waves.Correct(ground, target.Measures, parallel);
+      guide = Smooth(waves.Heights(parallel), smoothing, parallel);
+    }
     if (misfit < least)
     {
       least = misfit;
       terrain = std::move(ground);
+    }
+    if (isLast)
+    {
+      break;
     }
   }
   for (std::size_t n = 0; n < given.Values.size(); ++n)
