@@ -11,6 +11,7 @@
 #include "Landscapes/LongWaves.h"
 #include "Landscapes/PlaceMatching.h"
 #include "Numerics/ParameterCheck.h"
+#include "Terrain/GridHoles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,14 +49,6 @@ constexpr double CutGain = 2.0;
 
 /// Cells whose sizes differ by less are of one size.
 constexpr double SpacingTolerance = 1e-3;
-
-std::string WhyTooSmall(const GridSamples& ground, const char* name)
-{
-  constexpr int leastCells = 16;
-  return std::min(ground.Width, ground.Height) >= leastCells
-    ? ""
-    : std::string(name) + " has fewer than 16 rows or columns; no pieces can be cut of it.";
-}
 
 double MeanSlope(const GridSamples& ground)
 {
@@ -187,10 +180,7 @@ CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& measured, 
       break;
     }
   }
-  for (std::size_t n = 0; n < given.Values.size(); ++n)
-  {
-    terrain.Values[n] = std::isnan(given.Values[n]) ? given.Values[n] : terrain.Values[n];
-  }
+  TakeHoles(given, terrain);
   report.Before = MeasureGround(given, rim, parallel, NoPoll, target.Measures.MaximumArea);
   report.After = MeasureGround(terrain, rim, parallel, NoPoll, target.Measures.MaximumArea);
   report.UnmetTargets = UnmetTargets(report.After, target.Measures);
