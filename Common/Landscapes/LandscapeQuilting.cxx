@@ -10,6 +10,7 @@
 #include "Landscapes/GroundQuilt.h"
 #include "Landscapes/LongWaves.h"
 #include "Landscapes/PlaceMatching.h"
+#include "Landscapes/RiverSteepness.h"
 #include "Numerics/ParameterCheck.h"
 #include "Terrain/GridHoles.h"
 
@@ -29,6 +30,7 @@ namespace
 constexpr int MaximumRounds = 8;
 constexpr double SemivarianceTolerance = 0.1;
 constexpr double SlopeTolerance = 0.05;
+constexpr double SteepnessTolerance = 0.15;
 
 /// Part of the work that is done when the pieces are laid.
 constexpr double QuiltWork = 0.5;
@@ -46,6 +48,11 @@ constexpr double ValleyPart = 0.7;
 constexpr double FirstCut = 0.75;
 constexpr double LeastCut = 0.3;
 constexpr double CutGain = 2.0;
+
+/// Limit of the slopes of rivers over the place's at first, the least one and the greatest.
+constexpr double FirstLimit = 1.7;
+constexpr double LeastLimit = 1.0;
+constexpr double GreatestLimit = 4.0;
 
 /// Cells whose sizes differ by less are of one size.
 constexpr double SpacingTolerance = 1e-3;
@@ -84,9 +91,11 @@ GridSamples Sum(GridSamples ground, const GridSamples& waves, const GridSamples&
   return ground;
 }
 
-/// Takes depressions away along the ways by which least is cut: a part is cut there, the rest is filled. Cuts fade to
-/// the sides over valleys that are the deeper the narrower they are, so that no dam is opened by a slot.
-void DrainDepressions(GridSamples& ground, double leastSlope, double cut, const ParallelFor& parallel, const Poll& poll)
+/// Takes depressions away along the ways by which least is cut: a part is cut there, the rest is filled. Rivers that
+/// are steeper than a limit are cut down to it. Cuts fade to the sides over valleys that are the deeper the narrower
+/// they are, so that no dam is opened by a slot.
+void Drain(GridSamples& ground, double leastSlope, double cut, const ChannelLaw& limit, const ParallelFor& parallel,
+  const Poll& poll)
 {
   const OutletMask outlets = BorderOutlets(ground.Width, ground.Height);
   GridSamples breached = ground;
@@ -96,7 +105,9 @@ void DrainDepressions(GridSamples& ground, double leastSlope, double cut, const 
   const auto grade = [&] { return GradeAlong(ground, routing, areas, EvenLaw(leastSlope), cut, parallel, poll); };
   for (double width = ValleyWidth; width >= BedWidth; width *= 0.5)
   {
-    std::vector<double> cuts = grade();
+    GridSamples bed = ground;
+    bed.Values = grade();
+    std::vector<double> cuts = LimitAlong(bed, routing, areas, limit, leastSlope);
     std::vector<double> weights;
     for (std::size_t n = 0; n < cuts.size(); ++n)
     {
@@ -148,25 +159,33 @@ CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& measured, 
   const GridSamples quilt =
     QuiltGround(place, guide, side, seed, parallel, [&](double part) { progress(QuiltWork * part); });
   const GridSamples smooth = Smooth(quilt, smoothing, parallel);
+  const RiverSteepness rivers(place, parallel);
   const double meanSlope = MeanSlope(place);
   double least = std::numeric_limits<double>::infinity();
   double cut = FirstCut;
+  double limit = FirstLimit;
   CarvingReport report;
   while (true)
   {
     const double done = QuiltWork + (1.0 - QuiltWork) * report.Iterations / MaximumRounds;
     GridSamples ground = Sum(quilt, guide, smooth);
     matching.Match(ground, 1.0, parallel);
-    DrainDepressions(ground, LeastSlopeFactor * meanSlope, cut, parallel, [&] { progress(done); });
+    Drain(ground, LeastSlopeFactor * meanSlope, cut, rivers.Law(limit), parallel, [&] { progress(done); });
+    if (rivers.IsKnown())
+    {
+      matching.Match(ground, 1.0, parallel); // a monotone map turns no water
+    }
     const double steep = MeanSlope(ground) / meanSlope;
-    const double misfit = std::max(
-      matching.SemivarianceError(ground, parallel) / SemivarianceTolerance, std::abs(steep - 1.0) / SlopeTolerance);
+    const double steepOfRivers = rivers.RatioOf(ground, parallel);
+    const double misfit = std::max({ matching.SemivarianceError(ground, parallel) / SemivarianceTolerance,
+      std::abs(steep - 1.0) / SlopeTolerance, std::abs(steepOfRivers - 1.0) / SteepnessTolerance });
     ++report.Iterations;
     const bool isLast = misfit <= 1.0 || report.Iterations == MaximumRounds;
     if (!isLast)
     {
       // what is filled is flat, and what is cut is steep
       cut = std::clamp(cut + CutGain * (1.0 - steep), LeastCut, 1.0);
+      limit = std::clamp(limit / steepOfRivers, LeastLimit, GreatestLimit);
       waves.Correct(ground, target.Measures, parallel);
       guide = Smooth(waves.Heights(parallel), smoothing, parallel);
     }
