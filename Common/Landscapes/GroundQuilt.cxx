@@ -39,6 +39,9 @@ constexpr int GuideSteps = 8;
 /// Pieces of a place that are looked at for one square; of larger places each nth row, another first one each time.
 constexpr std::size_t MaximumPieces = std::size_t{ 1 } << 18;
 
+/// Draw of the shifts of rows and columns, by their numbers.
+constexpr std::uint64_t ShiftDraw = 2;
+
 /// Heights, and differences to the next cell along x and y, each over a scale.
 constexpr int Channels = 3;
 struct Relief
@@ -136,14 +139,15 @@ public:
     : Guide(guide)
     , Side(side)
     , Overlap(3 * side / 8)
-    , Columns(PiecesAlong(guide.Width))
-    , Rows(PiecesAlong(guide.Height))
+    , Margin(Overlap / 2)
+    , Columns(PiecesAlong(guide.Width + Margin))
+    , Rows(PiecesAlong(guide.Height + Margin))
     , Random(seed, RandomPurpose::LandscapePieces)
     , Parallel(parallel)
   {
     this->SetPlace(place);
-    this->Ground.Width = this->Columns * this->Step() + this->Overlap;
-    this->Ground.Height = this->Rows * this->Step() + this->Overlap;
+    this->Ground.Width = this->Columns * this->Step() + this->Overlap + this->Margin;
+    this->Ground.Height = this->Rows * this->Step() + this->Overlap + this->Margin;
     const std::size_t cells = static_cast<std::size_t>(this->Ground.Width) * this->Ground.Height;
     this->Ground.Values.fill(std::vector<float>(cells, 0.0F));
     this->IsLaid.assign(cells, 0);
@@ -206,14 +210,25 @@ private:
 
   void LayOne(int row, int column)
   {
-    const Corner to{ column * this->Step(), row * this->Step() };
+    const Corner to = this->CornerOf(row, column);
     const int number = row * this->Columns + column;
     this->TakeCosts(to, number);
     this->ForbidNeighbours(to, row, column);
     const Corner from = this->Chosen(number);
     this->Shifts.push_back({ from.X - to.X, from.Y - to.Y });
-    this->Lay(from, to);
+    this->Lay(from, to, row, column);
     this->CountUse(from);
+  }
+
+  /// Corner of a square on the ground. Rows are shifted along and columns up by chance, so that no seam goes on
+  /// straight from one square to the next.
+  Corner CornerOf(int row, int column) const
+  {
+    const auto shift = [&](int line, std::size_t axis) {
+      const double part = this->Random.UniformPair(static_cast<std::uint64_t>(line), ShiftDraw)[axis];
+      return static_cast<int>(part * (this->Margin + 1));
+    };
+    return { column * this->Step() + shift(row, 0), row * this->Step() + shift(column, 1) };
   }
 
   /// Values of the cells of the square that are laid already.
@@ -246,10 +261,12 @@ private:
       {
         const int x = (2 * i + 1) * this->Side / (2 * GuideSteps);
         const int y = (2 * j + 1) * this->Side / (2 * GuideSteps);
-        if (to.X + x < this->Guide.Width && to.Y + y < this->Guide.Height)
+        const int column = to.X + x - this->Margin;
+        const int row = to.Y + y - this->Margin;
+        if (column >= 0 && column < this->Guide.Width && row >= 0 && row < this->Guide.Height)
         {
           samples.push_back(
-            { this->SmoothPlace.data() + this->Place.Index(x, y), this->Scaled(this->Guide.At(to.X + x, to.Y + y)) });
+            { this->SmoothPlace.data() + this->Place.Index(x, y), this->Scaled(this->Guide.At(column, row)) });
         }
       }
     }
@@ -340,10 +357,14 @@ private:
     return { static_cast<int>(piece % this->CountX), static_cast<int>(piece / this->CountX) };
   }
 
-  /// Squared difference of a piece to what is laid in the cell of a square.
+  /// Squared difference of a piece to what is laid in the cell of a square; 0 where nothing is.
   float Difference(const Corner& from, const Corner& to, int x, int y) const
   {
     const std::size_t is = this->Ground.Index(to.X + x, to.Y + y);
+    if (!this->IsLaid[is])
+    {
+      return 0.0F;
+    }
     const std::size_t shall = this->Place.Index(from.X + x, from.Y + y);
     float sum = 0.0F;
     for (int channel = 0; channel < Channels; ++channel)
@@ -355,7 +376,7 @@ private:
   }
 
   /// Lays a piece beyond the cuts through its overlaps with the squares to the left and below.
-  void Lay(const Corner& from, const Corner& to)
+  void Lay(const Corner& from, const Corner& to, int row, int column)
   {
     const auto cut = [&](bool isThere, const auto& difference) {
       std::vector<float> values;
@@ -369,9 +390,9 @@ private:
       return isThere ? LeastPath(values, this->Overlap, this->Side) : std::vector<int>(this->Side, 0);
     };
     const std::vector<int> left =
-      cut(to.X > 0, [&](int across, int along) { return this->Difference(from, to, across, along); });
+      cut(column > 0, [&](int across, int along) { return this->Difference(from, to, across, along); });
     const std::vector<int> below =
-      cut(to.Y > 0, [&](int across, int along) { return this->Difference(from, to, along, across); });
+      cut(row > 0, [&](int across, int along) { return this->Difference(from, to, along, across); });
     for (int y = 0; y < this->Side; ++y)
     {
       for (int x = 0; x < this->Side; ++x)
@@ -412,7 +433,7 @@ private:
     {
       for (int i = 0; i < width; ++i)
       {
-        const std::size_t cell = this->Ground.Index(i, j);
+        const std::size_t cell = this->Ground.Index(i + this->Margin, j + this->Margin);
         const auto link = [&](int channel, bool isThere, int x, int y) {
           const double difference = isThere ? this->Scales[channel] * this->Ground.Values[channel][cell] : 0.0;
           heights.At(i, j) -= difference;
@@ -439,6 +460,7 @@ private:
   const GridSamples& Guide;
   int Side;
   int Overlap;
+  int Margin; ///< of the ground about the guide, and the largest shift
   int Columns;
   int Rows;
   RandomStream Random;

@@ -44,15 +44,16 @@ constexpr double ValleyWidth = 8.0;
 constexpr double BedWidth = 1.0;
 constexpr double ValleyPart = 0.7;
 
-/// Part of a depression that is cut at first, the least one, and its correction over what the mean slope lacks.
+/// Part of a depression that is cut at first, and its correction over what the mean slope lacks.
 constexpr double FirstCut = 0.75;
-constexpr double LeastCut = 0.3;
 constexpr double CutGain = 2.0;
 
-/// Limit of the slopes of rivers over the place's at first, the least one and the greatest.
-constexpr double FirstLimit = 1.7;
-constexpr double LeastLimit = 1.0;
+/// Height by which a pass costs e times as much, over the deviation of heights.
+constexpr double PassHeight = 0.25;
+
+/// Limit of the slopes of rivers over the place's: the greatest, which is the first, and the least one.
 constexpr double GreatestLimit = 4.0;
+constexpr double LeastLimit = 1.0;
 
 /// Cells whose sizes differ by less are of one size.
 constexpr double SpacingTolerance = 1e-3;
@@ -91,14 +92,27 @@ GridSamples Sum(GridSamples ground, const GridSamples& waves, const GridSamples&
   return ground;
 }
 
-/// Takes depressions away along the ways by which least is cut: a part is cut there, the rest is filled. Rivers that
-/// are steeper than a limit are cut down to it. Cuts fade to the sides over valleys that are the deeper the narrower
-/// they are, so that no dam is opened by a slot.
+/// Ground whose heights z are exp(z / h), so that the way of least cut from a depression leads through low passes and
+/// along valleys; else it is straight through whatever is in between.
+GridSamples WithHighPasses(GridSamples ground)
+{
+  const SampleMoments moments = Moments(ground);
+  const double growth = PassHeight * std::sqrt(moments.Variance);
+  for (double& height : ground.Values)
+  {
+    height = std::exp((height - moments.Mean) / growth);
+  }
+  return ground;
+}
+
+/// Takes depressions away along the ways of least cut: a part is cut there, the rest is filled. Rivers that are steeper
+/// than a limit are cut down to it. Cuts fade to the sides over valleys that are the deeper the narrower they are, so
+/// that no dam is opened by a slot.
 void Drain(GridSamples& ground, double leastSlope, double cut, const ChannelLaw& limit, const ParallelFor& parallel,
   const Poll& poll)
 {
   const OutletMask outlets = BorderOutlets(ground.Width, ground.Height);
-  GridSamples breached = ground;
+  GridSamples breached = WithHighPasses(ground);
   BreachDepressions(breached, outlets, BreachPath::LeastCost, poll);
   const FlowRouting routing = RouteFlow(breached, outlets, parallel, poll);
   const std::vector<CellIndex> areas = FlowAccumulation(routing);
@@ -163,7 +177,7 @@ CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& measured, 
   const double meanSlope = MeanSlope(place);
   double least = std::numeric_limits<double>::infinity();
   double cut = FirstCut;
-  double limit = FirstLimit;
+  double limit = GreatestLimit;
   CarvingReport report;
   while (true)
   {
@@ -184,7 +198,7 @@ CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& measured, 
     if (!isLast)
     {
       // what is filled is flat, and what is cut is steep
-      cut = std::clamp(cut + CutGain * (1.0 - steep), LeastCut, 1.0);
+      cut = std::clamp(cut + CutGain * (1.0 - steep), 0.0, 1.0);
       limit = std::clamp(limit / steepOfRivers, LeastLimit, GreatestLimit);
       waves.Correct(ground, target.Measures, parallel);
       guide = Smooth(waves.Heights(parallel), smoothing, parallel);

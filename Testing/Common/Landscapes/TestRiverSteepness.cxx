@@ -4,8 +4,6 @@
 #include "Drainage/DepressionFilling.h"
 #include "Drainage/DrainageOutlets.h"
 #include "Drainage/FlowRouting.h"
-#include "Drainage/ValleySpreading.h"
-#include "Landscapes/LandscapeQuilting.h"
 #include "Landscapes/RiverSteepness.h"
 
 #include <gtest/gtest.h>
@@ -83,15 +81,4 @@ TEST(RiverSteepness, FewValleysTellNoLaw)
   EXPECT_FALSE(rivers.IsKnown());
   EXPECT_EQ(rivers.RatioOf(part), 1.0);
   EXPECT_EQ(rivers.Law(2.0).ChannelThreshold, std::numeric_limits<double>::infinity());
-}
-
-TEST(LandscapeQuilting, RiversAreAsSteepAsThePlaces)
-{
-  const GridSamples place = Valley(1);
-  const RiverSteepness rivers(place);
-  GridSamples terrain = RandomGround(Side, Side, { 10.0, 10.0 }, 2);
-  SmoothGrid(terrain.Values, Side, Side, 12.0);
-  QuiltLandscape(terrain, place, 1);
-  EXPECT_EQ(FloodDepressions(terrain, BorderOutlets(Side, Side)).DepressionCells, 0u);
-  EXPECT_NEAR(rivers.RatioOf(terrain), 1.0, 0.15);
 }
