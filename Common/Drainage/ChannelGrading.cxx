@@ -75,4 +75,23 @@ std::vector<double> GradeAlong(const GridSamples& heights, const FlowRouting& ro
   return graded;
 }
 
+std::vector<double> LimitAlong(const GridSamples& heights, const FlowRouting& routing,
+  const std::vector<CellIndex>& accumulation, const ChannelLaw& law, double leastSlope)
+{
+  const CellLattice lattice(heights);
+  std::vector<double> limited = heights.Values;
+  for (const CellIndex cell : routing.Order)
+  {
+    const CellIndex receiver = routing.Receiver[cell];
+    const double cells = accumulation[cell];
+    if (receiver != cell && cells >= law.ChannelThreshold)
+    {
+      const double most = std::max(law.SlopeAt(cells), leastSlope);
+      const double distance = lattice.Distance(lattice.DirectionTo(cell, receiver));
+      limited[cell] = std::min(limited[cell], limited[receiver] + most * distance);
+    }
+  }
+  return limited;
+}
+
 }

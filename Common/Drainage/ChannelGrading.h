@@ -42,6 +42,16 @@ std::vector<double> GradeAlong(const GridSamples& heights, const FlowRouting& ro
   const std::vector<CellIndex>& accumulation, const ChannelLaw& law, double cut,
   const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
 
+/**
+ * Heights of a grid lowered along the flow paths so that no channel is steeper than the law, or a least slope S_0:
+ *
+ *   z = min(z, z_r + max(S, S_0) d) where A >= ChannelThreshold, from the outlets upstream.
+ *
+ * Heights that fall by S_0 at least along the flow paths still do.
+ */
+std::vector<double> LimitAlong(const GridSamples& heights, const FlowRouting& routing,
+  const std::vector<CellIndex>& accumulation, const ChannelLaw& law, double leastSlope);
+
 }
 
 #endif

@@ -6,6 +6,7 @@
 #include "Drainage/ValleySpreading.h"
 #include "Numerics/Constants.h"
 #include "Numerics/RandomStream.h"
+#include "Numerics/SimdClones.h"
 
 #include <algorithm>
 #include <array>
@@ -38,6 +39,9 @@ constexpr int GuideSteps = 8;
 /// Pieces of a place that are looked at for one square; of larger places each nth row, another first one each time.
 constexpr std::size_t MaximumPieces = std::size_t{ 1 } << 18;
 
+/// Draw of the shifts of rows and columns, by their numbers.
+constexpr std::uint64_t ShiftDraw = 2;
+
 /// Heights, and differences to the next cell along x and y, each over a scale.
 constexpr int Channels = 3;
 struct Relief
@@ -49,14 +53,48 @@ struct Relief
   std::size_t Index(int x, int y) const { return static_cast<std::size_t>(y) * this->Width + x; }
 };
 
-/// A cell of a square, with values that a piece is to have there.
-template <int Count>
+/// A value that pieces are to have in a cell of a square, and where the first piece of the place has its own.
 struct Sample
 {
-  int X;
-  int Y;
-  std::array<float, Count> Values;
+  const float* First;
+  float Value;
 };
+
+/// Adds squared differences to samples to the sums of pieces side by side, of the cells from `shift` on. Four samples
+/// are taken at once, as each turn reads and writes the sums.
+LITTORAL_SIMD_CLONES void AddSquares(
+  const std::vector<Sample>& samples, std::size_t shift, std::size_t count, float* sums)
+{
+  constexpr std::size_t atOnce = 4;
+  const std::size_t whole = samples.size() / atOnce * atOnce;
+  for (std::size_t first = 0; first < whole; first += atOnce)
+  {
+    const Sample* of = samples.data() + first;
+    const float a = of[0].Value;
+    const float b = of[1].Value;
+    const float c = of[2].Value;
+    const float d = of[3].Value;
+    LITTORAL_INDEPENDENT
+    for (std::size_t n = shift; n < shift + count; ++n)
+    {
+      const float p = of[0].First[n] - a;
+      const float q = of[1].First[n] - b;
+      const float r = of[2].First[n] - c;
+      const float s = of[3].First[n] - d;
+      sums[n - shift] += (p * p + q * q) + (r * r + s * s);
+    }
+  }
+  for (std::size_t last = whole; last < samples.size(); ++last)
+  {
+    const Sample of = samples[last];
+    LITTORAL_INDEPENDENT
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      const float difference = of.First[shift + n] - of.Value;
+      sums[n] += difference * difference;
+    }
+  }
+}
 
 struct Corner
 {
@@ -101,14 +139,15 @@ public:
     : Guide(guide)
     , Side(side)
     , Overlap(3 * side / 8)
-    , Columns(PiecesAlong(guide.Width))
-    , Rows(PiecesAlong(guide.Height))
+    , Margin(Overlap / 2)
+    , Columns(PiecesAlong(guide.Width + Margin))
+    , Rows(PiecesAlong(guide.Height + Margin))
     , Random(seed, RandomPurpose::LandscapePieces)
     , Parallel(parallel)
   {
     this->SetPlace(place);
-    this->Ground.Width = this->Columns * this->Step() + this->Overlap;
-    this->Ground.Height = this->Rows * this->Step() + this->Overlap;
+    this->Ground.Width = this->Columns * this->Step() + this->Overlap + this->Margin;
+    this->Ground.Height = this->Rows * this->Step() + this->Overlap + this->Margin;
     const std::size_t cells = static_cast<std::size_t>(this->Ground.Width) * this->Ground.Height;
     this->Ground.Values.fill(std::vector<float>(cells, 0.0F));
     this->IsLaid.assign(cells, 0);
@@ -171,30 +210,41 @@ private:
 
   void LayOne(int row, int column)
   {
-    const Corner to{ column * this->Step(), row * this->Step() };
+    const Corner to = this->CornerOf(row, column);
     const int number = row * this->Columns + column;
     this->TakeCosts(to, number);
     this->ForbidNeighbours(to, row, column);
     const Corner from = this->Chosen(number);
     this->Shifts.push_back({ from.X - to.X, from.Y - to.Y });
-    this->Lay(from, to);
+    this->Lay(from, to, row, column);
     this->CountUse(from);
   }
 
-  /// Cells of the square that are laid already.
-  std::vector<Sample<Channels>> OverlapOf(const Corner& to) const
+  /// Corner of a square on the ground. Rows are shifted along and columns up by chance, so that no seam goes on
+  /// straight from one square to the next.
+  Corner CornerOf(int row, int column) const
   {
-    std::vector<Sample<Channels>> samples;
+    const auto shift = [&](int line, std::size_t axis) {
+      const double part = this->Random.UniformPair(static_cast<std::uint64_t>(line), ShiftDraw)[axis];
+      return static_cast<int>(part * (this->Margin + 1));
+    };
+    return { column * this->Step() + shift(row, 0), row * this->Step() + shift(column, 1) };
+  }
+
+  /// Values of the cells of the square that are laid already.
+  std::vector<Sample> OverlapOf(const Corner& to) const
+  {
+    std::vector<Sample> samples;
     const int step = std::max(LeastStep, this->Side / OverlapSteps);
     for (int y = 0; y < this->Side; y += step)
     {
       for (int x = 0; x < this->Side; x += step)
       {
         const std::size_t cell = this->Ground.Index(to.X + x, to.Y + y);
-        if (this->IsLaid[cell])
+        for (int channel = 0; channel < Channels && this->IsLaid[cell]; ++channel)
         {
           samples.push_back(
-            { x, y, { this->Ground.Values[0][cell], this->Ground.Values[1][cell], this->Ground.Values[2][cell] } });
+            { this->Place.Values[channel].data() + this->Place.Index(x, y), this->Ground.Values[channel][cell] });
         }
       }
     }
@@ -202,18 +252,21 @@ private:
   }
 
   /// Smooth heights that the square is to have.
-  std::vector<Sample<1>> GuideOf(const Corner& to) const
+  std::vector<Sample> GuideOf(const Corner& to) const
   {
-    std::vector<Sample<1>> samples;
+    std::vector<Sample> samples;
     for (int j = 0; j < GuideSteps; ++j)
     {
       for (int i = 0; i < GuideSteps; ++i)
       {
         const int x = (2 * i + 1) * this->Side / (2 * GuideSteps);
         const int y = (2 * j + 1) * this->Side / (2 * GuideSteps);
-        if (to.X + x < this->Guide.Width && to.Y + y < this->Guide.Height)
+        const int column = to.X + x - this->Margin;
+        const int row = to.Y + y - this->Margin;
+        if (column >= 0 && column < this->Guide.Width && row >= 0 && row < this->Guide.Height)
         {
-          samples.push_back({ x, y, { this->Scaled(this->Guide.At(to.X + x, to.Y + y)) } });
+          samples.push_back(
+            { this->SmoothPlace.data() + this->Place.Index(x, y), this->Scaled(this->Guide.At(column, row)) });
         }
       }
     }
@@ -223,8 +276,8 @@ private:
   /// Costs of the pieces by their corners in the place.
   void TakeCosts(const Corner& to, int number)
   {
-    const std::vector<Sample<Channels>> overlap = this->OverlapOf(to);
-    const std::vector<Sample<1>> guide = this->GuideOf(to);
+    const std::vector<Sample> overlap = this->OverlapOf(to);
+    const std::vector<Sample> guide = this->GuideOf(to);
     const auto most = static_cast<std::size_t>(this->CountY); // one row of a place that is wide and low
     const std::size_t step = std::min(most, (this->Costs.size() + MaximumPieces - 1) / MaximumPieces);
     const std::size_t first = this->Random.Words(static_cast<std::uint64_t>(number), 1)[0] % step;
@@ -238,20 +291,12 @@ private:
         float* costs = this->Costs.data() + static_cast<std::size_t>(y) * this->CountX;
         const float* uses = this->Uses.data() + static_cast<std::size_t>(y) * this->CountX;
         std::fill_n(costs, this->CountX, 0.0F);
-        for (const Sample<1>& sample : guide)
-        {
-          this->AddSquares(this->SmoothPlace, sample.X, y + sample.Y, sample.Values[0], costs);
-        }
+        AddSquares(guide, this->Place.Index(0, y), sums.size(), costs);
         std::fill(sums.begin(), sums.end(), 0.0F);
-        for (const Sample<Channels>& sample : overlap)
-        {
-          for (int channel = 0; channel < Channels; ++channel)
-          {
-            this->AddSquares(this->Place.Values[channel], sample.X, y + sample.Y, sample.Values[channel], sums.data());
-          }
-        }
+        AddSquares(overlap, this->Place.Index(0, y), sums.size(), sums.data());
         const float ofGuide = GuideWeight / static_cast<float>(std::max<std::size_t>(1, guide.size()));
-        const float ofOverlap = 1.0F / static_cast<float>(std::max<std::size_t>(1, overlap.size()));
+        const float ofOverlap =
+          static_cast<float>(Channels) / static_cast<float>(std::max<std::size_t>(1, overlap.size()));
         for (int x = 0; x < this->CountX; ++x)
         {
           const float use = uses[x];
@@ -259,17 +304,6 @@ private:
         }
       }
     });
-  }
-
-  /// Adds squared differences to a value, of the cells from one on, to the sums of a row of pieces.
-  void AddSquares(const std::vector<float>& values, int x, int y, float value, float* sums) const
-  {
-    const float* row = values.data() + this->Place.Index(x, y);
-    for (int n = 0; n < this->CountX; ++n)
-    {
-      const float difference = row[n] - value;
-      sums[n] += difference * difference;
-    }
   }
 
   /// Leaves out pieces that go on where one beside the square ends, unless none is left.
@@ -323,10 +357,14 @@ private:
     return { static_cast<int>(piece % this->CountX), static_cast<int>(piece / this->CountX) };
   }
 
-  /// Squared difference of a piece to what is laid in the cell of a square.
+  /// Squared difference of a piece to what is laid in the cell of a square; 0 where nothing is.
   float Difference(const Corner& from, const Corner& to, int x, int y) const
   {
     const std::size_t is = this->Ground.Index(to.X + x, to.Y + y);
+    if (!this->IsLaid[is])
+    {
+      return 0.0F;
+    }
     const std::size_t shall = this->Place.Index(from.X + x, from.Y + y);
     float sum = 0.0F;
     for (int channel = 0; channel < Channels; ++channel)
@@ -338,7 +376,7 @@ private:
   }
 
   /// Lays a piece beyond the cuts through its overlaps with the squares to the left and below.
-  void Lay(const Corner& from, const Corner& to)
+  void Lay(const Corner& from, const Corner& to, int row, int column)
   {
     const auto cut = [&](bool isThere, const auto& difference) {
       std::vector<float> values;
@@ -352,9 +390,9 @@ private:
       return isThere ? LeastPath(values, this->Overlap, this->Side) : std::vector<int>(this->Side, 0);
     };
     const std::vector<int> left =
-      cut(to.X > 0, [&](int across, int along) { return this->Difference(from, to, across, along); });
+      cut(column > 0, [&](int across, int along) { return this->Difference(from, to, across, along); });
     const std::vector<int> below =
-      cut(to.Y > 0, [&](int across, int along) { return this->Difference(from, to, along, across); });
+      cut(row > 0, [&](int across, int along) { return this->Difference(from, to, along, across); });
     for (int y = 0; y < this->Side; ++y)
     {
       for (int x = 0; x < this->Side; ++x)
@@ -395,7 +433,7 @@ private:
     {
       for (int i = 0; i < width; ++i)
       {
-        const std::size_t cell = this->Ground.Index(i, j);
+        const std::size_t cell = this->Ground.Index(i + this->Margin, j + this->Margin);
         const auto link = [&](int channel, bool isThere, int x, int y) {
           const double difference = isThere ? this->Scales[channel] * this->Ground.Values[channel][cell] : 0.0;
           heights.At(i, j) -= difference;
@@ -422,6 +460,7 @@ private:
   const GridSamples& Guide;
   int Side;
   int Overlap;
+  int Margin; ///< of the ground about the guide, and the largest shift
   int Columns;
   int Rows;
   RandomStream Random;

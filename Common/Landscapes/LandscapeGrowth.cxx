@@ -17,6 +17,7 @@
 #include "Landscapes/RockHardness.h"
 #include "Numerics/ParameterCheck.h"
 #include "Numerics/RandomStream.h"
+#include "Terrain/GridHoles.h"
 
 #include <algorithm>
 #include <array>
@@ -109,23 +110,6 @@ std::vector<double> MiddleOf(const GridSamples& terrain, const std::vector<doubl
   GridSamples grid = terrain;
   grid.Values = values;
   return values.empty() ? values : MiddleOf(grid).Values;
-}
-
-std::string WhyTooSmall(const GridSamples& ground, const char* name)
-{
-  constexpr int leastCells = 16;
-  return std::min(ground.Width, ground.Height) >= leastCells
-    ? ""
-    : std::string(name) + " has fewer than 16 rows or columns; no valleys can grow there.";
-}
-
-/// Makes missing what is missing in another grid.
-void TakeHoles(const GridSamples& from, GridSamples& grid)
-{
-  for (std::size_t n = 0; n < grid.Values.size(); ++n)
-  {
-    grid.Values[n] = std::isnan(from.Values[n]) ? from.Values[n] : grid.Values[n];
-  }
 }
 
 /// Range of the middle three fifths of even quantiles.
@@ -624,13 +608,15 @@ void MoveFaults(GridSamples& ground, const GridSamples& given, const std::vector
 /// Factors that go on smoothly where the terrain has no heights.
 std::vector<double> FilledOut(const GridSamples& terrain, const std::vector<double>& factors)
 {
-  GridSamples grid = terrain;
-  for (std::size_t n = 0; n < factors.size(); ++n)
+  if (factors.empty())
   {
-    grid.Values[n] = std::isnan(terrain.Values[n]) ? terrain.Values[n] : factors[n];
+    return factors;
   }
+  GridSamples grid = terrain;
+  grid.Values = factors;
+  TakeHoles(terrain, grid);
   FillHoles(grid);
-  return factors.empty() ? factors : grid.Values;
+  return grid.Values;
 }
 
 }

@@ -5,12 +5,14 @@
 #include "Drainage/ChannelGrading.h"
 #include "Drainage/DepressionBreaching.h"
 #include "Drainage/FlowRouting.h"
+#include "Drainage/GroundStatistics.h"
 #include "Drainage/ValleySpreading.h"
 #include "Landscapes/GroundQuilt.h"
-#include "Landscapes/LandscapeMeasures.h"
 #include "Landscapes/LongWaves.h"
 #include "Landscapes/PlaceMatching.h"
+#include "Landscapes/RiverSteepness.h"
 #include "Numerics/ParameterCheck.h"
+#include "Terrain/GridHoles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +30,7 @@ namespace
 constexpr int MaximumRounds = 8;
 constexpr double SemivarianceTolerance = 0.1;
 constexpr double SlopeTolerance = 0.05;
+constexpr double SteepnessTolerance = 0.15;
 
 /// Part of the work that is done when the pieces are laid.
 constexpr double QuiltWork = 0.5;
@@ -41,20 +44,23 @@ constexpr double ValleyWidth = 8.0;
 constexpr double BedWidth = 1.0;
 constexpr double ValleyPart = 0.7;
 
-/// Part of a depression that is cut at first, the least one, and its correction over what the mean slope lacks.
+/// Part of a depression that is cut at first, and its correction over what the mean slope lacks.
 constexpr double FirstCut = 0.75;
-constexpr double LeastCut = 0.3;
 constexpr double CutGain = 2.0;
+
+/// Height by which a pass costs e times as much, over the deviation of heights.
+constexpr double PassHeight = 0.25;
+
+/// Limit of the slopes of rivers over the place's: the greatest, which is the first, and the least one.
+constexpr double GreatestLimit = 4.0;
+constexpr double LeastLimit = 1.0;
 
 /// Cells whose sizes differ by less are of one size.
 constexpr double SpacingTolerance = 1e-3;
 
-std::string WhyTooSmall(const GridSamples& ground, const char* name)
+double MeanSlope(const GridSamples& ground)
 {
-  constexpr int leastCells = 16;
-  return std::min(ground.Width, ground.Height) >= leastCells
-    ? ""
-    : std::string(name) + " has fewer than 16 rows or columns; no pieces can be cut of it.";
+  return ShapeOf(GradientsOf(ground)).Mean;
 }
 
 std::string WhyOfOtherCells(const GridSamples& terrain, const GridSamples& place)
@@ -86,19 +92,36 @@ GridSamples Sum(GridSamples ground, const GridSamples& waves, const GridSamples&
   return ground;
 }
 
-/// Takes depressions away along the ways by which least is cut: a part is cut there, the rest is filled. Cuts fade to
-/// the sides over valleys that are the deeper the narrower they are, so that no dam is opened by a slot.
-void DrainDepressions(GridSamples& ground, double leastSlope, double cut, const ParallelFor& parallel, const Poll& poll)
+/// Ground whose heights z are exp(z / h), so that the way of least cut from a depression leads through low passes and
+/// along valleys; else it is straight through whatever is in between.
+GridSamples WithHighPasses(GridSamples ground)
+{
+  const SampleMoments moments = Moments(ground);
+  const double growth = PassHeight * std::sqrt(moments.Variance);
+  for (double& height : ground.Values)
+  {
+    height = std::exp((height - moments.Mean) / growth);
+  }
+  return ground;
+}
+
+/// Takes depressions away along the ways of least cut: a part is cut there, the rest is filled. Rivers that are steeper
+/// than a limit are cut down to it. Cuts fade to the sides over valleys that are the deeper the narrower they are, so
+/// that no dam is opened by a slot.
+void Drain(GridSamples& ground, double leastSlope, double cut, const ChannelLaw& limit, const ParallelFor& parallel,
+  const Poll& poll)
 {
   const OutletMask outlets = BorderOutlets(ground.Width, ground.Height);
-  GridSamples breached = ground;
+  GridSamples breached = WithHighPasses(ground);
   BreachDepressions(breached, outlets, BreachPath::LeastCost, poll);
   const FlowRouting routing = RouteFlow(breached, outlets, parallel, poll);
   const std::vector<CellIndex> areas = FlowAccumulation(routing);
   const auto grade = [&] { return GradeAlong(ground, routing, areas, EvenLaw(leastSlope), cut, parallel, poll); };
   for (double width = ValleyWidth; width >= BedWidth; width *= 0.5)
   {
-    std::vector<double> cuts = grade();
+    GridSamples bed = ground;
+    bed.Values = grade();
+    std::vector<double> cuts = LimitAlong(bed, routing, areas, limit, leastSlope);
     std::vector<double> weights;
     for (std::size_t n = 0; n < cuts.size(); ++n)
     {
@@ -150,33 +173,47 @@ CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& measured, 
   const GridSamples quilt =
     QuiltGround(place, guide, side, seed, parallel, [&](double part) { progress(QuiltWork * part); });
   const GridSamples smooth = Smooth(quilt, smoothing, parallel);
-  const double meanSlope = MeasureLandscape(place, parallel).MeanSlope;
+  const RiverSteepness rivers(place, parallel);
+  const double meanSlope = MeanSlope(place);
   double least = std::numeric_limits<double>::infinity();
   double cut = FirstCut;
+  double limit = GreatestLimit;
   CarvingReport report;
-  for (; report.Iterations < MaximumRounds && least > 1.0; ++report.Iterations)
+  while (true)
   {
     const double done = QuiltWork + (1.0 - QuiltWork) * report.Iterations / MaximumRounds;
     GridSamples ground = Sum(quilt, guide, smooth);
     matching.Match(ground, 1.0, parallel);
-    DrainDepressions(ground, LeastSlopeFactor * meanSlope, cut, parallel, [&] { progress(done); });
-    const double steep = MeasureLandscape(ground, parallel).MeanSlope / meanSlope;
-    const double misfit = std::max(
-      matching.SemivarianceError(ground, parallel) / SemivarianceTolerance, std::abs(steep - 1.0) / SlopeTolerance);
-    // what is filled is flat, and what is cut is steep
-    cut = std::clamp(cut + CutGain * (1.0 - steep), LeastCut, 1.0);
-    waves.Correct(ground, target.Measures, parallel);
-    guide = Smooth(waves.Heights(parallel), smoothing, parallel);
+    Drain(ground, LeastSlopeFactor * meanSlope, cut, rivers.Law(limit), parallel, [&] { progress(done); });
+    if (rivers.IsKnown())
+    {
+      matching.Match(ground, 1.0, parallel); // a monotone map turns no water
+    }
+    const double steep = MeanSlope(ground) / meanSlope;
+    const double steepOfRivers = rivers.RatioOf(ground, parallel);
+    const double misfit = std::max({ matching.SemivarianceError(ground, parallel) / SemivarianceTolerance,
+      std::abs(steep - 1.0) / SlopeTolerance, std::abs(steepOfRivers - 1.0) / SteepnessTolerance });
+    ++report.Iterations;
+    const bool isLast = misfit <= 1.0 || report.Iterations == MaximumRounds;
+    if (!isLast)
+    {
+      // what is filled is flat, and what is cut is steep
+      cut = std::clamp(cut + CutGain * (1.0 - steep), 0.0, 1.0);
+      limit = std::clamp(limit / steepOfRivers, LeastLimit, GreatestLimit);
+      waves.Correct(ground, target.Measures, parallel);
+      guide = Smooth(waves.Heights(parallel), smoothing, parallel);
+    }
     if (misfit < least)
     {
       least = misfit;
       terrain = std::move(ground);
     }
+    if (isLast)
+    {
+      break;
+    }
   }
-  for (std::size_t n = 0; n < given.Values.size(); ++n)
-  {
-    terrain.Values[n] = std::isnan(given.Values[n]) ? given.Values[n] : terrain.Values[n];
-  }
+  TakeHoles(given, terrain);
   report.Before = MeasureGround(given, rim, parallel, NoPoll, target.Measures.MaximumArea);
   report.After = MeasureGround(terrain, rim, parallel, NoPoll, target.Measures.MaximumArea);
   report.UnmetTargets = UnmetTargets(report.After, target.Measures);

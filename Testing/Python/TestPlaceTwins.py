@@ -9,7 +9,8 @@
 Place: the Jacksboro fault, or its middle with `window`. The fitted model is rounded to four digits: a fit ends in other
 digits with another mathematical library, and growth makes another twin of each. All is measured here by NumPy: shares
 of four- and eight-fold symmetry in the aspects, Kolmogorov's distance of slopes against that of the Gaussian twin,
-gentle slopes, means of blocks, curvature at two cells, semivariance, heights.
+gentle slopes, means of blocks, curvature at two cells, semivariance, heights; and of the whole place, quilted, slopes of
+rivers by drainage area on filled ground (Ground Statistics).
 """
 
 import sys
@@ -21,9 +22,11 @@ from vtkmodules.vtkCommonDataModel import vtkTable
 
 from littoral import vtkCovarianceFitFilter, vtkDrainageFilter, vtkTurningBandsTerrainSource
 from littoral.elevation import array_from_image, image_from_array, read_elevation
+from littoral.tables import column
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "Landscapes"))
-from ground_measures import aspect_share, block_variation, distance, slopes_of  # noqa: E402
+from ground_gates import steepness_ratio  # noqa: E402
+from ground_measures import aspect_share, block_variation, distance, filled, slopes_of, statistics  # noqa: E402
 
 WINDOW = sys.argv[1:] == ["window"]
 SEEDS = [1] if WINDOW else [int(seed) for seed in sys.argv[1:]] or [1, 2, 3]
@@ -34,9 +37,9 @@ def rounded(table):
     copy = vtkTable()
     copy.DeepCopy(table)
     for n in range(copy.GetNumberOfColumns()):
-        column = copy.GetColumn(n)
-        for row in range(copy.GetNumberOfRows() if column.IsA("vtkDoubleArray") else 0):
-            column.SetValue(row, float(f"{column.GetValue(row):.4g}"))
+        numbers = copy.GetColumn(n)
+        for row in range(copy.GetNumberOfRows() if numbers.IsA("vtkDoubleArray") else 0):
+            numbers.SetValue(row, float(f"{numbers.GetValue(row):.4g}"))
     return copy
 
 
@@ -53,6 +56,13 @@ def semivariances(heights):
     lags = np.unique(np.geomspace(1, min(100, min(heights.shape) // 2), 24).astype(int))
     pairs = [((heights[:, lag:] - heights[:, :-lag]), (heights[lag:] - heights[:-lag])) for lag in lags]
     return np.array([0.5 * np.mean(np.concatenate([x.ravel() ** 2, y.ravel() ** 2])) for x, y in pairs])
+
+
+def rivers(heights):
+    """Concavity, and mean slopes by drainage area."""
+    full = statistics(filled(heights, spacing), spacing)
+    return {"concavity": column(full.GetOutput(0), "Concavity")[0],
+            "profile": np.array([column(full.GetOutput(1), name) for name in ("DrainageArea", "Slope")])}
 
 
 def skew(values):
@@ -103,4 +113,8 @@ for seed, method in product(SEEDS, METHODS):
     assert abs(gentle[0] - gentle[1]) < 0.05
     assert abs(blocks - 1.0) < 0.3 and abs(curved - 1.0) < 0.2
     assert 0.88 < ratios.min() and ratios.max() < 1.15
+    if method == "quilted" and not WINDOW:
+        ratio = steepness_ratio(rivers(grown.astype(float)), rivers(heights))
+        print(f"  rivers {ratio:.3f}")
+        assert abs(ratio - 1.0) < 0.15
     assert abs(integral[0] - integral[1]) < 0.03 and abs(skew(grown) - skew(heights)) < 0.15

@@ -224,7 +224,7 @@ TEST(LandscapeGrowth, RefusesWhatCannotGrow)
   ground.Values.assign(ground.Values.size(), std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(WhyInvalid(ground, GrowthParameters{}), "The terrain has no heights.");
   EXPECT_EQ(WhyInvalid(RandomGround(40, 15, { 50.0, 50.0 }, 5), GrowthParameters{}),
-    "The terrain has fewer than 16 rows or columns; no valleys can grow there.");
+    "The terrain has fewer than 16 rows or columns; no landscape can be made of it.");
   GrowthParameters parameters;
   const GridSamples good = RandomGround(40, 30, { 50.0, 50.0 }, 5);
   parameters.Rock.Erodibility = { 1.0, 2.0 };
