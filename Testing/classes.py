@@ -399,7 +399,7 @@ ROWS = [
         fed_by=[TREE, WIND],
         small={"SetTextureSize": (16, 8)},
         inputs=lambda h: [h.tree(), h.wind()],
-        variants=[{"SetResponse": (1,)}, {"SetGravity": (True,)}, {"SetOverwriteFrames": (True,)},
+        variants=[{"SetResponse": (1,)}, {"SetGravity": (True,)},
                   {"SetNumberOfModes": (1,), "SetWoodFromPlants": (False,)}],
         mistakes=[
             Mistake("BeamTreeDeformation", lambda pv: dict(Input=pv.tree()), "There is no wind", UNMOVED),

@@ -15,7 +15,7 @@
 namespace littoral
 {
 
-/// What ends a march.
+/// End of a march.
 enum class MarchEnd
 {
   Goal,

@@ -18,7 +18,7 @@ STANDARD = {
     "algorithm": "clamp max min upper_bound", "array": "array", "atomic": "atomic memory_order_relaxed", "cmath": "abs cos floor fmax fmin fmod hypot isfinite isnan pow "
     "sin sqrt", "complex": "complex", "cstddef": "ptrdiff_t size_t", "cstring": "memcpy", "cstdint": "int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t",
     "functional": "function greater", "initializer_list": "initializer_list", "iterator": "next prev",
-    "limits": "numeric_limits", "map": "map", "memory": "shared_ptr unique_ptr", "numeric": "iota partial_sum",
+    "limits": "numeric_limits", "map": "map", "memory": "shared_ptr unique_ptr", "numeric": "accumulate iota partial_sum",
     "optional": "optional", "set": "set", "sstream": "ostringstream", "stdexcept": "runtime_error",
     "string": "string to_string", "string_view": "string_view",
     "type_traits": "conditional_t enable_if_t remove_reference_t", "utility": "index_sequence make_index_sequence move",
