@@ -140,6 +140,27 @@ def erode(twin, place):
     return drainage.GetOutput()
 
 
+def filled(ground):
+    """A terrain whose depressions are full of water, over which slopes of streams sum to their falls."""
+    drainage = vtkDrainageFilter()
+    drainage.SetInputData(ground)
+    drainage.CarveOff()
+    drainage.Update()
+    flooded = drainage.GetOutput()
+    return image_from_array(
+        array_from_image(flooded) + array_from_image(flooded, "DepressionDepth"), flooded.GetSpacing()[:2])
+
+
+def statistics_of(ground):
+    """Statistics of a terrain, as numbers by their names, and its slopes by drainage area."""
+    statistics = vtkGroundStatisticsFilter()
+    statistics.SetInputData(ground)
+    statistics.Update()
+    table = statistics.GetOutput(0)
+    numbers = {table.GetColumnName(k): table.GetValue(0, k).ToDouble() for k in range(table.GetNumberOfColumns())}
+    return numbers, statistics.GetOutput(1)
+
+
 def semivariances(image, lags):
     """Half the mean squared difference of heights so many cells apart, along x and y [m2]."""
     z = array_from_image(image).astype(np.float64)
@@ -166,12 +187,10 @@ def draw_grounds(filename, grounds, note, size):
     """Place, Gaussian twin and twin with valleys as blocks with lakes and rivers, above their statistics."""
     numbers, profiles = [], []
     for ground in grounds:
-        statistics = vtkGroundStatisticsFilter()
-        statistics.SetInputData(ground)
-        statistics.Update()
-        table = statistics.GetOutput(0)
-        numbers.append({table.GetColumnName(k): table.GetValue(0, k).ToDouble() for k in range(table.GetNumberOfColumns())})
-        profiles.append(statistics.GetOutput(1))
+        number, _ = statistics_of(ground)
+        full, profile = statistics_of(filled(ground))
+        numbers.append({**number, "Concavity": full["Concavity"]})
+        profiles.append(profile)
 
     def row(name, column_name, form, scale=1.0, tolerance=0.0):
         values = [scale * number[column_name] for number in numbers]
@@ -186,7 +205,7 @@ def draw_grounds(filename, grounds, note, size):
         row("Depression fraction", "DepressionFraction", "{:.1f} %", 100.0, 5.0),
         row("Hypsometric integral", "HypsometricIntegral", "{:.2f}", 1.0, 0.03),
         row("Skewness of elevation", "ElevationSkewness", "{:.2f}", 1.0, 0.15),
-        row("Concavity", "Concavity", "{:.2f}", 1.0, 0.1),
+        row("Concavity, filled", "Concavity", "{:.2f}", 1.0, 0.1),
         row("Skewness of curvature", "CurvatureSkewness", "{:.2f}", 1.0, 1.0)))
     chart = chart_renderer(slope_area_chart(profiles, names), (0.38 * size[0], BELOW * size[1]),
                            viewport=(0.62, 0.0, 1.0, BELOW), paper=PAPER)

@@ -49,7 +49,10 @@ def save_variogram_chart(filename, variogram, models, size=(1200, 750), oversamp
 
 
 def slope_area_chart(profiles, names, oversampling=2):
-    """Chart of mean slope by drainage area: tables of `DrainageArea` [m2] and `Slope` [m/m] from `vtkGroundStatisticsFilter`."""
+    """Chart of mean slope by drainage area: tables of `DrainageArea` [m2] and `Slope` [m/m] from `vtkGroundStatisticsFilter`.
+
+    The axis of slopes is that of the first profile; others may leave the chart, as where water stands.
+    """
     chart = vtkChartXY()
     colors = (INK, OTHERS[3], OTHERS[0])
     for profile, name, color in zip(profiles, names, colors):
@@ -60,7 +63,7 @@ def slope_area_chart(profiles, names, oversampling=2):
         set_plot_color(line, color)
         line.SetWidth(3.0 * oversampling)
     areas = np.concatenate([1e-6 * column(profile, "DrainageArea") for profile in profiles])
-    slopes = np.concatenate([column(profile, "Slope") for profile in profiles])
+    slopes = column(profiles[0], "Slope")
     _style_axis(chart.GetAxis(vtkAxis.BOTTOM), "Drainage area (km\u00b2)", oversampling, areas)
     room = [0.3 * slopes[slopes > 0.0].min(), *slopes]  # for the legend
     _style_axis(chart.GetAxis(vtkAxis.LEFT), "Slope of streams", oversampling, np.array(room))
