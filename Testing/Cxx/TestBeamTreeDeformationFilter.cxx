@@ -30,7 +30,6 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
-#include <initializer_list>
 #include <iostream>
 #include <limits>
 #include <set>
@@ -562,86 +561,6 @@ void CheckThreadsAndPieces(vtkReevesTreeSource* tree, WindSource* wind)
   Expect(moved(filters[3], 0, 0, 1).All == one.All, "a piece leaves nothing in the whole");
 }
 
-/// All values of the point arrays of the moved blocks, and their points.
-std::vector<double> ValuesOf(vtkDataObject* plants)
-{
-  std::vector<double> values;
-  const auto add = [&](vtkDataArray* array) {
-    for (vtkIdType k = 0; k < array->GetNumberOfTuples(); ++k)
-    {
-      for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-      {
-        values.push_back(array->GetComponent(k, c));
-      }
-    }
-  };
-  for (const char* path : { "High/Skeleton", "High/Skin", "High/Leaves", "Medium/Trunk", "Medium/Crown" })
-  {
-    auto* block = vtkPolyData::SafeDownCast(BlockAt(plants, path));
-    add(block->GetPoints()->GetData());
-    for (const char* name : { "Normals", "JointIds", "JointWeights" })
-    {
-      if (vtkDataArray* array = block->GetPointData()->GetArray(name))
-      {
-        add(array);
-      }
-    }
-  }
-  return values;
-}
-
-/// Plants of two species that do not carry their joints take those of their prototypes, and move alike.
-void CheckJointsOfPrototypes(vtkReevesTreeSource* tree, WindSource* wind)
-{
-  vtkNew<vtkReevesTreeSource> shrub;
-  shrub->SetPreset(vtkReevesTreeSource::Shrub);
-  shrub->SetTextureSize(32, 16);
-  vtkNew<vtkPoints> feet;
-  for (int i = 0; i < 8; ++i)
-  {
-    feet->InsertNextPoint(7.0 * (i % 4), 7.0 * (i / 4) - 14.0, 10.0);
-  }
-  const auto wood = WoodOf(feet, tree);
-  wood->AddPrototypeConnection(shrub->GetOutputPort());
-  wood->SetViewPoint(0.0, -15.0, 12.0);
-  wood->SetNearDistance(16.0);
-  wood->SetFarDistance(500.0);
-  const auto sway = [&](std::initializer_list<vtkAlgorithm*> prototypes) {
-    vtkNew<vtkBeamTreeDeformationFilter> made;
-    made->SetTextureSize(32, 16);
-    made->SetNumberOfTextures(2);
-    made->GenerateJointsOn();
-    made->SetInputConnection(0, wood->GetOutputPort());
-    made->SetWindConnection(wind->GetOutputPort());
-    for (vtkAlgorithm* prototype : prototypes)
-    {
-      made->AddPrototypeConnection(prototype->GetOutputPort());
-    }
-    return made;
-  };
-  const auto moved = [&] {
-    const auto filter = sway({ tree, shrub });
-    filter->UpdateTimeStep(3.3);
-    return ValuesOf(filter->GetOutputDataObject(0));
-  };
-  const std::vector<double> with = moved();
-  wood->PassJointsOff();
-  const std::vector<double> without = moved();
-  Expect(with.size() > 100000 && with == without, "joints of prototypes are those that plants carry");
-  auto* leaves = vtkPolyData::SafeDownCast(BlockAt(wood->GetOutputDataObject(0), "High/Leaves"));
-  Expect(leaves->GetNumberOfPoints() > 0 && !leaves->GetPointData()->HasArray("JointIds") &&
-      !leaves->GetPointData()->HasArray("JointWeights"),
-    "plants without joints");
-  vtkNew<ErrorCounter> errors;
-  const auto others = sway({ shrub, tree });
-  errors->Watch(others);
-  Expect(errors->ExpectOneNaming("not like their prototypes"), "joints of other prototypes");
-  wood->PassJointsOn();
-  wood->Update();
-  leaves = vtkPolyData::SafeDownCast(BlockAt(wood->GetOutputDataObject(0), "High/Leaves"));
-  Expect(leaves->GetPointData()->HasArray("JointIds") != 0, "joints come back");
-}
-
 /// What an observer hears and does.
 class Listener : public vtkCommand
 {
@@ -890,7 +809,6 @@ int TestBeamTreeDeformationFilter(int, char*[])
   CheckCards(wind);
   CheckArrival(tree);
   CheckThreadsAndPieces(tree, wind);
-  CheckJointsOfPrototypes(tree, wind);
   CheckProgressAndAbort(sway, wind);
 
   vtkNew<ErrorCounter> errors;
