@@ -98,6 +98,8 @@ def build(folder, view, quick=False):
         simple.Show(each, view)
     simple.Show(sway, view).BlockSelectors = ["/Root/High/Skin", "/Root/High/Leaves", "/Root/Medium"]
     simple.Show(forest, view).BlockSelectors = ["/Root/Low"]  # what does not move is not made again for each frame
+    for each in (ground, sway, forest):  # the same pictures at each run: VTK shifts all blocks by one that lies anywhere
+        simple.GetRepresentation(each, view).CoordinateShiftScaleMethod = "Disable"
     if hasattr(littoral, "vtkVDBVolumeWriter"):
         views.save_volume(os.path.join(folder, "wind.vdb"), wind)
     heights_alone(drainage.GetOutput())
