@@ -225,6 +225,17 @@ public:
 
   ///@{
   /**
+   * Whether merged plants of the levels High and Medium have their surfaces; default on. If off, their skins, leaves,
+   * trunks and crowns are empty blocks, the table has `Tint`, and vtkBeamTreeDeformationFilter makes the surfaces of
+   * its prototypes and moves plants alike, without a copy of them at rest.
+   */
+  vtkSetMacro(PassSurfaces, bool);
+  vtkGetMacro(PassSurfaces, bool);
+  vtkBooleanMacro(PassSurfaces, bool);
+  ///@}
+
+  ///@{
+  /**
    * Mean number of plants per culling cell, positive; default 1.
    */
   vtkSetMacro(PlantsPerCell, double);
@@ -276,6 +287,7 @@ protected:
   bool FaceCamera;
   int OutputForm;
   bool PassJoints;
+  bool PassSurfaces;
   double PlantsPerCell;
   double VisibleDistance;
 
