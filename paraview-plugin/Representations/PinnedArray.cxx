@@ -20,7 +20,7 @@ namespace
 /// GL_EXTERNAL_VIRTUAL_MEMORY_BUFFER_AMD, which not all headers have.
 constexpr GLenum ExternalMemory = 0x9160;
 
-/// What a buffer tells of the array in it, which VTK notes when it sends one.
+/// Notes in a buffer what it tells of the array in it, as VTK does when it sends one.
 class Notes : public vtkOpenGLVertexBufferObject
 {
 public:

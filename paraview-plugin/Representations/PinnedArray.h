@@ -28,7 +28,7 @@ public:
   /// for other arrays. It goes with the last mapper that has it.
   vtkSmartPointer<vtkOpenGLVertexBufferObject> Pin(vtkDataArray* array, vtkOpenGLRenderWindow* window);
 
-  /// What has been set since in the buffer of an array is as it was sent, as far as VTK knows.
+  /// Has VTK take the buffer of an array, with all that has been set in it, for sent.
   void Confirm(vtkDataArray* array, vtkOpenGLVertexBufferObject* buffer);
 
   /// Whether a buffer reads an array that has other memory by now.
