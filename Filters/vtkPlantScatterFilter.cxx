@@ -115,6 +115,7 @@ struct Prototypes : littoral::ScatterPrototypes
 {
   std::vector<littoral::DataStamp> Stamps;
   bool HasJoints = true;
+  bool HasSurfaces = true;
   /// As instances refer to them, behind the empty block of the instances.
   vtkSmartPointer<vtkMultiBlockDataSet> Levels = vtkSmartPointer<vtkMultiBlockDataSet>::New();
 };
@@ -203,6 +204,7 @@ vtkPlantScatterFilter::vtkPlantScatterFilter()
   , FaceCamera(true)
   , OutputForm(Merged)
   , PassJoints(true)
+  , PassSurfaces(true)
   , PlantsPerCell(1.0)
   , VisibleDistance(0.0)
   , Internals(std::make_unique<vtkInternals>())
@@ -361,7 +363,8 @@ void vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
     stamps.push_back(littoral::StampOf(vtkDataObject::GetData(inputs, index)));
   }
   const Prototypes& last = this->Internals->Species;
-  if (!stamps.empty() && stamps == last.Stamps && last.HasJoints == this->PassJoints)
+  if (!stamps.empty() && stamps == last.Stamps && last.HasJoints == this->PassJoints &&
+    last.HasSurfaces == this->PassSurfaces)
   {
     return;
   }
@@ -380,6 +383,7 @@ void vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
   }
   littoral::TakeParts(blocks, this->PassJoints, this->Internals->Species);
   this->Internals->Species.HasJoints = this->PassJoints;
+  this->Internals->Species.HasSurfaces = this->PassSurfaces;
   vtkNew<vtkPolyData> instances;
   littoral::AddBlock(this->Internals->Species.Levels, InstancesBlock, instances);
   for (const littoral::PrototypeBlocks& parts : blocks)
@@ -521,7 +525,7 @@ void vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* 
   const std::vector<littoral::PlantPlace>& places =
     request.Places.empty() ? this->Internals->Scene.Places : request.Places;
   littoral::ScatterMerge merge(this->Internals->Species, places, request.Shown,
-    this->FaceCamera ? &request.Seen : nullptr, this->Internals->Scene.Merged);
+    this->FaceCamera ? &request.Seen : nullptr, this->PassSurfaces, this->Internals->Scene.Merged);
   const std::string plants = "A forest of " + std::to_string(request.Shown.size()) + " plants, " +
     std::to_string(merge.GetNumberOfPlants(littoral::PlantLevel::High)) + " of them in full,";
   const char* remedy = "switch on UseLevels and UseCulling, lower NearDistance, or set VisibleDistance";
@@ -535,7 +539,7 @@ void vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* 
     return; // aborted
   }
   merge.AddTo(output);
-  littoral::WriteTable(places, request.Shown, output->GetFieldData());
+  littoral::WriteTable(places, request.Shown, !this->PassSurfaces, output->GetFieldData());
   this->WriteCounters(request, merge.GetNumberOfPolygons(), merge.GetBytes(), output->GetFieldData());
   this->Internals->Scene.Merged = merge.TakeBlocks();
   littoral::KeepRanges(output, littoral::PollOf(this));
@@ -606,6 +610,7 @@ void vtkPlantScatterFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FaceCamera: " << this->FaceCamera << "\n";
   os << indent << "OutputForm: " << this->OutputForm << "\n";
   os << indent << "PassJoints: " << (this->PassJoints ? "on" : "off") << "\n";
+  os << indent << "PassSurfaces: " << (this->PassSurfaces ? "on" : "off") << "\n";
   os << indent << "PlantsPerCell: " << this->PlantsPerCell << "\n";
   os << indent << "VisibleDistance: " << this->VisibleDistance << "\n";
 }

@@ -21,9 +21,10 @@
  *
  * Field data of output 0: arrays with a value per shown plant: `PlantId`, `SiteId`, `Species`, `Scale`, `Azimuth`
  * [rad], `Position` [m] and `Level` (0 High, 1 Medium, 2 Low), and `WidthScale` (factor of the width beside Scale) if a
- * site has DBH and Height; and the counters `PlantsInAll`, `PlantsShown`, `PlantsHigh`, `PlantsMedium`, `PlantsLow`,
- * `CellsInAll`, `CellsShown` (cells that hold a plant), `PolygonsShown`, `PolygonsInAll` (of all plants in full) and
- * `OutputBytes` (without textures).
+ * site has DBH and Height, and `Tint` (factors of red, green and blue, for all but the wood) if surfaces are not
+ * passed; and the counters `PlantsInAll`, `PlantsShown`, `PlantsHigh`, `PlantsMedium`, `PlantsLow`, `CellsInAll`,
+ * `CellsShown` (cells that hold a plant), `PolygonsShown`, `PolygonsInAll` (of all plants in full) and `OutputBytes`
+ * (without textures).
  *
  * `Leaves`, `Crown` and `Low` carry the textures of all species, one above the other, as field data like those of the
  * prototypes (see vtkPlantSource), and texture coordinates refer to them; a species without a texture has a white area.
@@ -225,6 +226,17 @@ public:
 
   ///@{
   /**
+   * Whether merged plants of the levels High and Medium have their surfaces; default on. If off, their skins, leaves,
+   * trunks and crowns are empty blocks, the table has `Tint`, and vtkBeamTreeDeformationFilter makes the surfaces of
+   * its prototypes and moves plants alike, without a copy of them at rest.
+   */
+  vtkSetMacro(PassSurfaces, bool);
+  vtkGetMacro(PassSurfaces, bool);
+  vtkBooleanMacro(PassSurfaces, bool);
+  ///@}
+
+  ///@{
+  /**
    * Mean number of plants per culling cell, positive; default 1.
    */
   vtkSetMacro(PlantsPerCell, double);
@@ -276,6 +288,7 @@ protected:
   bool FaceCamera;
   int OutputForm;
   bool PassJoints;
+  bool PassSurfaces;
   double PlantsPerCell;
   double VisibleDistance;
 

@@ -178,11 +178,11 @@ LITTORAL_INLINE void MoveVertex(
   const RestSkin& rest, const Blend& blend, std::size_t vertex, float* points, float* normals)
 {
   // p + ((R - 1) (p - c) + t), n + (R - 1) n
-  const SimdFloat4 place = Load<IsLast>(rest.Points + 3 * vertex);
+  const SimdFloat4 place = Load<IsLast>(rest.Points + 3 * (vertex - rest.First));
   Store<IsLast>(place + (Turned(blend.Columns, place - blend.Center) + blend.Shift), points + 3 * vertex);
   if (rest.Normals)
   {
-    const SimdFloat4 normal = Load<IsLast>(rest.Normals + 3 * vertex);
+    const SimdFloat4 normal = Load<IsLast>(rest.Normals + 3 * (vertex - rest.First));
     Store<IsLast>(normal + Turned(blend.Columns, normal), normals + 3 * vertex);
   }
 }
@@ -268,7 +268,7 @@ LITTORAL_SIMD_CLONES void MoveSkin(const RestSkin& rest, const SkinBinding& bind
     MoveVertex<true>(rest, blend, last, points, normals);
     if (rest.Normals)
     {
-      KeepLengths(rest.Normals + 3 * block, last + 1 - block, normals + 3 * block);
+      KeepLengths(rest.Normals + 3 * (block - rest.First), last + 1 - block, normals + 3 * block);
     }
   }
 }

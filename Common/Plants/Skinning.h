@@ -38,6 +38,7 @@ struct RestSkin
 {
   const float* Points = nullptr;
   const float* Normals = nullptr; ///< may be null
+  std::size_t First = 0;          ///< the vertex whose tuples are the first ones
 };
 
 /// Linear blend skinning of the vertices [begin, end): where joints are at rest, vertices stay to the last bit. Normals

@@ -42,8 +42,10 @@ void StandBinding::Move(const RestSkin& rest, const JointChange* joints, std::si
   for (const Plant* plant = this->PlantOf(begin); plant != last && plant->Begin < end; ++plant)
   {
     const std::size_t first = plant->Begin;
-    MoveSkin({ at(rest.Points, first), at(rest.Normals, first) }, *plant->Binding, joints + plant->FirstJoint,
-      std::max(begin, first) - first, std::min(end, plant->End) - first, at(points, first), at(normals, first));
+    const std::size_t own = std::max(begin, first);
+    const RestSkin ofPlant{ at(rest.Points, own - rest.First), at(rest.Normals, own - rest.First), own - first };
+    MoveSkin(ofPlant, *plant->Binding, joints + plant->FirstJoint, own - first, std::min(end, plant->End) - first,
+      at(points, first), at(normals, first));
   }
 }
 

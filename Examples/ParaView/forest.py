@@ -84,7 +84,7 @@ def build(folder, view, quick=False):
         registrationName="Ground", Input=terrain, **STEADY)
     forest = simple.PlantScatter(
         registrationName="Forest", Sites=sites, Prototypes=trees, Terrain=terrain,
-        NearDistance=260.0, FarDistance=700.0, PassJoints=False, **STEADY)
+        NearDistance=260.0, FarDistance=700.0, PassJoints=False, PassSurfaces=False, **STEADY)
     wind = simple.WindField(
         registrationName="Wind", Dimensions=[60 if quick else 600, 128, 10], LateralSpacing=12.5,
         ReferenceSpeed=WIND_SPEED, RoughnessLength=0.1, Center=list(wind_center()))

@@ -27,7 +27,6 @@ namespace
 {
 
 constexpr const char* PointsName = "Points";
-constexpr const char* NormalsName = "Normals";
 constexpr const char* TCoordsName = "TCoords";
 
 /// Arrays whose meaning is known.

@@ -19,6 +19,8 @@
 namespace littoral
 {
 
+inline constexpr const char* NormalsName = "Normals";
+
 /// Uses of an array on its way from a prototype to a plant.
 enum class ArrayUse
 {

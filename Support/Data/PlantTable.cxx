@@ -34,7 +34,9 @@ PlantTable ReadTable(vtkDataObject* forest)
   vtkDataArray* azimuths = columns.Need("Azimuth", 1);
   vtkDataArray* positions = columns.Need("Position", 3);
   vtkDataArray* levels = columns.Need("Level", 1);
-  for (vtkDataArray* column : { scales, girths, azimuths, positions })
+  vtkDataArray* tints = columns.Find("Tint", 3);
+  table.HasTints = tints != nullptr;
+  for (vtkDataArray* column : { scales, girths, azimuths, positions, tints })
   {
     columns.NeedFinite(column);
   }
@@ -53,6 +55,10 @@ PlantTable ReadTable(vtkDataObject* forest)
     place.WidthScale = girths ? girths->GetComponent(row, 0) : 1.0;
     place.Azimuth = azimuths->GetComponent(row, 0);
     positions->GetTuple(row, &place.Foot.x);
+    for (int channel = 0; tints && channel < 3; ++channel)
+    {
+      place.Tint[channel] = static_cast<float>(tints->GetComponent(row, channel));
+    }
     table.Rows.emplace_back(place.Site, static_cast<int>(row));
     table.Places.push_back(place);
     table.Levels.push_back(level);

@@ -16,10 +16,11 @@ class vtkDataObject;
 namespace littoral
 {
 
-/// The table of a scattered forest: its plants, but for their tints, with their levels.
+/// The table of a scattered forest: its plants with their levels.
 struct PlantTable
 {
-  bool IsThere = false; ///< whether plants are scattered
+  bool IsThere = false;  ///< whether plants are scattered
+  bool HasTints = false; ///< whether they have their tints, as those whose surfaces are not passed
   std::vector<PlantPlace> Places;
   std::vector<PlantLevel> Levels;
 

@@ -22,7 +22,7 @@ constexpr std::size_t PolygonsAtOnce = 100000;
 }
 
 ScatterMerge::ScatterMerge(const ScatterPrototypes& prototypes, const std::vector<PlantPlace>& places,
-  const std::vector<ShownPlant>& shown, const View* facing, const MergedBlocks& last)
+  const std::vector<ShownPlant>& shown, const View* facing, bool withSurfaces, const MergedBlocks& last)
   : Species(prototypes)
   , Places(places)
   , Facing(facing)
@@ -37,8 +37,9 @@ ScatterMerge::ScatterMerge(const ScatterPrototypes& prototypes, const std::vecto
   for (int part = 0; part < NumberOfParts; ++part)
   {
     const auto level = static_cast<std::size_t>(LevelOfPart[part]);
-    this->Merges.emplace_back(
-      this->AreCards(part) ? prototypes.FacingLow : prototypes.Parts[part], places, this->Blocks.Shown[level]);
+    const bool isMade = withSurfaces || !IsSurface(part);
+    this->Merges.emplace_back(this->AreCards(part) ? prototypes.FacingLow : prototypes.Parts[part], places,
+      isMade ? this->Blocks.Shown[level] : this->None);
     this->Bytes += this->Merges.back().GetBytes();
     if (!this->AreCards(part) && this->Blocks.Shown[level] == last.Shown[level])
     {

@@ -31,9 +31,9 @@ struct MergedBlocks
 class ScatterMerge
 {
 public:
-  /// Merge of the shown plants; with a view, far plants face its eye.
+  /// Merge of the shown plants; with a view, far plants face its eye. The surfaces of nearer ones may be left empty.
   ScatterMerge(const ScatterPrototypes& prototypes, const std::vector<PlantPlace>& places,
-    const std::vector<ShownPlant>& shown, const View* facing, const MergedBlocks& last);
+    const std::vector<ShownPlant>& shown, const View* facing, bool withSurfaces, const MergedBlocks& last);
   ScatterMerge(const ScatterMerge&) = delete;
   ScatterMerge& operator=(const ScatterMerge&) = delete;
 
@@ -61,6 +61,7 @@ private:
   const ScatterPrototypes& Species;
   const std::vector<PlantPlace>& Places;
   const View* Facing;
+  const std::vector<int> None;
   MergedBlocks Blocks;
   std::vector<PlantMerge> Merges;
   /// Some plants of a part.

@@ -45,6 +45,12 @@ inline constexpr PartKind PartKinds[NumberOfParts] = {
 inline constexpr PlantLevel LevelOfPart[NumberOfParts] = { PlantLevel::High, PlantLevel::High, PlantLevel::High,
   PlantLevel::Medium, PlantLevel::Medium, PlantLevel::Low };
 
+/// Whether a block is a surface of plants that sway.
+constexpr bool IsSurface(int part)
+{
+  return part != SkeletonPart && part != LowPart;
+}
+
 /// The blocks of a prototype; null where it has none.
 using PrototypeBlocks = std::array<vtkPolyData*, NumberOfParts>;
 

@@ -7,6 +7,7 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkTypeInt64Array.h"
 
@@ -41,7 +42,8 @@ bool HasGirths(const std::vector<PlantPlace>& places)
   return std::any_of(places.begin(), places.end(), [](const PlantPlace& place) { return place.WidthScale != 1.0; });
 }
 
-void WriteTable(const std::vector<PlantPlace>& places, const std::vector<ShownPlant>& shown, vtkFieldData* fields)
+void WriteTable(
+  const std::vector<PlantPlace>& places, const std::vector<ShownPlant>& shown, bool withTints, vtkFieldData* fields)
 {
   const auto of = [&](std::size_t index) -> const PlantPlace& { return places[shown[index].Place]; };
   const std::size_t count = shown.size();
@@ -56,6 +58,10 @@ void WriteTable(const std::vector<PlantPlace>& places, const std::vector<ShownPl
   AddPlantColumn<vtkDoubleArray>(fields, "Azimuth", 1, count, [&](auto i, int) { return of(i).Azimuth; });
   AddPlantColumn<vtkDoubleArray>(fields, "Position", 3, count, [&](auto i, int axis) { return of(i).Foot[axis]; });
   AddPlantColumn<vtkIntArray>(fields, "Level", 1, count, [&](auto i, int) { return static_cast<int>(shown[i].Level); });
+  if (withTints)
+  {
+    AddPlantColumn<vtkFloatArray>(fields, "Tint", 3, count, [&](auto i, int channel) { return of(i).Tint[channel]; });
+  }
 }
 
 void WriteCounter(vtkFieldData* fields, const char* name, double value)

@@ -21,8 +21,9 @@ bool HasGirths(const std::vector<PlantPlace>& places);
 /// Bytes of the table of a plant, without its girth.
 inline constexpr double TableBytes = 60.0;
 
-/// Writes a row for each plant that is shown.
-void WriteTable(const std::vector<PlantPlace>& places, const std::vector<ShownPlant>& shown, vtkFieldData* fields);
+/// Writes a row for each plant that is shown, with its tint where who reads it makes its colors.
+void WriteTable(
+  const std::vector<PlantPlace>& places, const std::vector<ShownPlant>& shown, bool withTints, vtkFieldData* fields);
 
 /// Writes one number.
 void WriteCounter(vtkFieldData* fields, const char* name, double value);

@@ -86,8 +86,14 @@ void SwayBlocks::Read(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBl
 {
   RequirePlants(plants);
   this->MakeScene(plants, prototypes, wind, settings, progress);
+  if (this->Table.HasTints)
+  {
+    this->Surfaces.Make(plants, this->Table, prototypes);
+    plants = this->Surfaces.Plants;
+  }
   this->ReadHigh(plants, prototypes, progress);
   this->ReadMedium(plants);
+  this->ForgetRest();
   this->Table = PlantTable(); // the scene has what it needs of it
   this->Whole = !IsAborted(progress);
 }
@@ -308,6 +314,23 @@ void SwayBlocks::ReadMediumSkin(vtkPolyData* block, const char* name)
 }
 
 //----------------------------------------------------------------------------
+/// Points and normals at rest of surfaces that were made are placed again for each frame.
+void SwayBlocks::ForgetRest()
+{
+  for (int part = 0; part < NumberOfParts && this->Surfaces.Plants; ++part)
+  {
+    for (Skin& skin : this->Skins)
+    {
+      if (std::strcmp(skin.Level, PartKinds[part].Level) == 0 && std::strcmp(skin.Name, PartKinds[part].Name) == 0)
+      {
+        skin.AtRest = std::move(this->Surfaces.AtRest[part]);
+        skin.Rest = this->Surfaces.Bare(part);
+      }
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
 void SwayBlocks::Move(double time, vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output, vtkAlgorithm* progress)
 {
   progress->UpdateProgress(0.5);
@@ -323,6 +346,7 @@ void SwayBlocks::Move(double time, vtkMultiBlockDataSet* plants, vtkMultiBlockDa
     progress->UpdateProgress(0.6 + 0.4 * static_cast<double>(moved.size()) / static_cast<double>(this->Skins.size()));
     moved.push_back(this->MovedSkin(skin));
   }
+  plants = this->Surfaces.Plants ? this->Surfaces.Plants.Get() : plants;
   for (const char* level : { plant::High, plant::Medium })
   {
     auto* rest = vtkMultiBlockDataSet::SafeDownCast(FindBlock(plants, level));
@@ -394,21 +418,50 @@ vtkSmartPointer<vtkPolyData> SwayBlocks::MovedBones(vtkPolyData* bones)
 }
 
 //----------------------------------------------------------------------------
+/// The arrays of points and normals for a frame of a skin; there may be no normals.
+std::array<vtkSmartPointer<vtkFloatArray>, 2> SwayBlocks::ArraysFor(const Skin& skin)
+{
+  const auto vertices = static_cast<vtkIdType>(skin.AtRest.GetNumberOfVertices());
+  if (vertices > 0)
+  {
+    const auto state = 1 + 2 * static_cast<std::size_t>(&skin - this->Skins.data());
+    return { this->Arrays.New<vtkFloatArray>("Points", 3, vertices, state),
+      skin.AtRest.HasNormals() ? this->Arrays.New<vtkFloatArray>(NormalsName, 3, vertices, state + 1) : nullptr };
+  }
+  vtkFloatArray* normals = FindNormals(skin.Rest);
+  return { this->Arrays.Like(FloatPointsOf(skin.Rest)), normals ? this->Arrays.Like(normals) : nullptr };
+}
+
+//----------------------------------------------------------------------------
+/// Moves the vertices [begin, end) of a skin; those that are not kept at rest are placed, some at a time.
+void SwayBlocks::MoveVertices(const Skin& skin, std::size_t begin, std::size_t end, float* points, float* normals) const
+{
+  const JointChange* changes = this->Scene->GetChanges().data();
+  if (skin.AtRest.GetNumberOfVertices() == 0)
+  {
+    skin.Binding.Move(ReadSkin(skin.Rest), changes, begin, end, points, normals);
+    return;
+  }
+  const std::unique_ptr<float[]> rest(new float[6 * std::min(end - begin, VertexGrain)]);
+  for (std::size_t first = begin; first < end; first += VertexGrain)
+  {
+    const std::size_t last = std::min(end, first + VertexGrain);
+    float* restNormals = normals ? rest.get() + 3 * (last - first) : nullptr;
+    skin.AtRest.Place(first, last, rest.get(), restNormals);
+    skin.Binding.Move({ rest.get(), restNormals, first }, changes, first, last, points, normals);
+  }
+}
+
+//----------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> SwayBlocks::MovedSkin(const Skin& skin)
 {
-  vtkFloatArray* restNormals = FindNormals(skin.Rest);
-  const auto points = this->Arrays.Like(FloatPointsOf(skin.Rest));
-  const auto normals = restNormals ? this->Arrays.Like(restNormals) : nullptr;
-  const RestSkin rest = ReadSkin(skin.Rest);
+  const auto [points, normals] = this->ArraysFor(skin);
   const auto vertices = static_cast<std::size_t>(points->GetNumberOfTuples());
   float* p = points->GetPointer(0);
   float* n = normals ? normals->GetPointer(0) : nullptr;
   TupleRanges places;
   TupleRanges directions;
   std::mutex adding;
-  const auto move = [&](std::size_t begin, std::size_t end) {
-    skin.Binding.Move(rest, this->Scene->GetChanges().data(), begin, end, p, n);
-  };
   const auto addToRanges = [&](std::size_t begin, std::size_t end) {
     TupleRanges ofPlaces;
     TupleRanges ofDirections;
@@ -428,7 +481,7 @@ vtkSmartPointer<vtkPolyData> SwayBlocks::MovedSkin(const Skin& skin)
     ForRanges(
       SmpFor, leaves, this->Scene->AreLeavesInOrder() ? LeafGrain : leaves, [&](std::size_t begin, std::size_t end) {
         const auto [first, last] = this->Scene->VerticesOfLeaves(begin, end, vertices);
-        move(first, last);
+        this->MoveVertices(skin, first, last, p, n);
         this->Scene->TurnLeaves(begin, end, p, n);
         addToRanges(first, last);
       });
@@ -436,7 +489,7 @@ vtkSmartPointer<vtkPolyData> SwayBlocks::MovedSkin(const Skin& skin)
   else
   {
     ForRanges(SmpFor, vertices, VertexGrain, [&](std::size_t begin, std::size_t end) {
-      move(begin, end);
+      this->MoveVertices(skin, begin, end, p, n);
       addToRanges(begin, end);
     });
   }

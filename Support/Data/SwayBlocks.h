@@ -8,10 +8,13 @@
 #include "Data/FrameArrays.h"
 #include "Data/PlantBlocks.h"
 #include "Data/PlantTable.h"
+#include "Data/ScatteredSurfaces.h"
 #include "Sway/SwayScene.h"
 
 #include "vtkImageData.h"
 
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -55,12 +58,14 @@ private:
     const char* Name;
     vtkSmartPointer<vtkPolyData> Rest;
     StandBinding Binding;
+    StandAtRest AtRest = {}; ///< of a surface that is made of prototypes, whose Rest has no points and normals
   };
 
   bool Whole = false;
   PlantTable Table;
   bool Scattered = false;
   std::unique_ptr<SwayScene> Scene;
+  ScatteredSurfaces Surfaces;
   std::vector<Skin> Skins;
   FrameArrays Arrays;
   vtkSmartPointer<vtkImageData> PictureImage;
@@ -77,11 +82,14 @@ private:
   void AddPlants(const std::vector<Skeleton>& skeletons, vtkIntArray* plantIds, const std::vector<double>& leafAreas,
     vtkAlgorithm* progress);
   void ReadMedium(vtkMultiBlockDataSet* plants);
+  void ForgetRest();
   void ReadMediumSkin(vtkPolyData* block, const char* name);
   vtkSmartPointer<vtkMultiBlockDataSet> MovedLevel(
     const char* level, vtkMultiBlockDataSet* rest, const std::vector<vtkSmartPointer<vtkPolyData>>& moved);
   vtkSmartPointer<vtkPolyData> MovedBones(vtkPolyData* bones);
   vtkSmartPointer<vtkPolyData> MovedSkin(const Skin& skin);
+  std::array<vtkSmartPointer<vtkFloatArray>, 2> ArraysFor(const Skin& skin);
+  void MoveVertices(const Skin& skin, std::size_t begin, std::size_t end, float* points, float* normals) const;
   void ShowPictures(vtkPolyData* crowns);
 };
 

@@ -2,19 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The mapper of a block draws what VTK's draws, also after a move, with other colors and when the graphics are taken
 // from it and given back, and keeps none of the vertices that it has sent. Many triangles, which are drawn by parts,
-// give the same picture and leave less memory taken than VTK's.
+// give the same picture and leave less memory taken than VTK's. Arrays that are read where they are do so too, also
+// when they have changed, have got other memory, or are drawn by a mapper of VTK in the same window.
 #include "BlockMapper.h"
 #include "Check.h"
+#include "PinnedArray.h"
 #include "vtkLandscapePass.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -26,6 +32,7 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -35,6 +42,9 @@ namespace
 /// Where the ball is [m], so far from the origin that VTK shifts its points before it sends them.
 constexpr double East = 500000.0;
 constexpr double North = 4000000.0;
+
+/// Where a sheet is, to the north and to the east [m].
+constexpr double Near = 300.0;
 
 constexpr int Side = 60; // pixels of a picture
 
@@ -75,15 +85,15 @@ vtkStandardNewMacro(MapperOfColors);
 /// A mapper of a ball in a window of its own.
 struct Shown
 {
-  explicit Shown(vtkOpenGLPolyDataMapper* mapper, vtkPolyData* ball)
+  Shown(vtkOpenGLPolyDataMapper* mapper, vtkPolyData* ball, double east = East, double north = North)
     : Mapper(mapper)
   {
     mapper->SetInputData(ball);
     mapper->SetColorModeToDirectScalars();
     this->Actor->SetMapper(mapper);
     this->Renderer->AddActor(this->Actor);
-    this->Renderer->GetActiveCamera()->SetFocalPoint(East, North, 0.0);
-    this->Renderer->GetActiveCamera()->SetPosition(East, North, 4.0);
+    this->Renderer->GetActiveCamera()->SetFocalPoint(east, north, 0.0);
+    this->Renderer->GetActiveCamera()->SetPosition(east, north, 4.0);
     this->Window->OffScreenRenderingOn();
     this->Window->SetMultiSamples(0);
     this->Window->SetSize(Side, Side);
@@ -176,6 +186,108 @@ bool CheckParts()
   return Check(!isTold || ofParts < 0.7 * ofVtk, "what is drawn by parts is kept") && isSame;
 }
 
+/// A sheet, seen from above, with normals that lean to and fro.
+void FillSheet(vtkPolyData* sheet, int side)
+{
+  vtkNew<vtkPlaneSource> source;
+  source->SetResolution(side, side);
+  source->SetOrigin(Near - 1.0, Near - 1.0, 0.0);
+  source->SetPoint1(Near + 1.0, Near - 1.0, 0.0);
+  source->SetPoint2(Near - 1.0, Near + 1.0, 0.0);
+  source->Update();
+  sheet->ShallowCopy(source->GetOutput());
+  vtkDataArray* normals = sheet->GetPointData()->GetNormals();
+  for (vtkIdType n = 0; n < normals->GetNumberOfTuples(); ++n)
+  {
+    normals->SetTuple3(n, 0.6 * std::sin(0.001 * static_cast<double>(n)), 0.0, 0.8);
+  }
+}
+
+/// The same of double precision, which is not read where it is.
+void FillCopy(vtkPolyData* sheet, vtkPolyData* copy)
+{
+  copy->ShallowCopy(sheet);
+  vtkNew<vtkDoubleArray> places;
+  places->DeepCopy(sheet->GetPoints()->GetData());
+  vtkNew<vtkPoints> points;
+  points->SetData(places);
+  copy->SetPoints(points);
+  vtkNew<vtkDoubleArray> normals;
+  normals->DeepCopy(sheet->GetPointData()->GetNormals());
+  copy->GetPointData()->SetNormals(normals);
+}
+
+/// How far a picture is from another one, as a mean of the channels; pixels at edges may be others.
+double Difference(const std::vector<unsigned char>& a, const std::vector<unsigned char>& b)
+{
+  double sum = 0.0;
+  for (std::size_t n = 0; n < a.size() && a.size() == b.size(); ++n)
+  {
+    sum += std::abs(static_cast<double>(a[n]) - b[n]);
+  }
+  return a.empty() || a.size() != b.size() ? 255.0 : sum / static_cast<double>(a.size());
+}
+
+bool CheckReadInPlace()
+{
+  constexpr double least = 0.1;
+  vtkNew<vtkPolyData> sheet;
+  FillSheet(sheet, 500);
+  vtkNew<littoral::BlockMapper> inPlace;
+  vtkNew<vtkOpenGLPolyDataMapper> sent;
+  inPlace->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::ALWAYS_AUTO_SHIFT_SCALE); // as ParaView does
+  sent->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::ALWAYS_AUTO_SHIFT_SCALE);
+  Shown blocks(inPlace, sheet, Near, Near);
+  Shown plain(sent, sheet, Near, Near);
+  vtkNew<vtkPolyData> copy;
+  FillCopy(sheet, copy);
+  vtkNew<littoral::BlockMapper> ofCopy;
+  Shown copied(ofCopy, copy, Near, Near);
+  std::vector<unsigned char> picture;
+  const double ofSheet = MemoryOf(blocks, picture);
+  std::vector<unsigned char> expected;
+  const double ofDoubles = MemoryOf(copied, expected);
+  std::cout << ofSheet << " MB in place, " << ofDoubles << " MB sent\n";
+  bool good = Check(Difference(picture, expected) < least, "in place: another picture than of a copy");
+  expected = plain.Picture();
+  good &= Check(Difference(picture, expected) < least, "in place: another picture than VTK's");
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(blocks.Window);
+  const bool isTold = ofDoubles > 0.0 && littoral::PinnedArray::IsPossible(window);
+  const double bytes = 24.0 * static_cast<double>(sheet->GetNumberOfPoints()); // of points and normals
+  good &= Check(!isTold || ofSheet < ofDoubles - 0.9e-6 * bytes, "arrays in place have a copy");
+
+  auto* points = vtkFloatArray::SafeDownCast(sheet->GetPoints()->GetData());
+  auto* normals = vtkFloatArray::SafeDownCast(sheet->GetPointData()->GetNormals());
+  const std::vector<unsigned char> first = expected;
+  for (vtkIdType n = 0; n < points->GetNumberOfTuples(); ++n)
+  {
+    points->SetTypedComponent(n, 0, points->GetTypedComponent(n, 0) + 0.7f);
+    normals->SetTypedComponent(n, 2, 0.4f);
+  }
+  points->Modified();
+  normals->Modified();
+  sheet->Modified();
+  expected = plain.Picture();
+  good &= Check(Difference(expected, first) > 10.0 * least, "the sheet is as it was");
+  good &= Check(Difference(blocks.Picture(), expected) < least, "moved in place: another picture than VTK's");
+
+  normals->Resize(2 * normals->GetNumberOfTuples());
+  points->Resize(2 * points->GetNumberOfTuples());
+  std::vector<float> over(12 * normals->GetNumberOfTuples(), 0.0f); // where they were, likely
+  good &= Check(over.back() == 0.0f && Difference(blocks.Picture(), expected) < least, "memory that was left is read");
+
+  vtkNew<vtkOpenGLPolyDataMapper> other;
+  other->SetInputData(sheet);
+  other->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::ALWAYS_AUTO_SHIFT_SCALE);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(other);
+  blocks.Renderer->AddActor(actor);
+  blocks.Picture();
+  blocks.Actor->VisibilityOff();
+  return Check(Difference(blocks.Picture(), expected) < least, "another mapper of the points draws them elsewhere") &&
+    good;
+}
+
 /// A point that no cell uses, 20 m east of the ball, is within the bounds of the mapper, which are those of the points.
 bool CheckBounds()
 {
@@ -237,5 +349,6 @@ int TestBlockMapper(int, char*[])
   good &= CheckKeptNumbers(blocks, plain, "after a release");
   good &= CheckBounds();
   good &= CheckParts();
+  good &= CheckReadInPlace();
   return good ? 0 : 1;
 }

@@ -10,6 +10,7 @@
 #include "vtkReevesTreeSource.h"
 #include "vtkWindFieldSource.h"
 
+#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -23,7 +24,7 @@
 namespace
 {
 
-/// All values of the point arrays of the moved blocks, and their points.
+/// All values of the point arrays of the moved blocks, their points and polygons.
 std::vector<double> ValuesOf(vtkDataObject* plants)
 {
   std::vector<double> values;
@@ -40,7 +41,9 @@ std::vector<double> ValuesOf(vtkDataObject* plants)
   {
     auto* block = vtkPolyData::SafeDownCast(BlockAt(plants, path));
     add(block->GetPoints()->GetData());
-    for (const char* name : { "Normals", "JointIds", "JointWeights" })
+    add(block->GetPolys()->GetOffsetsArray());
+    add(block->GetPolys()->GetConnectivityArray());
+    for (const char* name : { "Normals", "RGB", "TCoords", "PlantId", "JointIds", "JointWeights" })
     {
       if (vtkDataArray* array = block->GetPointData()->GetArray(name))
       {
@@ -114,6 +117,15 @@ int TestScatteredJoints(int, char*[])
   const std::vector<double> without = moved();
   good &= Check(with.size() > 100000 && with == without, "joints of prototypes are not those that plants carry");
   good &= Check(LeavesOf(wood)->GetNumberOfPoints() > 0 && !HasJoints(wood), "plants have joints");
+  wood->PassSurfacesOff();
+  const std::vector<double> made = moved();
+  good &= Check(made == without, "surfaces that sway are not those that plants are passed with");
+  good &= Check(LeavesOf(wood)->GetNumberOfPoints() == 0, "plants have surfaces");
+  vtkNew<ErrorCounter> bareErrors;
+  const auto bare = sway({});
+  bareErrors->Watch(bare);
+  good &= bareErrors->ExpectOneNaming("switch on PassSurfaces");
+  wood->PassSurfacesOn();
   vtkNew<ErrorCounter> errors;
   const auto others = sway({ shrub, tree });
   errors->Watch(others);

@@ -3,7 +3,14 @@
 #ifndef LittoralBlockMapper_h
 #define LittoralBlockMapper_h
 
+#include "PinnedArray.h"
+
 #include "vtkOpenGLPolyDataMapper.h"
+
+#include <array>
+
+class vtkDataArray;
+class vtkFloatArray;
 
 namespace littoral
 {
@@ -13,7 +20,8 @@ namespace littoral
  *
  * The mapper of a tree builds vertices and indices of all blocks anew when anything has changed; this one sends the
  * arrays that have changed, such as points and normals of what moves, and keeps the others in the graphics' memory.
- * Many triangles are drawn by parts where a processor draws, which would keep all of them until they are drawn.
+ * Where a processor draws, points, normals and texture coordinates are read from the arrays themselves, and many
+ * triangles are drawn by parts, since all of them would be kept until they are drawn.
  */
 class BlockMapper : public vtkOpenGLPolyDataMapper
 {
@@ -34,10 +42,12 @@ public:
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
 
 protected:
-  BlockMapper() = default;
-  ~BlockMapper() override = default;
+  BlockMapper();
+  ~BlockMapper() override;
 
   void ComputeBounds() override;
+  void BuildShaders(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void SetMapperShaderParameters(vtkOpenGLHelper& primitive, vtkRenderer* renderer, vtkActor* actor) override;
   void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
   void BuildIBO(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* block) override;
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
@@ -46,7 +56,18 @@ private:
   BlockMapper(const BlockMapper&) = delete;
   void operator=(const BlockMapper&) = delete;
 
+  /// An array that is read where it is.
+  struct Read
+  {
+    const char* Attribute;
+    vtkDataArray* Array;
+    PinnedArray& Pinned;
+  };
+  std::array<Read, 3> ReadInPlace();
+  void SharePoints(vtkPolyData* block);
+  void ShiftPoints(vtkOpenGLVertexBufferObject* buffer, vtkRenderer* renderer, vtkActor* actor);
   bool IsDrawnByParts(vtkRenderer* renderer, vtkActor* actor) const;
+  void FollowMemory(vtkRenderer* renderer);
 
   /// Time of change of the array whose colors are in use, their opacity and number: no two arrays were ever changed at
   /// one time.
@@ -57,6 +78,11 @@ private:
     vtkIdType Tuples = 0;
   };
   Source Colored;
+  PinnedArray PinnedPoints;
+  PinnedArray PinnedNormals;
+  PinnedArray PinnedTCoords;
+  vtkSmartPointer<vtkFloatArray> Points; ///< have the memory of those of the block, but are of this mapper alone
+  std::array<float, 3> Middle{};         ///< that the shader takes from points
   unsigned int BlockIndex = 0;
   bool IsDrawing = false;
 };
