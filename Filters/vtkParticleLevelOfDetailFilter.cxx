@@ -15,6 +15,7 @@
 #include "Data/Tables.h"
 #include "Geometry/ViewFrustum.h"
 #include "Numerics/ParameterCheck.h"
+#include "Numerics/ShiftedTriples.h"
 #include "Particles/ParticleGroups.h"
 #include "Particles/ParticleLevels.h"
 #include "Particles/ParticleMotion.h"
@@ -76,7 +77,7 @@ constexpr double LargestSpread = 0.25;
 
 /// Levels are chosen for all ways of particles between multiples of this length, so that they stay for some frames of a
 /// current [m].
-constexpr double WayStep = 0.1;
+constexpr double WayStep = 0.2;
 
 /// Ways that are below a multiple by no more count as those from it on: sums are rounded, and a choice of levels holds
 /// within as much [m].
@@ -104,6 +105,31 @@ littoral::Box RoundedWays(const littoral::Box& ways)
     rounded.High[axis] = ways.High[axis] == 0.0 ? 0.0 : floor(ways.High)[axis] + WayStep;
   }
   return rounded;
+}
+
+/// The way that all particles have gone from their points, which are those where they began, by vtkCurrentDriftFilter;
+/// none where they are in place.
+std::optional<littoral::Vector3> ToldWay(vtkPointSet* particles, vtkDataArray* start)
+{
+  vtkDataArray* way = particles->GetFieldData()->GetArray(littoral::sea::Way);
+  const bool isTold = start && way && way->GetNumberOfComponents() == 3 && way->GetNumberOfTuples() == 1;
+  if (!isTold)
+  {
+    return {};
+  }
+  const littoral::Vector3 told(way->GetComponent(0, 0), way->GetComponent(0, 1), way->GetComponent(0, 2));
+  littoral::Require(littoral::IsFinite(told) ? "" : "the field array Way is not finite; take Way As Field anew.");
+  return told;
+}
+
+/// Points that all have gone a way.
+template <typename Array>
+vtkSmartPointer<vtkDataArray> Shifted(vtkDataArray* points, const littoral::Vector3& way)
+{
+  const auto shifted = littoral::NewArray<Array>("Points", 3, points->GetNumberOfTuples());
+  littoral::ShiftTriples(Array::SafeDownCast(points)->GetPointer(0),
+    static_cast<std::size_t>(points->GetNumberOfTuples()), way, shifted->GetPointer(0));
+  return shifted;
 }
 
 /// Places in single or double precision.
@@ -244,8 +270,9 @@ public:
   std::unique_ptr<littoral::ParticleGroups> Groups;
   littoral::Box Bounds; ///< of all cells
 
-  littoral::ArrayStamp Moved;           ///< the places of now
-  vtkSmartPointer<vtkDataArray> Places; ///< as long as they are read
+  littoral::ArrayStamp Moved;            ///< the points of now
+  std::optional<littoral::Vector3> Told; ///< way of all from these points to their places [m]
+  vtkSmartPointer<vtkDataArray> Places;  ///< as long as they are read
   littoral::ArrayStamp SortedSource;
   littoral::ArrayStamp RestingPlaces;
   littoral::ParticleMotion Resting;     ///< of places that all go one way, without it
@@ -317,7 +344,7 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::Group(const littoral::ArraySt
 /// Finds the motion of the places from others. Where all have gone one way, the others alone are looked at, and once.
 void vtkParticleLevelOfDetailFilter::vtkInternals::FindMotion(vtkDataArray* from, const littoral::ParallelFor& parallel)
 {
-  this->Way = littoral::CommonWayOf(this->Places, from);
+  this->Way = this->Told ? this->Told : littoral::CommonWayOf(this->Places, from);
   if (!this->Way)
   {
     this->Motion = littoral::MotionOf(ListOf(from), ListOf(this->Places), parallel);
@@ -640,8 +667,15 @@ void vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
   const littoral::ArrayStamp source = knowsStart ? littoral::StampOf(start) : moved;
   const bool areGrouped = internals.Groups && internals.Numbers == numbers;
   const bool isPlain = vtkFloatArray::SafeDownCast(points) || vtkDoubleArray::SafeDownCast(points);
+  const std::optional<littoral::Vector3> told = ToldWay(particles, knowsStart && isPlain ? start : nullptr);
   internals.Places = isPlain ? points : internals.Places.Get();
-  if (areGrouped && internals.Moved == moved && (internals.Grouped == source || internals.Grouped == moved))
+  if (told && this->SlavePlacement == Scattered) // about the places of their masters
+  {
+    internals.Places = vtkFloatArray::SafeDownCast(points) ? Shifted<vtkFloatArray>(points, *told)
+                                                           : Shifted<vtkDoubleArray>(points, *told);
+  }
+  if (areGrouped && internals.Moved == moved && internals.Told == told &&
+    (internals.Grouped == source || internals.Grouped == moved))
   {
     return;
   }
@@ -659,7 +693,8 @@ void vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
       BytesAParticle * static_cast<double>(count), "A water of " + std::to_string(count) + " particles", "take fewer");
   }
   internals.Moved = {};
-  internals.Places = isPlain ? points : littoral::WithType<vtkDoubleArray>(points).Get();
+  internals.Told = told;
+  internals.Places = isPlain ? internals.Places.Get() : littoral::WithType<vtkDoubleArray>(points).Get();
   const littoral::PlaceList places = ListOf(internals.Places);
   const littoral::ParallelFor parallel = littoral::AbortableFor(this);
   internals.FindMotion(knowsStart ? start : internals.Places.Get(), parallel);
@@ -747,6 +782,7 @@ int vtkParticleLevelOfDetailFilter::RequestData(
   }
   internals.Memory.EndFrame();
   internals.AddCounters(output, cells, state.Trains.size());
+  output->GetFieldData()->RemoveArray(littoral::sea::Way); // all are in place
   if (internals.Places == input->GetPoints()->GetData())
   {
     internals.Places = nullptr; // free for the next frame of the input
