@@ -81,11 +81,12 @@ def of_particles(ran, table):
         rows.append(row_of(f"gain by {WORDS[key]}, paper", ratios(PARTICLES[key], PARTICLES[0, 0])))
         rows += [(f"here in time, {words(size)}", *gains(rates[size, key], rates[size, (0, 0)])) for size in SIZES]
         rows.append(row_of("here, in trains times particles", ratios(sums[0, 0], sums[key])))
-    bounds = [short(one(0, 0, 0, 400000, trains).processor / one(0, 0, 0, 400000, 1).processor) for trains in (30, 300)]
+    bounds = [short(one(0, 0, 0, 400000, trains, 0).processor / one(0, 0, 0, 400000, 1, 0).processor)
+              for trains in (30, 300)]
     return ["Table 1 of Coulais et al., on an AMD Athlon XP 2400+ with an nVIDIA GeForce FX 5700 LE: 4000 particles, 30 "
             "wave trains, a uniform current. Here: current, levels and orbits, of as many particles, of a quarter and of 100 "
-            "times as many in the same box, these in ten times as many trains and with WayAsField of the current, too; 45 degrees, 480 lines, wind of 10 m/s, "
-            "which the paper does not give.", "", *table(("distance [m]", *DISTANCES), rows),
+            "times as many in the same box, these in ten times as many trains, and with *Way As Field* of the current, too; "
+            "45 degrees, 480 lines, wind of 10 m/s, which the paper does not give.", "", *table(("distance [m]", *DISTANCES), rows),
             f"In one train, without levels, 400000 particles take {bounds[0]} times less than in 30 and {bounds[1]} times "
             "less than in 300: as long as all are shown, no choice of trains gains more.", ""]
 
