@@ -256,6 +256,7 @@ struct LevelBlock
   bool IsAsBefore = true;                  ///< with trains and weights as when it was made
   PlacesKey Key;
   std::optional<littoral::TupleRanges> Ranges; ///< of its sorted places, as long as they stay
+  littoral::LevelBlends Blends;                ///< of the selection in the key
 };
 
 }
@@ -567,10 +568,14 @@ vtkPolyData* vtkParticleLevelOfDetailFilter::vtkInternals::Block(
     littoral::AddLevelArrays(shown, kind, this->Memory, arrays);
     block.IsAsBefore = true;
   }
-  if (isOther || littoral::IsBlended(shown, kind))
+  if (block.Key.Selection != this->Selections)
+  {
+    block.Blends = littoral::BlendsOf(shown, kind);
+  }
+  if (isOther || !block.Blends.Runs.empty())
   {
     const std::size_t state = std::size(Levels) * this->Selections + static_cast<std::size_t>(kind);
-    arrays->AddArray(littoral::AlphasOf<Array>(shown, kind, state, this->Memory));
+    arrays->AddArray(littoral::AlphasOf<Array>(shown, kind, block.Blends, state, this->Memory));
   }
   const bool haveStayed = !isNew && shown.Sorted && block.Key.IsSorted && block.Key.Source == key.Source;
   if (kind == littoral::ParticleLevel::Middle && !haveStayed)
@@ -781,8 +786,11 @@ int vtkParticleLevelOfDetailFilter::RequestData(
       places.GetSingles() ? internals.Block<vtkFloatArray>(shown, kind) : internals.Block<vtkDoubleArray>(shown, kind));
   }
   internals.Memory.EndFrame();
+  if (internals.Told)
+  {
+    output->GetFieldData()->RemoveArray(littoral::sea::Way); // all are in place
+  }
   internals.AddCounters(output, cells, state.Trains.size());
-  output->GetFieldData()->RemoveArray(littoral::sea::Way); // all are in place
   if (internals.Places == input->GetPoints()->GetData())
   {
     internals.Places = nullptr; // free for the next frame of the input
