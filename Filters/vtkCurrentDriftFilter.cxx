@@ -277,6 +277,7 @@ void vtkCurrentDriftFilter::TakePoints(vtkDataObject* input)
   double count = 0.0;
   for (vtkPointSet* leaf : leaves)
   {
+    littoral::RequireInPlace(leaf);
     count += static_cast<double>(leaf->GetNumberOfPoints());
   }
   const double bytesOfPoint = (littoral::DriftHistory::MaximumCheckpoints + 4.0) * (sizeof(Vector3) + 1.0);

@@ -161,8 +161,8 @@ public:
 
   ///@{
   /**
-   * The way that all points have gone as the field array `Way`[3] [m], in place of moved points, where it is the same
-   * for all and GenerateCurrent is off; default off. The points stay at `Start`. Only for
+   * The way that all points have gone as the field array `DriftWay`[3] [m], in place of moved points, where it is the
+   * same for all and GenerateCurrent is off; default off. The points stay at `Start`. Only for
    * vtkParticleLevelOfDetailFilter, which adds it, and so spares the pass over all points of each time.
    */
   vtkSetMacro(WayAsField, bool);

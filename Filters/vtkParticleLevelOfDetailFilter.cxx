@@ -107,19 +107,15 @@ littoral::Box RoundedWays(const littoral::Box& ways)
   return rounded;
 }
 
-/// The way that all particles have gone from their points, which are those where they began, by vtkCurrentDriftFilter;
-/// none where they are in place.
-std::optional<littoral::Vector3> ToldWay(vtkPointSet* particles, vtkDataArray* start)
+/// The way that all particles have gone from their points, where they began; none where they are in place.
+std::optional<littoral::Vector3> ToldWay(vtkPointSet* particles)
 {
-  vtkDataArray* way = particles->GetFieldData()->GetArray(littoral::sea::Way);
-  const bool isTold = start && way && way->GetNumberOfComponents() == 3 && way->GetNumberOfTuples() == 1;
-  if (!isTold)
-  {
-    return {};
-  }
-  const littoral::Vector3 told(way->GetComponent(0, 0), way->GetComponent(0, 1), way->GetComponent(0, 2));
-  littoral::Require(littoral::IsFinite(told) ? "" : "the field array Way is not finite; take Way As Field anew.");
-  return told;
+  const auto fields = littoral::ArrayReader::OfFields(particles, "Input", 1);
+  vtkDataArray* way = fields.Find(littoral::sea::Way, 3);
+  fields.NeedFinite(way);
+  return way
+    ? std::optional(littoral::Vector3(way->GetComponent(0, 0), way->GetComponent(0, 1), way->GetComponent(0, 2)))
+    : std::nullopt;
 }
 
 /// Points that all have gone a way.
@@ -672,7 +668,11 @@ void vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
   const littoral::ArrayStamp source = knowsStart ? littoral::StampOf(start) : moved;
   const bool areGrouped = internals.Groups && internals.Numbers == numbers;
   const bool isPlain = vtkFloatArray::SafeDownCast(points) || vtkDoubleArray::SafeDownCast(points);
-  const std::optional<littoral::Vector3> told = ToldWay(particles, knowsStart && isPlain ? start : nullptr);
+  const std::optional<littoral::Vector3> told = knowsStart && isPlain ? ToldWay(particles) : std::nullopt;
+  if (!told)
+  {
+    littoral::RequireInPlace(particles);
+  }
   internals.Places = isPlain ? points : internals.Places.Get();
   if (told && this->SlavePlacement == Scattered) // about the places of their masters
   {

@@ -6,6 +6,7 @@
 #include "Data/ArraySearch.h"
 #include "Data/ArrayStamp.h"
 #include "Data/Arrays.h"
+#include "Data/CommonWay.h"
 #include "Data/Followers.h"
 #include "Data/FrameArrays.h"
 #include "Data/Inputs.h"
@@ -572,6 +573,7 @@ void vtkParticleOrbitFilter::Move(Sea& sea, vtkPointSet* input, vtkPointSet* out
   {
     return;
   }
+  littoral::RequireInPlace(input);
   const littoral::WaveOrbits& orbits = sea.InOrder(ReadTrainOrder(input, sea.State.Trains.size()));
   input->GetPoints()->GetDataType() == VTK_DOUBLE
     ? this->MoveAs<vtkDoubleArray>(orbits, sea.State.SeaLevel, input, output)

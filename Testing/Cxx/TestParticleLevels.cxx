@@ -16,6 +16,7 @@
 #include "vtkBitArray.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
@@ -251,13 +252,13 @@ bool CheckToldWay()
           }
           good &= Check(BytesOf(levels[0]) == BytesOf(levels[1]), "a way that is told gives other levels");
           auto* told = vtkPolyData::SafeDownCast(drifts[1]->GetOutputDataObject(0));
-          vtkDataArray* way = told->GetFieldData()->GetArray("Way");
+          vtkDataArray* way = told->GetFieldData()->GetArray("DriftWay");
           good &= Check((way != nullptr) == goTogether, "a way is told where there is none, or the other way round");
           good &=
             Check(!way || std::abs(way->GetComponent(0, 0) - 0.3 * time) < 1e-12, "a way is not that of the flow");
           good &= Check((told->GetPoints()->GetData() == particles->GetPoints()->GetData()) == goTogether,
             "points are moved although their way is told, or not although it is not");
-          good &= Check(!levels[1]->GetOutputDataObject(0)->GetFieldData()->GetArray("Way"), "a way is told on");
+          good &= Check(!levels[1]->GetOutputDataObject(0)->GetFieldData()->GetArray("DriftWay"), "a way is told on");
         }
       }
     }
@@ -772,6 +773,31 @@ bool CheckBadInput()
   good &= LevelsFail("ParticlesPerCell", [](Levels* l, vtkPolyData*) { l->SetParticlesPerCell(0); });
   good &= LevelsFail("ViewAngle", [](Levels* l, vtkPolyData*) { l->SetViewAngle(180.0); });
   good &= LevelsFail("ViewPoint", [=](Levels* l, vtkPolyData*) { l->SetViewPoint(nan, 0.0, 0.0); });
+
+  // A way that is told to those who do not know of it.
+  const auto fails = [](vtkAlgorithm* algorithm) {
+    vtkNew<vtkPolyData> particles = Particles(10);
+    vtkNew<vtkDoubleArray> way;
+    way->SetName("DriftWay");
+    way->SetNumberOfComponents(3);
+    way->InsertNextTuple3(1.0, 0.0, 0.0);
+    particles->GetFieldData()->AddArray(way);
+    algorithm->SetInputDataObject(0, particles);
+    vtkNew<ErrorCounter> errors;
+    errors->Watch(algorithm);
+    return errors->ExpectOneNaming("Way As Field");
+  };
+  vtkNew<vtkFlowPrimitiveSource> flow;
+  vtkNew<vtkCurrentDriftFilter> drift;
+  drift->AddCurrentConnection(flow->GetOutputPort());
+  good &= fails(drift);
+  vtkNew<Sea> waves;
+  vtkNew<Orbits> moved;
+  moved->SetSeaStateConnection(waves->GetOutputPort());
+  good &= fails(moved);
+  vtkNew<Levels> shown; // of particles that have no Start
+  shown->SetSeaStateConnection(waves->GetOutputPort());
+  good &= fails(shown);
 
   // Orders that belong to another sea.
   vtkNew<Sea> sea;
