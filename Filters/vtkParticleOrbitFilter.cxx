@@ -559,7 +559,7 @@ void vtkParticleOrbitFilter::MoveAll(Sea& sea, vtkDataObject* input, vtkDataObje
   {
     vtkDataObject* leaf = iterator->GetCurrentDataObject();
     copies.resize(std::max(copies.size(), leaves + 1));
-    const vtkSmartPointer<vtkDataObject> copy = copies[leaves].Of(leaf);
+    vtkDataObject* copy = copies[leaves].Of(leaf);
     this->Move(sea, littoral::PointsIn(leaf), littoral::PointsIn(copy));
     moved->SetDataSet(iterator, copy);
   }
