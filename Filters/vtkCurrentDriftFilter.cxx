@@ -10,6 +10,7 @@
 #include "Data/FrameArrays.h"
 #include "Data/Inputs.h"
 #include "Data/SeaStateTable.h"
+#include "Data/Tables.h"
 #include "Numerics/ParameterCheck.h"
 #include "Numerics/ShiftedTriples.h"
 #include "Pipeline/MarchingRequests.h"
@@ -148,6 +149,7 @@ vtkCurrentDriftFilter::vtkCurrentDriftFilter()
   , Coast(Stop)
   , VelocityArray(nullptr)
   , GenerateCurrent(false)
+  , WayAsField(false)
   , TimeRange{ 0.0, 60.0 }
   , Internals(new vtkInternals)
 {
@@ -275,6 +277,7 @@ void vtkCurrentDriftFilter::TakePoints(vtkDataObject* input)
   double count = 0.0;
   for (vtkPointSet* leaf : leaves)
   {
+    littoral::RequireInPlace(leaf);
     count += static_cast<double>(leaf->GetNumberOfPoints());
   }
   const double bytesOfPoint = (littoral::DriftHistory::MaximumCheckpoints + 4.0) * (sizeof(Vector3) + 1.0);
@@ -404,12 +407,15 @@ bool vtkCurrentDriftFilter::WriteLeafAs(vtkPointSet* input, vtkPointSet* output,
   const littoral::DriftHistory& history = this->Internals->Scene;
   const vtkIdType count = input->GetNumberOfPoints();
   StillPoints& still = this->Internals->NextStill<Array>(input);
-  const auto places = this->Internals->Arrays.New<Array>("Points", 3, count);
-  const auto flow = littoral::NewArray<vtkFloatArray>(littoral::sea::Current, 3, this->GenerateCurrent ? count : 0);
+  auto* start = this->Internals->AreFree ? Array::SafeDownCast(input->GetPoints()->GetData()) : nullptr;
   const littoral::Slaves slaves = littoral::ReadSlaves(input);
   const littoral::StepCurrents currents = history.NextCurrents();
   // Where all points go the same way, nothing else is asked of them.
   const bool isShift = history.IsClosed() && slaves.Master.empty() && !this->GenerateCurrent;
+  const Vector3 way = isShift ? history.ClosedWay(currents) : Vector3(0.0);
+  const bool isTold = this->WayAsField && isShift && start; // not applied
+  const auto places = this->Internals->Arrays.New<Array>("Points", 3, isTold ? 0 : count);
+  const auto flow = littoral::NewArray<vtkFloatArray>(littoral::sea::Current, 3, this->GenerateCurrent ? count : 0);
   auto captured = isShift ? still.Captured : nullptr;
   if (!captured)
   {
@@ -435,11 +441,9 @@ bool vtkCurrentDriftFilter::WriteLeafAs(vtkPointSet* input, vtkPointSet* output,
       flow->SetTuple3(id, velocity.x, velocity.y, velocity.z);
     }
   };
-  auto* start = this->Internals->AreFree ? Array::SafeDownCast(input->GetPoints()->GetData()) : nullptr;
-  const Vector3 way = isShift ? history.ClosedWay(currents) : Vector3(0.0);
   const bool done = isShift
     ? RunOnPoints(
-        this, static_cast<std::size_t>(count), 0.98, 1.0,
+        this, static_cast<std::size_t>(isTold ? 0 : count), 0.98, 1.0,
         [&](std::size_t begin, std::size_t end) {
           Real* to = places->GetPointer(0);
           start ? littoral::ShiftTriples(start->GetPointer(0) + 3 * begin, end - begin, way, to + 3 * begin)
@@ -461,12 +465,19 @@ bool vtkCurrentDriftFilter::WriteLeafAs(vtkPointSet* input, vtkPointSet* output,
     std::fill_n(captured->GetPointer(0), count, static_cast<unsigned char>(0));
     still.Captured = captured;
   }
-  if (isShift && start)
+  if (isTold)
   {
-    littoral::KeepShiftedRanges(start, way, places);
-    littoral::KeepCommonWay(places, still.Start, way);
+    littoral::AddField(output, littoral::sea::Way, { way.x, way.y, way.z });
   }
-  output->SetPoints(littoral::PointsWithRanges(places));
+  else
+  {
+    if (isShift && start)
+    {
+      littoral::KeepShiftedRanges(start, way, places);
+      littoral::KeepCommonWay(places, still.Start, way);
+    }
+    output->SetPoints(littoral::PointsWithRanges(places));
+  }
   output->GetPointData()->AddArray(still.Start);
   output->GetPointData()->AddArray(captured);
   if (this->GenerateCurrent)
@@ -497,5 +508,6 @@ void vtkCurrentDriftFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Coast: " << this->Coast << "\n";
   os << indent << "VelocityArray: " << (this->VelocityArray ? this->VelocityArray : "(none)") << "\n";
   os << indent << "GenerateCurrent: " << this->GenerateCurrent << "\n";
+  os << indent << "WayAsField: " << this->WayAsField << "\n";
   os << indent << "TimeRange: " << this->TimeRange[0] << " " << this->TimeRange[1] << "\n";
 }

@@ -161,6 +161,17 @@ public:
 
   ///@{
   /**
+   * The way that all points have gone as the field array `DriftWay`[3] [m], in place of moved points, where it is the
+   * same for all and GenerateCurrent is off; default off. The points stay at `Start`. Only for
+   * vtkParticleLevelOfDetailFilter, which adds it, and so spares the pass over all points of each time.
+   */
+  vtkSetMacro(WayAsField, bool);
+  vtkGetMacro(WayAsField, bool);
+  vtkBooleanMacro(WayAsField, bool);
+  ///@}
+
+  ///@{
+  /**
    * First and last time of an animation, announced as TIME_RANGE [s], increasing; default 0 60. Any time can be
    * requested.
    */
@@ -192,6 +203,7 @@ protected:
   int Coast;
   char* VelocityArray;
   bool GenerateCurrent;
+  bool WayAsField;
   double TimeRange[2];
 
 private:

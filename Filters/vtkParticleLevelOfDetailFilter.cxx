@@ -15,6 +15,7 @@
 #include "Data/Tables.h"
 #include "Geometry/ViewFrustum.h"
 #include "Numerics/ParameterCheck.h"
+#include "Numerics/ShiftedTriples.h"
 #include "Particles/ParticleGroups.h"
 #include "Particles/ParticleLevels.h"
 #include "Particles/ParticleMotion.h"
@@ -76,7 +77,7 @@ constexpr double LargestSpread = 0.25;
 
 /// Levels are chosen for all ways of particles between multiples of this length, so that they stay for some frames of a
 /// current [m].
-constexpr double WayStep = 0.1;
+constexpr double WayStep = 0.2;
 
 /// Ways that are below a multiple by no more count as those from it on: sums are rounded, and a choice of levels holds
 /// within as much [m].
@@ -104,6 +105,27 @@ littoral::Box RoundedWays(const littoral::Box& ways)
     rounded.High[axis] = ways.High[axis] == 0.0 ? 0.0 : floor(ways.High)[axis] + WayStep;
   }
   return rounded;
+}
+
+/// The way that all particles have gone from their points, where they began; none where they are in place.
+std::optional<littoral::Vector3> ToldWay(vtkPointSet* particles)
+{
+  const auto fields = littoral::ArrayReader::OfFields(particles, "Input", 1);
+  vtkDataArray* way = fields.Find(littoral::sea::Way, 3);
+  fields.NeedFinite(way);
+  return way
+    ? std::optional(littoral::Vector3(way->GetComponent(0, 0), way->GetComponent(0, 1), way->GetComponent(0, 2)))
+    : std::nullopt;
+}
+
+/// Points that all have gone a way.
+template <typename Array>
+vtkSmartPointer<vtkDataArray> Shifted(vtkDataArray* points, const littoral::Vector3& way)
+{
+  const auto shifted = littoral::NewArray<Array>("Points", 3, points->GetNumberOfTuples());
+  littoral::ShiftTriples(Array::SafeDownCast(points)->GetPointer(0),
+    static_cast<std::size_t>(points->GetNumberOfTuples()), way, shifted->GetPointer(0));
+  return shifted;
 }
 
 /// Places in single or double precision.
@@ -230,6 +252,7 @@ struct LevelBlock
   bool IsAsBefore = true;                  ///< with trains and weights as when it was made
   PlacesKey Key;
   std::optional<littoral::TupleRanges> Ranges; ///< of its sorted places, as long as they stay
+  littoral::LevelBlends Blends;                ///< of the selection in the key
 };
 
 }
@@ -244,8 +267,9 @@ public:
   std::unique_ptr<littoral::ParticleGroups> Groups;
   littoral::Box Bounds; ///< of all cells
 
-  littoral::ArrayStamp Moved;           ///< the places of now
-  vtkSmartPointer<vtkDataArray> Places; ///< as long as they are read
+  littoral::ArrayStamp Moved;            ///< the points of now
+  std::optional<littoral::Vector3> Told; ///< way of all from these points to their places [m]
+  vtkSmartPointer<vtkDataArray> Places;  ///< as long as they are read
   littoral::ArrayStamp SortedSource;
   littoral::ArrayStamp RestingPlaces;
   littoral::ParticleMotion Resting;     ///< of places that all go one way, without it
@@ -317,7 +341,7 @@ void vtkParticleLevelOfDetailFilter::vtkInternals::Group(const littoral::ArraySt
 /// Finds the motion of the places from others. Where all have gone one way, the others alone are looked at, and once.
 void vtkParticleLevelOfDetailFilter::vtkInternals::FindMotion(vtkDataArray* from, const littoral::ParallelFor& parallel)
 {
-  this->Way = littoral::CommonWayOf(this->Places, from);
+  this->Way = this->Told ? this->Told : littoral::CommonWayOf(this->Places, from);
   if (!this->Way)
   {
     this->Motion = littoral::MotionOf(ListOf(from), ListOf(this->Places), parallel);
@@ -540,10 +564,14 @@ vtkPolyData* vtkParticleLevelOfDetailFilter::vtkInternals::Block(
     littoral::AddLevelArrays(shown, kind, this->Memory, arrays);
     block.IsAsBefore = true;
   }
-  if (isOther || littoral::IsBlended(shown, kind))
+  if (block.Key.Selection != this->Selections)
+  {
+    block.Blends = littoral::BlendsOf(shown, kind);
+  }
+  if (isOther || !block.Blends.Runs.empty())
   {
     const std::size_t state = std::size(Levels) * this->Selections + static_cast<std::size_t>(kind);
-    arrays->AddArray(littoral::AlphasOf<Array>(shown, kind, state, this->Memory));
+    arrays->AddArray(littoral::AlphasOf<Array>(shown, kind, block.Blends, state, this->Memory));
   }
   const bool haveStayed = !isNew && shown.Sorted && block.Key.IsSorted && block.Key.Source == key.Source;
   if (kind == littoral::ParticleLevel::Middle && !haveStayed)
@@ -640,8 +668,19 @@ void vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
   const littoral::ArrayStamp source = knowsStart ? littoral::StampOf(start) : moved;
   const bool areGrouped = internals.Groups && internals.Numbers == numbers;
   const bool isPlain = vtkFloatArray::SafeDownCast(points) || vtkDoubleArray::SafeDownCast(points);
+  const std::optional<littoral::Vector3> told = knowsStart && isPlain ? ToldWay(particles) : std::nullopt;
+  if (!told)
+  {
+    littoral::RequireInPlace(particles);
+  }
   internals.Places = isPlain ? points : internals.Places.Get();
-  if (areGrouped && internals.Moved == moved && (internals.Grouped == source || internals.Grouped == moved))
+  if (told && this->SlavePlacement == Scattered) // about the places of their masters
+  {
+    internals.Places = vtkFloatArray::SafeDownCast(points) ? Shifted<vtkFloatArray>(points, *told)
+                                                           : Shifted<vtkDoubleArray>(points, *told);
+  }
+  if (areGrouped && internals.Moved == moved && internals.Told == told &&
+    (internals.Grouped == source || internals.Grouped == moved))
   {
     return;
   }
@@ -659,7 +698,8 @@ void vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
       BytesAParticle * static_cast<double>(count), "A water of " + std::to_string(count) + " particles", "take fewer");
   }
   internals.Moved = {};
-  internals.Places = isPlain ? points : littoral::WithType<vtkDoubleArray>(points).Get();
+  internals.Told = told;
+  internals.Places = isPlain ? internals.Places.Get() : littoral::WithType<vtkDoubleArray>(points).Get();
   const littoral::PlaceList places = ListOf(internals.Places);
   const littoral::ParallelFor parallel = littoral::AbortableFor(this);
   internals.FindMotion(knowsStart ? start : internals.Places.Get(), parallel);
@@ -746,6 +786,10 @@ int vtkParticleLevelOfDetailFilter::RequestData(
       places.GetSingles() ? internals.Block<vtkFloatArray>(shown, kind) : internals.Block<vtkDoubleArray>(shown, kind));
   }
   internals.Memory.EndFrame();
+  if (internals.Told)
+  {
+    output->GetFieldData()->RemoveArray(littoral::sea::Way); // all are in place
+  }
   internals.AddCounters(output, cells, state.Trains.size());
   if (internals.Places == input->GetPoints()->GetData())
   {

@@ -6,6 +6,7 @@
 #include "Data/ArraySearch.h"
 #include "Data/ArrayStamp.h"
 #include "Data/Arrays.h"
+#include "Data/CommonWay.h"
 #include "Data/Followers.h"
 #include "Data/FrameArrays.h"
 #include "Data/Inputs.h"
@@ -118,6 +119,7 @@ struct Following
   TrainCounts Counts;
   littoral::Slaves Slaves;
   std::size_t Moving = 0;
+  bool AnyRests = false; ///< of those behind, that is no slave
 };
 
 /// Number of the first points behind which no train acts on any.
@@ -131,10 +133,21 @@ std::size_t CountMoving(const TrainCounts& counts, std::size_t points)
   return moving;
 }
 
+/// The same with the number of moving points, and whether others rest.
+Following WithMoving(Following following, std::size_t points)
+{
+  following.Moving = CountMoving(following.Counts, points);
+  const std::vector<vtkIdType>& masters = following.Slaves.Master;
+  following.AnyRests = masters.empty() ? following.Moving < points
+                                       : std::any_of(masters.begin() + static_cast<std::ptrdiff_t>(following.Moving),
+                                           masters.end(), [](vtkIdType master) { return master < 0; });
+  return following;
+}
+
 /// Reads the points that move with another one, and the numbers of trains of the others.
 Following ReadFollowers(vtkPointSet* input)
 {
-  Following following{ ReadTrainCounts(input), littoral::ReadSlaves(input), 0 };
+  Following following{ ReadTrainCounts(input), littoral::ReadSlaves(input) };
   TrainCounts& counts = following.Counts;
   const littoral::Slaves& slaves = following.Slaves;
   // A slave needs no orbit. With masters first, whole blocks of slaves are passed over.
@@ -148,8 +161,7 @@ Following ReadFollowers(vtkPointSet* input)
   const auto points = static_cast<std::size_t>(input->GetNumberOfPoints());
   if (id == slaves.Master.size()) // as written by vtkParticleLevelOfDetailFilter
   {
-    following.Moving = CountMoving(counts, points);
-    return following;
+    return WithMoving(std::move(following), points);
   }
   std::vector<int> copy(slaves.Master.size(), std::numeric_limits<int>::max());
   for (id = 0; id < copy.size(); ++id)
@@ -158,8 +170,7 @@ Following ReadFollowers(vtkPointSet* input)
   }
   counts.Copy = std::move(copy);
   counts.Values = counts.Copy.data();
-  following.Moving = CountMoving(counts, points);
-  return following;
+  return WithMoving(std::move(following), points);
 }
 
 /// The points at rest, with their ranges, in the type of the moved ones.
@@ -299,10 +310,12 @@ struct MovedArrays
   }
 
 private:
-  /// The same with an offset for each coordinate.
+  /// The same with an offset for each coordinate. A sum of two numbers in single precision is the same in both
+  /// precisions.
   template <typename OffsetAt>
   void FollowBy(const vtkIdType* masters, const OffsetAt& offsetAt, std::size_t begin, std::size_t end)
   {
+    using Sum = decltype(Real(0.0) + offsetAt(0));
     Real* places = this->Request.Displacement;
     for (std::size_t id = begin; id < end; ++id)
     {
@@ -312,10 +325,10 @@ private:
       }
       // Read all before writing any: the compiler cannot know that a master is no slave.
       const Real* own = places + 3 * masters[id];
-      const double moved[3] = { static_cast<double>(own[0]) + static_cast<double>(offsetAt(3 * id)),
-        static_cast<double>(own[1]) + static_cast<double>(offsetAt(3 * id + 1)),
-        static_cast<double>(own[2]) + static_cast<double>(offsetAt(3 * id + 2)) };
-      std::transform(moved, moved + 3, places + 3 * id, [](double place) { return static_cast<Real>(place); });
+      const Sum moved[3] = { static_cast<Sum>(own[0]) + static_cast<Sum>(offsetAt(3 * id)),
+        static_cast<Sum>(own[1]) + static_cast<Sum>(offsetAt(3 * id + 1)),
+        static_cast<Sum>(own[2]) + static_cast<Sum>(offsetAt(3 * id + 2)) };
+      std::transform(moved, moved + 3, places + 3 * id, [](Sum place) { return static_cast<Real>(place); });
     }
     std::for_each(this->Vectors.begin() + 1, this->Vectors.end(), [=](Real* values) {
       for (std::size_t id = begin; id < end; ++id)
@@ -546,7 +559,7 @@ void vtkParticleOrbitFilter::MoveAll(Sea& sea, vtkDataObject* input, vtkDataObje
   {
     vtkDataObject* leaf = iterator->GetCurrentDataObject();
     copies.resize(std::max(copies.size(), leaves + 1));
-    const vtkSmartPointer<vtkDataObject> copy = copies[leaves].Of(leaf);
+    vtkDataObject* copy = copies[leaves].Of(leaf);
     this->Move(sea, littoral::PointsIn(leaf), littoral::PointsIn(copy));
     moved->SetDataSet(iterator, copy);
   }
@@ -560,6 +573,7 @@ void vtkParticleOrbitFilter::Move(Sea& sea, vtkPointSet* input, vtkPointSet* out
   {
     return;
   }
+  littoral::RequireInPlace(input);
   const littoral::WaveOrbits& orbits = sea.InOrder(ReadTrainOrder(input, sea.State.Trains.size()));
   input->GetPoints()->GetDataType() == VTK_DOUBLE
     ? this->MoveAs<vtkDoubleArray>(orbits, sea.State.SeaLevel, input, output)
@@ -607,7 +621,10 @@ void vtkParticleOrbitFilter::MoveAs(
       for (std::size_t begin = first; begin < last; begin += PointsAtOnce)
       {
         const std::size_t end = std::min(begin + PointsAtOnce, last);
-        moved.Rest(slaves, std::max(begin, evaluated), end);
+        if (following.AnyRests)
+        {
+          moved.Rest(slaves, std::max(begin, evaluated), end);
+        }
         if (!slaves.Master.empty())
         {
           moved.Follow(slaves, begin, end);

@@ -467,7 +467,7 @@ ROWS = [
         fed_by=[PARTICLES, FLOW],
         inputs=lambda h: [h.particles(), h.current()],
         variants=[{"SetStartTime": (0.5,)}, {"SetStartTime": (-2.0,), "SetTimeStep": (0.25,)},
-                  {"SetGenerateCurrent": (True,)}],
+                  {"SetGenerateCurrent": (True,)}, {"SetWayAsField": (True,)}],
         mistakes=[
             Mistake("CurrentDrift", lambda pv: dict(Input=pv.particles(), Currents=[pv.image()]), "velocities"),
             Mistake("CurrentDrift",

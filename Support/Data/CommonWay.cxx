@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/CommonWay.h"
 
+#include "Data/ArrayReader.h"
+#include "Data/SeaStateTable.h"
+#include "Numerics/InvalidInput.h"
 #include "Pipeline/SharedKey.h"
 
 #include "vtkDataArray.h"
@@ -48,6 +51,12 @@ void KeepCommonWay(vtkDataArray* places, vtkDataArray* start, const Vector3& way
   info->Set(Way(), &way.x, 3);
   info->Set(WayTime(), static_cast<vtkIdType>(places->GetMTime()));
   info->Set(WayStart(), MemoryOf(start));
+}
+
+void RequireInPlace(vtkDataObject* points)
+{
+  const bool isInPlace = !ArrayReader::OfFields(points, "Input").Has(sea::Way);
+  Require(isInPlace ? "" : "take Way As Field of the current off: the points are not where it carries them.");
 }
 
 std::optional<Vector3> CommonWayOf(vtkDataArray* places, vtkDataArray* start)

@@ -76,7 +76,7 @@ bool TakeArrays(vtkDataSetAttributes* from, vtkDataSetAttributes* to)
 
 }
 
-vtkSmartPointer<vtkDataObject> LeafCopy::Of(vtkDataObject* leaf)
+vtkDataObject* LeafCopy::Of(vtkDataObject* leaf)
 {
   const bool isPlain = leaf->GetDataObjectType() == VTK_POLY_DATA;
   if (!isPlain || !this->Follows(vtkPolyData::SafeDownCast(leaf)))

@@ -24,8 +24,9 @@ namespace littoral
 class LeafCopy
 {
 public:
-  /// The copy of a leaf of this frame.
-  vtkSmartPointer<vtkDataObject> Of(vtkDataObject* leaf);
+  /// The copy of a leaf of this frame, which is held here: VTK looks for cycles whenever a reference to data is given
+  /// up.
+  vtkDataObject* Of(vtkDataObject* leaf);
 
 private:
   bool Follows(vtkPolyData* leaf);

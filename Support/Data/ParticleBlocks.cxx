@@ -26,6 +26,15 @@ namespace
 /// Parts of a selection that are written at once by a thread: a hundred thousand particles.
 constexpr std::size_t PartsAtOnce = 128;
 
+/// Runs of opacities that go by distance, likewise: some ten thousand particles.
+constexpr std::size_t RunsAtOnce = 512;
+
+/// The opacity of particles for which it does not go by distance.
+float WholeWeight(const ShownRun& run)
+{
+  return run.Weight == RunWeight::None ? 0.0f : 1.0f;
+}
+
 /// Calls a task with each of some runs and the place of its first particle in a block.
 template <typename Task>
 void ForRuns(const ShownRuns& runs, std::size_t place, const Task& task)
@@ -344,38 +353,40 @@ vtkSmartPointer<vtkIdTypeArray> MastersOf(const ShownParticles& shown, FrameArra
 }
 
 //----------------------------------------------------------------------------
-bool IsBlended(const ShownParticles& shown, ParticleLevel kind)
+LevelBlends BlendsOf(const ShownParticles& shown, ParticleLevel kind)
 {
-  const auto isBlended = [](const ShownRun& run) { return run.Weight == RunWeight::ByDistance; };
-  const auto areAny = [&](const ShownRuns& runs) { return std::any_of(runs.begin(), runs.end(), isBlended); };
-  return std::any_of(shown.Selection.Parts.begin(), shown.Selection.Parts.end(), [&](const ParticlePart& part) {
-    return kind == ParticleLevel::Near ? areAny(part.Near)
-      : kind == ParticleLevel::Far     ? areAny(part.Far)
-                                       : areAny(part.Orbits) || areAny(part.Slaves);
-  });
+  LevelBlends blends;
+  for (const ParticlePart& part : shown.Selection.Parts)
+  {
+    VisitWeights(shown.Selection, part, kind, [&](const ShownRun& run, std::size_t place) {
+      run.Weight == RunWeight::ByDistance ? blends.Runs.push_back({ run, part.Cluster, place })
+                                          : blends.Others.Add(WholeWeight(run));
+    });
+  }
+  return blends;
 }
 
 //----------------------------------------------------------------------------
 template <typename Array>
 vtkSmartPointer<vtkFloatArray> AlphasOf(
-  const ShownParticles& shown, ParticleLevel kind, std::size_t state, FrameArrays& memory)
+  const ShownParticles& shown, ParticleLevel kind, const LevelBlends& blends, std::size_t state, FrameArrays& memory)
 {
   auto array = memory.New<vtkFloatArray>(sea::Alpha, 1, static_cast<vtkIdType>(SizeOf(shown.Selection, kind)), state);
-  const bool isFormer = memory.IsFormer(array);
   float* alpha = array->GetPointer(0);
+  if (!memory.IsFormer(array))
+  {
+    Visit(shown, kind, [=](const ShownRun& run, std::size_t place) {
+      std::fill_n(alpha + place, run.Weight == RunWeight::ByDistance ? 0 : run.Size(), WholeWeight(run));
+    });
+  }
   const auto* sorted = shown.Sorted ? Array::SafeDownCast(shown.Sorted)->GetPointer(0) : nullptr;
-  std::vector<TupleRanges> ranges(shown.Selection.Parts.size() / PartsAtOnce + 1);
-  ForBatchedParts(shown.Selection, [&](const ParticlePart& part, std::size_t batch) {
-    VisitWeights(shown.Selection, part, kind, [&](const ShownRun& run, std::size_t place) {
-      if (run.Weight == RunWeight::ByDistance)
-      {
-        Blend(shown, kind, run, shown.Groups.GetClusters()[part.Cluster], sorted, alpha + place);
-        ranges[batch].AddNumbers(alpha + place, alpha + place + run.Size());
-        return;
-      }
-      const float weight = run.Weight == RunWeight::None ? 0.0f : 1.0f;
-      std::fill_n(alpha + place, isFormer ? 0 : run.Size(), weight);
-      ranges[batch].Components[0].Add(weight);
+  std::vector<TupleRanges> ranges(blends.Runs.size() / RunsAtOnce + 1);
+  ranges[0].Components[0].Add(blends.Others);
+  ForRanges(SmpFor, blends.Runs.size(), RunsAtOnce, [&](std::size_t begin, std::size_t end) {
+    std::for_each(blends.Runs.data() + begin, blends.Runs.data() + end, [&](const BlendedRun& blended) {
+      float* own = alpha + blended.Place;
+      Blend(shown, kind, blended.Run, shown.Groups.GetClusters()[blended.Cluster], sorted, own);
+      ranges[begin / RunsAtOnce].AddNumbers(own, own + blended.Run.Size());
     });
   });
   KeepRangesOfParts(array, ranges);
@@ -452,9 +463,9 @@ template vtkSmartPointer<vtkPoints> PointsOf<vtkFloatArray>(
 template vtkSmartPointer<vtkPoints> PointsOf<vtkDoubleArray>(
   const ShownParticles& shown, ParticleLevel kind, std::optional<TupleRanges>& sorted, FrameArrays& memory);
 template vtkSmartPointer<vtkFloatArray> AlphasOf<vtkFloatArray>(
-  const ShownParticles& shown, ParticleLevel kind, std::size_t state, FrameArrays& memory);
+  const ShownParticles& shown, ParticleLevel kind, const LevelBlends& blends, std::size_t state, FrameArrays& memory);
 template vtkSmartPointer<vtkFloatArray> AlphasOf<vtkDoubleArray>(
-  const ShownParticles& shown, ParticleLevel kind, std::size_t state, FrameArrays& memory);
+  const ShownParticles& shown, ParticleLevel kind, const LevelBlends& blends, std::size_t state, FrameArrays& memory);
 template vtkSmartPointer<vtkFloatArray> OffsetsOf<vtkFloatArray>(
   const ShownParticles& shown, vtkPoints* places, vtkIdTypeArray* masterIds, FrameArrays& memory);
 template vtkSmartPointer<vtkDoubleArray> OffsetsOf<vtkDoubleArray>(

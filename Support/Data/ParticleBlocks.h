@@ -19,6 +19,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace littoral
 {
@@ -56,14 +57,28 @@ vtkSmartPointer<vtkPoints> PointsOf(
 /// Places of the masters of all in the level Middle in its block; -1 for those with orbits.
 vtkSmartPointer<vtkIdTypeArray> MastersOf(const ShownParticles& shown, FrameArrays& memory);
 
-/// Whether some opacities of a level go by distance.
-bool IsBlended(const ShownParticles& shown, ParticleLevel kind);
+/// Particles of a level, in a cluster, whose opacities go by distance.
+struct BlendedRun
+{
+  ShownRun Run;
+  std::size_t Cluster;
+  std::size_t Place; ///< of the first in the block
+};
+
+/// Opacities of a selection in a level.
+struct LevelBlends
+{
+  std::vector<BlendedRun> Runs;
+  ValueRange Others; ///< of opacities that do not go by distance
+};
+
+LevelBlends BlendsOf(const ShownParticles& shown, ParticleLevel kind);
 
 /// The opacities of a level. Those that do not go by distance stay in arrays of the same state, which numbers the
 /// selections and levels, from 1 on.
 template <typename Array>
 vtkSmartPointer<vtkFloatArray> AlphasOf(
-  const ShownParticles& shown, ParticleLevel kind, std::size_t state, FrameArrays& memory);
+  const ShownParticles& shown, ParticleLevel kind, const LevelBlends& blends, std::size_t state, FrameArrays& memory);
 
 /// The arrays that tell how a level is moved.
 void AddLevelArrays(const ShownParticles& shown, ParticleLevel kind, FrameArrays& memory, vtkPointData* arrays);

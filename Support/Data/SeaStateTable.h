@@ -52,6 +52,7 @@ constexpr const char* MasterId = "MasterId";
 constexpr const char* Offset = "Offset"; ///< of a slave from its master [m]
 constexpr const char* Captured = "Captured";
 constexpr const char* Start = "Start";     ///< where a particle that drifts began [m]
+constexpr const char* Way = "DriftWay";    ///< that all particles have gone from there, as field data [m]
 constexpr const char* Current = "Current"; ///< [m/s]
 // Field data of particles: a word for each value of ParticleType and BoxId.
 constexpr const char* ParticleTypes = "ParticleTypes";

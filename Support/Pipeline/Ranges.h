@@ -90,8 +90,9 @@ struct TupleRanges
   void AddNumbers(const T* number, const T* end)
   {
     constexpr int lanes = 16;
-    if (number == end)
+    if (end - number < 4 * lanes)
     {
+      this->AddFewNumbers(number, end);
       return;
     }
     std::array<T, lanes> low;
@@ -121,6 +122,28 @@ struct TupleRanges
       this->Components[0].Add(static_cast<double>(high[lane]));
       this->AreFinite = this->AreFinite && checks[lane] == T{};
     }
+  }
+
+  /// The same one by one.
+  template <typename T>
+  void AddFewNumbers(const T* number, const T* end)
+  {
+    if (number == end)
+    {
+      return;
+    }
+    T low = *number;
+    T high = *number;
+    T check{}; // no number as soon as one of them is not finite
+    for (; number != end; ++number)
+    {
+      low = *number < low ? *number : low;
+      high = *number > high ? *number : high;
+      check = static_cast<T>(check + (*number - *number)); // NOLINT(misc-redundant-expression)
+    }
+    this->Components[0].Add(static_cast<double>(low));
+    this->Components[0].Add(static_cast<double>(high));
+    this->AreFinite = this->AreFinite && check == T{};
   }
 
   template <typename T>

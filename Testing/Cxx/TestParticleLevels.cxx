@@ -16,6 +16,7 @@
 #include "vtkBitArray.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
@@ -180,14 +181,14 @@ bool CheckDriftedFrames()
       Append(now, held[n]);
       good &= Check(now == bytes[n], "a frame that is held has changed");
     }
-    // A way of 0.1 m has the levels of those up to 0.2 m, and none of its own.
+    // A way of 0.2 m has the levels of those up to 0.4 m, and none of its own.
     const auto masterIds = [&](double time) {
       look(kept, time);
       return vtkSmartPointer<vtkDataArray>(BlockOf(kept, 1)->GetPointData()->GetArray("MasterId"));
     };
     const bool goTogether = flow == vtkFlowPrimitiveSource::Uniform;
     good &= Check(
-      !goTogether || masterIds(1.0 / 3.0) == masterIds(0.6), "a multiple of the step of ways has levels of its own");
+      !goTogether || masterIds(2.0 / 3.0) == masterIds(1.2), "a multiple of the step of ways has levels of its own");
     // Together, all keep their master.
     const auto masters = [&](double time) {
       look(kept, time);
@@ -210,6 +211,57 @@ bool CheckDriftedFrames()
       changed += same != before.end() && master >= 0 && same->second >= 0 && same->second != master;
     }
     good &= Check(flow != vtkFlowPrimitiveSource::Uniform || changed == 0, "groups that drift alike change");
+  }
+  return good;
+}
+
+/// Levels of particles whose common way is told have the bytes of those that have been moved; where there is none, all
+/// are moved.
+bool CheckToldWay()
+{
+  bool good = true;
+  vtkNew<Sea> sea;
+  for (const int type : { VTK_FLOAT, VTK_DOUBLE })
+  {
+    vtkNew<vtkPolyData> particles = Particles(5000, type);
+    for (const int flow : { vtkFlowPrimitiveSource::Uniform, vtkFlowPrimitiveSource::Vortex })
+    {
+      const bool goTogether = flow == vtkFlowPrimitiveSource::Uniform;
+      vtkNew<vtkFlowPrimitiveSource> current;
+      current->SetFlowType(flow);
+      current->SetStrength(goTogether ? 0.3 : 20.0);
+      vtkNew<vtkCurrentDriftFilter> drifts[2];
+      vtkNew<Levels> levels[2];
+      for (int tells = 0; tells < 2; ++tells)
+      {
+        drifts[tells]->SetInputData(0, particles);
+        drifts[tells]->AddCurrentConnection(current->GetOutputPort());
+        drifts[tells]->SetWayAsField(tells == 1);
+        levels[tells]->SetInputConnection(0, drifts[tells]->GetOutputPort());
+        levels[tells]->SetSeaStateConnection(sea->GetOutputPort());
+        LookAlongY(levels[tells]);
+      }
+      for (const int placement : { Levels::OwnPlace, Levels::Scattered })
+      {
+        for (const double time : { 0.0, 0.1, 4.0, 0.207 })
+        {
+          for (Levels* each : { levels[0].Get(), levels[1].Get() })
+          {
+            each->SetSlavePlacement(placement);
+            each->UpdateTimeStep(time);
+          }
+          good &= Check(BytesOf(levels[0]) == BytesOf(levels[1]), "a way that is told gives other levels");
+          auto* told = vtkPolyData::SafeDownCast(drifts[1]->GetOutputDataObject(0));
+          vtkDataArray* way = told->GetFieldData()->GetArray("DriftWay");
+          good &= Check((way != nullptr) == goTogether, "a way is told where there is none, or the other way round");
+          good &=
+            Check(!way || std::abs(way->GetComponent(0, 0) - 0.3 * time) < 1e-12, "a way is not that of the flow");
+          good &= Check((told->GetPoints()->GetData() == particles->GetPoints()->GetData()) == goTogether,
+            "points are moved although their way is told, or not although it is not");
+          good &= Check(!levels[1]->GetOutputDataObject(0)->GetFieldData()->GetArray("DriftWay"), "a way is told on");
+        }
+      }
+    }
   }
   return good;
 }
@@ -722,6 +774,31 @@ bool CheckBadInput()
   good &= LevelsFail("ViewAngle", [](Levels* l, vtkPolyData*) { l->SetViewAngle(180.0); });
   good &= LevelsFail("ViewPoint", [=](Levels* l, vtkPolyData*) { l->SetViewPoint(nan, 0.0, 0.0); });
 
+  // A way that is told to those who do not know of it.
+  const auto fails = [](vtkAlgorithm* algorithm) {
+    vtkNew<vtkPolyData> particles = Particles(10);
+    vtkNew<vtkDoubleArray> way;
+    way->SetName("DriftWay");
+    way->SetNumberOfComponents(3);
+    way->InsertNextTuple3(1.0, 0.0, 0.0);
+    particles->GetFieldData()->AddArray(way);
+    algorithm->SetInputDataObject(0, particles);
+    vtkNew<ErrorCounter> errors;
+    errors->Watch(algorithm);
+    return errors->ExpectOneNaming("Way As Field");
+  };
+  vtkNew<vtkFlowPrimitiveSource> flow;
+  vtkNew<vtkCurrentDriftFilter> drift;
+  drift->AddCurrentConnection(flow->GetOutputPort());
+  good &= fails(drift);
+  vtkNew<Sea> waves;
+  vtkNew<Orbits> moved;
+  moved->SetSeaStateConnection(waves->GetOutputPort());
+  good &= fails(moved);
+  vtkNew<Levels> shown; // of particles that have no Start
+  shown->SetSeaStateConnection(waves->GetOutputPort());
+  good &= fails(shown);
+
   // Orders that belong to another sea.
   vtkNew<Sea> sea;
   vtkNew<vtkPolyData> particles = Particles(10);
@@ -831,6 +908,7 @@ int TestParticleLevels(int argc, char* argv[])
 {
   bool good = CheckArrays();
   good &= CheckDriftedFrames();
+  good &= CheckToldWay();
   good &= CheckFewerParticles();
   good &= CheckMotion();
   good &= CheckPixelPromise();

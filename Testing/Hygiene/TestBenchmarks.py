@@ -133,18 +133,19 @@ class Benchmarks(unittest.TestCase):
             "there is no pvpython.\n0 of 2 benchmarks take over 10 % longer than in old.csv\n"), done.stdout)
 
     def test_papers_stand_beside_their_scenes(self):
-        def particles(distance, levels, selection, size, trains):
+        def particles(distance, levels, selection, size, trains, told):
             # 100, 125, 250 and 500 updates a second; of many particles 10, 8, 25 and 50.
             time = (10.0, 8.0, 4.0, 2.0)[levels + 2 * selection] if size < 400000 else \
                 (100.0, 125.0, 40.0, 20.0)[levels + 2 * selection]
-            name = f"Particles/distance:{distance}/levels:{levels}/selection:{selection}/size:{size}/trains:{trains}"
+            name = f"Particles/distance:{distance}/levels:{levels}/selection:{selection}/size:{size}/trains:{trains}" \
+                f"/told:{told}"
             return result(f"{name}/process_time", time,
                           **{"train sums": 120000 / (1 + 3 * levels) / (1 + selection)})
 
         table_1 = [particles(distance, levels, selection, *size) for distance in (0, 3, 6, 9, 12)
                    for levels in (0, 1) for selection in (0, 1)
-                   for size in ((1000, 30), (4000, 30), (400000, 30), (400000, 300))]
-        table_1.append(result("Particles/distance:0/levels:0/selection:0/size:400000/trains:1/process_time", 25.0))
+                   for size in ((1000, 30, 0), (4000, 30, 0), (400000, 30, 0), (400000, 30, 1), (400000, 300, 0))]
+        table_1.append(result("Particles/distance:0/levels:0/selection:0/size:400000/trains:1/told:0/process_time", 25.0))
         table_2 = [result(f"Seaweeds/plants:{plants}/levels:{levels}/process_time", 0.02 * plants / (1 + levels),
                           segments=6 * plants / (1 + levels)) for plants in (25, 50, 100, 200, 300, 30000)
                    for levels in (0, 1)]
@@ -166,6 +167,7 @@ class Benchmarks(unittest.TestCase):
                     "| here in time, 1000 in 30 trains | 5 | 5 | 5 | 5 | 5 |\n"
                     "| here in time, 4000 in 30 trains | 5 | 5 | 5 | 5 | 5 |\n"
                     "| here in time, 400000 in 30 trains | 5 | 5 | 5 | 5 | 5 |\n"
+                    "| here in time, 400000 in 30 trains, whose way is told | 5 | 5 | 5 | 5 | 5 |\n"
                     "| here in time, 400000 in 300 trains | 5 | 5 | 5 | 5 | 5 |\n"
                     "| here, in trains times particles | 8 | 8 | 8 | 8 | 8 |",
                     "| no levels, here [1/s] | 2000 | 1000 | 500 | 250 | 167 | 1.67 |",
