@@ -4,6 +4,7 @@
 
 #include "Drainage/ChannelGrading.h"
 #include "Drainage/DepressionBreaching.h"
+#include "Drainage/DepressionFilling.h"
 #include "Drainage/FlowRouting.h"
 #include "Drainage/GroundStatistics.h"
 #include "Drainage/ValleySpreading.h"
@@ -11,6 +12,7 @@
 #include "Landscapes/LongWaves.h"
 #include "Landscapes/PlaceMatching.h"
 #include "Landscapes/RiverSteepness.h"
+#include "Landscapes/ShallowDepressions.h"
 #include "Numerics/ParameterCheck.h"
 #include "Terrain/GridHoles.h"
 
@@ -42,7 +44,7 @@ constexpr double LeastSlopeFactor = 0.002;
 /// cut that each but the last takes.
 constexpr double ValleyWidth = 8.0;
 constexpr double BedWidth = 1.0;
-constexpr double ValleyPart = 0.7;
+constexpr double ValleyPart = 0.5;
 
 /// Part of a depression that is cut at first, and its correction over what the mean slope lacks.
 constexpr double FirstCut = 0.75;
@@ -54,6 +56,13 @@ constexpr double PassHeight = 0.25;
 /// Limit of the slopes of rivers over the place's: the greatest, which is the first, and the least one.
 constexpr double GreatestLimit = 4.0;
 constexpr double LeastLimit = 1.0;
+
+/// Share of cells in depressions that is aimed at, over the place's, the greatest share that is let be for it, as
+/// draining takes some of them too, and the share that any ground may have.
+constexpr double SunkAim = 0.9;
+constexpr double MostLetBe = 2.0;
+constexpr double SunkTolerance = 0.05;
+constexpr double LeastSunk = 1e-6; ///< no 0 is divided by
 
 /// Cells whose sizes differ by less are of one size.
 constexpr double SpacingTolerance = 1e-3;
@@ -90,6 +99,14 @@ GridSamples Sum(GridSamples ground, const GridSamples& waves, const GridSamples&
     ground.Values[n] += waves.Values[n] - smooth.Values[n];
   }
   return ground;
+}
+
+void Add(std::vector<double>& heights, const std::vector<double>& depths, double factor)
+{
+  for (std::size_t n = 0; n < heights.size(); ++n)
+  {
+    heights[n] += factor * depths[n];
+  }
 }
 
 /// Ground whose heights z are exp(z / h), so that the way of least cut from a depression leads through low passes and
@@ -178,21 +195,33 @@ CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& measured, 
   double least = std::numeric_limits<double>::infinity();
   double cut = FirstCut;
   double limit = GreatestLimit;
+  const OutletMask border = BorderOutlets(terrain.Width, terrain.Height);
+  const double sunkOfPlace = target.Measures.DepressionFraction;
+  double letBe = sunkOfPlace;
   CarvingReport report;
   while (true)
   {
     const double done = QuiltWork + (1.0 - QuiltWork) * report.Iterations / MaximumRounds;
     GridSamples ground = Sum(quilt, guide, smooth);
     matching.Match(ground, 1.0, parallel);
-    Drain(ground, LeastSlopeFactor * meanSlope, cut, rivers.Law(limit), parallel, [&] { progress(done); });
+    const Poll poll = [&] { progress(done); };
+    const std::vector<double> pits = ShallowDepressions(ground, border, letBe, poll);
+    Add(ground.Values, pits, 1.0);
+    Drain(ground, LeastSlopeFactor * meanSlope, cut, rivers.Law(limit), parallel, poll);
+    Add(ground.Values, pits, -1.0);
     if (rivers.IsKnown())
     {
       matching.Match(ground, 1.0, parallel); // a monotone map turns no water
     }
     const double steep = MeanSlope(ground) / meanSlope;
-    const double steepOfRivers = rivers.RatioOf(ground, parallel);
-    const double misfit = std::max({ matching.SemivarianceError(ground, parallel) / SemivarianceTolerance,
-      std::abs(steep - 1.0) / SlopeTolerance, std::abs(steepOfRivers - 1.0) / SteepnessTolerance });
+    GridSamples filled = ground;
+    const DepressionFlood flood = FloodDepressions(ground, border, poll);
+    filled.Values = flood.SpillElevation;
+    const double steepOfRivers = rivers.RatioOf(filled, parallel);
+    const double sunk = static_cast<double>(flood.DepressionCells) / static_cast<double>(ground.Values.size());
+    const double misfit = std::max(
+      { matching.SemivarianceError(ground, parallel) / SemivarianceTolerance, std::abs(steep - 1.0) / SlopeTolerance,
+        std::abs(steepOfRivers - 1.0) / SteepnessTolerance, sunk / std::max(SunkTolerance, sunkOfPlace) });
     ++report.Iterations;
     const bool isLast = misfit <= 1.0 || report.Iterations == MaximumRounds;
     if (!isLast)
@@ -200,6 +229,7 @@ CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& measured, 
       // what is filled is flat, and what is cut is steep
       cut = std::clamp(cut + CutGain * (1.0 - steep), 0.0, 1.0);
       limit = std::clamp(limit / steepOfRivers, LeastLimit, GreatestLimit);
+      letBe = std::min(MostLetBe * sunkOfPlace, letBe * SunkAim * sunkOfPlace / std::max(sunk, LeastSunk));
       waves.Correct(ground, target.Measures, parallel);
       guide = Smooth(waves.Heights(parallel), smoothing, parallel);
     }

@@ -7,6 +7,7 @@
 #include "Drainage/GroundMeasures.h"
 #include "Drainage/LeastSquaresLine.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -19,6 +20,9 @@ namespace
 
 /// Least drainage area of rivers [cells], that of the first bin.
 constexpr double LeastCells = 100.0;
+
+/// Least drainage area of rivers that are cut to the law [cells]. Small ones are the place's own.
+constexpr double LeastCellsToCut = 300.0;
 
 /// Largest area of the bins over the least one from which on they tell a law, and not a few valleys.
 constexpr double LeastSpan = 50.0;
@@ -56,6 +60,7 @@ ChannelLaw RiverSteepness::Law(double factor) const
 {
   ChannelLaw law = this->OfPlace;
   law.Steepness *= factor;
+  law.ChannelThreshold = std::max(law.ChannelThreshold, LeastCellsToCut);
   return law;
 }
 

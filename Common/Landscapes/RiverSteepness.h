@@ -20,7 +20,7 @@ public:
   /// Whether the place is large enough to tell a law: 5000 cells and more flow together.
   bool IsKnown() const;
 
-  /// The law, times a factor; without channels where none is known.
+  /// The law, times a factor, of channels of 300 cells and more; without channels where none is known.
   ChannelLaw Law(double factor) const;
 
   /// Geometric mean over the bins of area of a ground that drains, up to the areas of the place, of its slope over the

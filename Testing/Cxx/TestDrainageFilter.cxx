@@ -300,11 +300,14 @@ bool GrownGroundDrains()
   return good && Check(Value(first, "Elevation", 999) != Value(drainage->GetOutput(), "Elevation", 999), "one seed");
 }
 
-/// A quilted landscape drains, has cells of the target's size, and seeds differ; other cells are refused.
+/// A quilt of a place that drains does so too, has cells of the target's size, and seeds differ; other cells are
+/// refused.
 bool QuiltedGroundDrains()
 {
   const auto terrain = Terrain(70, 3);
-  const auto place = Terrain(60, 7);
+  const auto rough = Terrain(60, 7);
+  vtkNew<vtkDrainageFilter> place;
+  place->SetInputConnection(rough->GetOutputPort());
   vtkNew<vtkDrainageFilter> drainage;
   drainage->SetInputConnection(terrain->GetOutputPort());
   drainage->SetTargetConnection(place->GetOutputPort());

@@ -43,15 +43,16 @@ def close_tables():
 
 
 def check_valleys():
-    """In the client: the twin with valleys has the place's heights, and its water runs."""
+    """In the client: the twin with valleys has the place's heights, and its water runs as that of the place."""
     place, valley = (statistics(simple.FindSource(name)) for name in ("GroundStatistics1", "GroundStatistics2"))
-    assert valley["DepressionFraction"] == 0.0, valley
+    sunk = 2.0 * place["DepressionFraction"]
+    assert valley["DepressionFraction"] <= sunk, (place, valley)
     assert abs(valley["HypsometricIntegral"] - place["HypsometricIntegral"]) < 0.03, (place, valley)
     assert abs(valley["ElevationSkewness"] - place["ElevationSkewness"]) < 0.15, (place, valley)
     drainage = simple.FindSource("Drainage1")
     twin = simple.FindSource("TurningBandsTerrainFromFits1").GetClientSideObject().GetOutputDataObject(0)
     before = drainage.GetClientSideObject().GetOutputDataObject(0).GetFieldData().GetArray("DepressionFraction")
-    assert twin.GetNumberOfPoints() == 91 * 81 and before.GetComponent(0, 0) > 0.1 and before.GetComponent(0, 1) == 0.0
+    assert twin.GetNumberOfPoints() == 91 * 81 and before.GetComponent(0, 0) > 0.1 and before.GetComponent(0, 1) <= sunk
     assert simple.OutputPort(drainage, 1).GetDataInformation().GetNumberOfCells() > 5
 
 

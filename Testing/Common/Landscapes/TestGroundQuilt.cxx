@@ -188,7 +188,9 @@ TEST(GroundQuilt, SeedsDifferAndThreadsDoNot)
 
 TEST(LandscapeQuilting, LandscapeDrainsAndIsLikeThePlace)
 {
-  const GridSamples place = Hills(120, 100, 1);
+  GridSamples place = Hills(120, 100, 1);
+  place.Values =
+    FloodDepressions(place, BorderOutlets(120, 100)).SpillElevation; // has no depressions, so twins have none
   const PlaceMatching matching(place, TargetOf(place));
   for (const int seed : { 1, 2, 3 })
   {
@@ -204,14 +206,28 @@ TEST(LandscapeQuilting, LandscapeDrainsAndIsLikeThePlace)
   }
 }
 
-TEST(LandscapeQuilting, GroundOfPitsDrains)
+TEST(LandscapeQuilting, AboutAsManyCellsAreSunkAsInThePlace)
 {
-  const GridSamples place = Smooth(RandomGround(60, 60, { 0.1, 0.1 }, 1), 1.5);
-  GridSamples terrain = Smooth(RandomGround(64, 60, { 0.1, 0.1 }, 2), 1.5);
-  const std::size_t pits = FloodDepressions(terrain, BorderOutlets(64, 60)).DepressionCells;
-  QuiltLandscape(terrain, place, 1);
-  EXPECT_GT(pits, 64u * 60u / 5u);
-  EXPECT_EQ(FloodDepressions(terrain, BorderOutlets(64, 60)).DepressionCells, 0u);
+  const auto sunk = [](const GridSamples& ground) {
+    const OutletMask border = BorderOutlets(ground.Width, ground.Height);
+    return static_cast<double>(FloodDepressions(ground, border).DepressionCells) / (ground.Width * ground.Height);
+  };
+  const GridSamples pits = Smooth(RandomGround(60, 60, { 0.1, 0.1 }, 1), 1.5);
+  ASSERT_GT(sunk(pits), 0.2);
+  GridSamples filled = pits;
+  filled.Values = FloodDepressions(pits, BorderOutlets(60, 60)).SpillElevation;
+  for (const int seed : { 2, 3, 4 })
+  {
+    const GridSamples terrain = Smooth(RandomGround(64, 60, { 0.1, 0.1 }, seed), 1.5);
+    ASSERT_GT(sunk(terrain), 0.2);
+    GridSamples drained = terrain;
+    QuiltLandscape(drained, filled, seed);
+    EXPECT_EQ(sunk(drained), 0.0);
+    GridSamples twin = terrain;
+    QuiltLandscape(twin, pits, seed);
+    EXPECT_LT(sunk(twin), 1.2 * sunk(pits));
+    EXPECT_GT(sunk(twin), 0.5 * sunk(pits));
+  }
 }
 
 TEST(LandscapeQuilting, HolesStay)
