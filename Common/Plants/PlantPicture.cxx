@@ -265,14 +265,9 @@ private:
     }
   }
 
-  Triangle MakeTriangle(const DrawnMesh& drawn, const std::array<int, 3>& corners, float area) const
+  static void SetTexels(const DrawnMesh& drawn, const std::array<int, 3>& corners, Triangle& triangle)
   {
-    const Projected& a = this->Vertices[corners[0]];
-    const Projected& b = this->Vertices[corners[1]];
-    const Projected& c = this->Vertices[corners[2]];
-    Triangle triangle{ a, { (c.Y - a.Y) / area, (a.X - c.X) / area }, { (a.Y - b.Y) / area, (b.X - a.X) / area },
-      { b.Depth - a.Depth, c.Depth - a.Depth } };
-    for (int axis = 0; axis < 2 && drawn.Texture; ++axis)
+    for (int axis = 0; axis < 2; ++axis)
     {
       const auto size = static_cast<float>(axis == 0 ? drawn.Texture->Columns : drawn.Texture->Rows);
       for (int corner = 0; corner < 3; ++corner)
@@ -281,7 +276,6 @@ private:
           (corner > 0 ? triangle.Texel[0][axis] : 0.0f);
       }
     }
-    return triangle;
   }
 
   void DrawTriangle(const DrawnMesh& drawn, int index, const std::array<int, 3>& corners)
@@ -303,7 +297,8 @@ private:
     {
       return;
     }
-    const Triangle triangle = this->MakeTriangle(drawn, corners, area);
+    Triangle triangle{ a, { (c.Y - a.Y) / area, (a.X - c.X) / area }, { (a.Y - b.Y) / area, (b.X - a.X) / area },
+      { b.Depth - a.Depth, c.Depth - a.Depth } };
     const SampleBox box{ firstRow, lastRow, firstColumn, lastColumn };
     this->Nearer.Reserve(static_cast<std::size_t>(lastRow - firstRow + 1) * (lastColumn - firstColumn + 1) + Lanes);
     const int found = TestSamples(triangle, box, this->Depths.data(), this->Columns, this->Nearer);
@@ -313,6 +308,7 @@ private:
     }
     if (drawn.Texture)
     {
+      SetTexels(drawn, corners, triangle);
       TestOpacity(*drawn.Texture, triangle, found, this->Nearer);
     }
     const int number = static_cast<int>(this->Triangles.size());

@@ -105,6 +105,9 @@ def images(rank):
     """Names and sources of images of which each rank is asked for its piece."""
     yield "wind", wind()
     yield "wind of two columns, cut along", wind(across=2)
+    veering = wind()
+    veering.SetVeer(0.2)
+    yield "veering wind", veering
     yield "other wind", wind(seed=1 + rank)
     yield "wind too large", wind(across=1 << 24)
     aborted = wind()
@@ -155,7 +158,7 @@ def check_images(folder, ranks):
                 assert found == wanted, f"{name}: rank {rank} has {found}, one alone {wanted}"
                 assert ("the bound" in said) == ("large" in name and rank == 0), f"{name}: {said}"
                 covered[name] = covered.get(name, 0) + (extent[3] - extent[2] if found else 0)
-    assert covered["wind"] == 8, covered
+    assert covered["wind"] == covered["veering wind"] == 8, covered
 
 
 def sites(quadrats=40, seed=1):
