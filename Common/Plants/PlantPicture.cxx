@@ -182,13 +182,21 @@ class Rasterizer
   };
 
 public:
-  Rasterizer(const PictureFrame& frame, int columns, int rows)
+  Rasterizer(const PictureFrame& frame, int columns, int rows, bool isOutline = false)
     : Frame(frame)
+    , IsOutline(isOutline)
     , Columns(columns * PictureSamples)
     , Rows(rows * PictureSamples)
     , Samples(static_cast<std::size_t>(this->Columns) * this->Rows)
     , Depths(this->Samples.size() + Lanes, -std::numeric_limits<float>::infinity())
   {
+  }
+
+  double CountCovered() const
+  {
+    const auto covered =
+      std::count_if(this->Samples.begin(), this->Samples.end(), [](const Sample& s) { return s.Triangle >= 0; });
+    return static_cast<double>(covered) / (PictureSamples * PictureSamples);
   }
 
   void Draw(const DrawnMesh& drawn, int index)
@@ -242,6 +250,7 @@ public:
 
 private:
   PictureFrame Frame;
+  bool IsOutline; ///< any hit of a sample does, the first one
   int Columns;
   int Rows;
   std::vector<Sample> Samples;
@@ -317,7 +326,7 @@ private:
       if (!drawn.Texture || this->Nearer.IsOpaque[n])
       {
         const int at = this->Nearer.At[n];
-        this->Depths[at] = this->Nearer.Depth[n];
+        this->Depths[at] = this->IsOutline ? std::numeric_limits<float>::infinity() : this->Nearer.Depth[n];
         this->Samples[at] = { number, this->Nearer.V[n], this->Nearer.W[n] };
       }
     }
@@ -386,6 +395,16 @@ std::vector<SeenTexel> PictureOf(const std::vector<DrawnMesh>& meshes, const Pic
     rasterizer.Draw(meshes[index], static_cast<int>(index));
   }
   return rasterizer.Resolve(meshes);
+}
+
+double CoverageOf(const std::vector<DrawnMesh>& meshes, const PictureFrame& frame, int columns, int rows)
+{
+  Rasterizer rasterizer(frame, columns, rows, true);
+  for (std::size_t index = 0; index < meshes.size(); ++index)
+  {
+    rasterizer.Draw(meshes[index], static_cast<int>(index));
+  }
+  return rasterizer.CountCovered();
 }
 
 void PictureSum::Add(const std::vector<SeenTexel>& picture)

@@ -56,7 +56,7 @@ Flat Half(double depth, double side, const Color& tint)
   return { { Vector3(depth, 0.0, 0.0), Vector3(depth, 2.0 * side, 0.0), Vector3(depth, 0.0, 2.0 * side) }, tint };
 }
 
-double CoverageOf(const std::vector<SeenTexel>& picture)
+double SumOf(const std::vector<SeenTexel>& picture)
 {
   double sum = 0.0;
   for (const SeenTexel& texel : picture)
@@ -135,6 +135,7 @@ TEST(PlantPicture, ShowsWhatARayMeetsFirst)
       std::abs(picture[at].Color[0] * hits - red) < 1e-4;
     other += isSame ? 0 : 1;
   }
+  EXPECT_EQ(CoverageOf({ { mesh } }, Frame(), Size, Size), SumOf(picture));
   EXPECT_GT(covered, Size * Size / 4);
   EXPECT_LE(other, 1); // a sample on an edge
 }
@@ -150,6 +151,7 @@ TEST(PlantPicture, IsCutOutByTheTextureBetweenItsTexels)
   const PlantMesh mesh = MeshOf({ Half(0.0, 2.0 * Size, { 255, 255, 255 }) });
   const double edge = Size * (0.125 + 0.25 * 127.5 / 170.0);
   const auto picture = PictureOf({ { mesh, &texture } }, Frame(), Size, Size);
-  EXPECT_NEAR(CoverageOf(picture), Size * (Size - edge), 0.5 * Size / PictureSamples);
+  EXPECT_NEAR(SumOf(picture), Size * (Size - edge), 0.5 * Size / PictureSamples);
   EXPECT_EQ(picture[0].Coverage, 0.0f);
+  EXPECT_EQ(CoverageOf({ { mesh, &texture } }, Frame(), Size, Size), SumOf(picture));
 }
