@@ -43,9 +43,12 @@ def sites(pv, scale):
     return pv.QuadratPoints(Size=[4000.0 * scale, 4000.0], Quadrats=[400 * scale, 400], MeanPerQuadrat=10.0)
 
 
+def shrub(pv, _):
+    return pv.ReevesTree(Preset="Shrub")
+
+
 def instances(pv, scale):
-    return pv.PlantScatter(Sites=sites(pv, scale), Prototypes=pv.ReevesTree(Preset="Shrub"), OutputForm="Instances",
-                           UseCulling=0)
+    return pv.PlantScatter(Sites=sites(pv, scale), Prototypes=shrub(pv, scale), OutputForm="Instances", UseCulling=0)
 
 
 def sea_surface(pv, scale):
@@ -85,9 +88,9 @@ def drainage(pv, scale):
 
 
 CASES = {"terrain": terrain, "wind": wind, "sections of a wind": sections, "points of quadrats": sites,
-         "scatter to instances": instances, "sea surface": sea_surface, "suspended particles": particles,
-         "orbits": orbits, "fog": fog, "K and g": statistics, "kriging": kriging, "leaf area in cells": canopy,
-         "drainage": drainage}
+         "scatter to instances": instances, "its prototype": shrub, "sea surface": sea_surface,
+         "suspended particles": particles, "orbits": orbits, "fog": fog, "K and g": statistics, "kriging": kriging,
+         "leaf area in cells": canopy, "drainage": drainage}
 TOGETHER = ("wind", "sections of a wind", "K and g", "scatter to instances")
 
 
