@@ -230,9 +230,16 @@ void RankTeam::Deal(const SingleRows& sent, SingleRows& received)
     {
       continue;
     }
+    // A message that is sent before it is wanted keeps both busy.
+    char ready = 1;
     if (this->Rank < other)
     {
+      this->Controller->Receive(&ready, 1, static_cast<int>(other), DealTag);
       send(other);
+    }
+    else
+    {
+      this->Controller->Send(&ready, 1, static_cast<int>(other), DealTag);
     }
     const vtkIdType length = all[other * this->Ranks + this->Rank];
     received[other].resize(static_cast<std::size_t>(length));
