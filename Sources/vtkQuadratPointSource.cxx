@@ -8,6 +8,7 @@
 #include "Numerics/ParameterCheck.h"
 #include "Patterns/QuadratPattern.h"
 #include "Pipeline/Pipeline.h"
+#include "Pipeline/Ranges.h"
 #include "Pipeline/PointRuns.h"
 
 #include "vtkCellArray.h"
@@ -19,7 +20,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -84,11 +84,9 @@ public:
 
   void AddTo(vtkPolyData* output) const
   {
-    vtkNew<vtkPoints> points;
-    points->SetData(this->Coordinates);
     vtkNew<vtkCellArray> vertices;
     vertices->SetData(this->Offsets, this->Corners);
-    output->SetPoints(points);
+    output->SetPoints(littoral::PointsWithRanges(this->Coordinates));
     output->SetVerts(vertices);
     output->GetPointData()->AddArray(this->SiteId);
     output->GetPointData()->AddArray(this->QuadratId);

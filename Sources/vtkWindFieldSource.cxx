@@ -66,6 +66,13 @@ littoral::WindColumns ColumnsOf(const std::array<int, 6>& extent)
   return NumberOfPoints(extent.data()) > 0.0 ? littoral::WindColumns{ extent[2], extent[3] + 1 }
                                              : littoral::WindColumns{};
 }
+
+/// The grid of some columns of a wind.
+littoral::WindGrid KeptGrid(littoral::WindGrid grid, const littoral::WindColumns& columns)
+{
+  grid.Count[1] = columns.Count();
+  return grid;
+}
 }
 
 /// All that the field depends on.
@@ -88,7 +95,7 @@ std::uint64_t vtkWindFieldSource::Recipe::Key() const
   const littoral::WindGrid& grid = this->Grid;
   std::vector<double> numbers{ model.ReferenceSpeed, model.ReferenceHeight, model.RoughnessLength,
     static_cast<double>(model.Spectrum), model.TurbulenceIntensity, static_cast<double>(model.Coherence),
-    model.ShearExponent, grid.TimeStep, grid.LateralSpacing, grid.VerticalSpacing, grid.BottomHeight,
+    model.ShearExponent, model.Veer, grid.TimeStep, grid.LateralSpacing, grid.VerticalSpacing, grid.BottomHeight,
     static_cast<double>(this->Synthesis.Phases), this->Synthesis.NormalizeVariance ? 1.0 : 0.0,
     static_cast<double>(this->Synthesis.Seed), this->Synthesis.ShearStress ? 1.0 : 0.0 };
   numbers.insert(numbers.end(), grid.Count.begin(), grid.Count.end());
@@ -273,6 +280,8 @@ void vtkWindFieldSource::FreezeShared(
     auto frozen = std::make_unique<vtkInternals>();
     littoral::WindField field(recipe.Model, recipe.Grid, recipe.Synthesis, columns);
     frozen->Velocities = field.MakeShared(team.Share(), littoral::AbortableFor(this));
+    littoral::TurnWithHeight(recipe.Model, KeptGrid(recipe.Grid, columns), littoral::VeerTurn::FromLocal,
+      frozen->Velocities.data(), littoral::AbortableFor(this));
     frozen->CoherenceError = field.GetCoherenceError();
     frozen->Columns = columns;
     frozen->Made.Modified();
@@ -334,10 +343,8 @@ void vtkWindFieldSource::CopyVelocities(
     littoral::NewArray<vtkFloatArray>("Velocity", littoral::WindComponents, output->GetNumberOfPoints());
   velocity->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), "m/s");
   const littoral::WindColumns& columns = this->Internals->Columns;
-  littoral::WindGrid kept = grid;
-  kept.Count[1] = columns.Count();
-  littoral::CarryWind(kept, this->Internals->Velocities.data(), std::isfinite(time) ? time : 0.0, turn,
-    { { extent[0], extent[2] - columns.First, extent[4] }, { extent[1], extent[3] - columns.First, extent[5] } },
+  littoral::CarryWind(KeptGrid(grid, columns), this->Internals->Velocities.data(), std::isfinite(time) ? time : 0.0,
+    turn, { { extent[0], extent[2] - columns.First, extent[4] }, { extent[1], extent[3] - columns.First, extent[5] } },
     velocity->GetPointer(0), littoral::SmpFor);
   output->GetPointData()->SetVectors(velocity);
 }

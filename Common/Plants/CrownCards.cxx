@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace littoral
 {
@@ -26,10 +27,11 @@ constexpr int MostLeavesOfTuft = 24;
 constexpr double Directions[][2] = { { 0.05, 0.0 }, { 0.3, 0.0 }, { 0.55, 0.08 }, { 0.8, 0.08 }, { 0.4, 0.16 },
   { 0.0, 0.25 } };
 
-PictureSum SeenFromAround(const std::vector<DrawnMesh>& meshes, const PlantExtent& extent)
+/// Frames of a plant from these directions.
+std::vector<PictureFrame> FramesAround(const PlantExtent& extent)
 {
   const Vector3 middle{ 0.0, 0.0, 0.5 * (extent.Low + extent.High) };
-  PictureSum sum;
+  std::vector<PictureFrame> frames;
   for (const auto& [azimuth, elevation] : Directions)
   {
     PictureFrame frame = FrameTowards(middle, TwoPi * azimuth, TwoPi * elevation);
@@ -37,9 +39,25 @@ PictureSum SeenFromAround(const std::vector<DrawnMesh>& meshes, const PlantExten
     frame.HalfWidth = 1.2 * extent.Radius;
     frame.HalfHeight = 1.2 *
       (0.5 * (extent.High - extent.Low) * std::cos(TwoPi * elevation) + extent.Radius * std::sin(TwoPi * elevation));
+    frames.push_back(frame);
+  }
+  return frames;
+}
+
+PictureSum SeenFromAround(const std::vector<DrawnMesh>& meshes, const std::vector<PictureFrame>& frames)
+{
+  PictureSum sum;
+  for (const PictureFrame& frame : frames)
+  {
     sum.Add(PictureOf(meshes, frame, MatchTexels, MatchTexels));
   }
   return sum;
+}
+
+double CoverageFromAround(const std::vector<DrawnMesh>& meshes, const std::vector<PictureFrame>& frames)
+{
+  return std::accumulate(frames.begin(), frames.end(), 0.0,
+    [&](double sum, const PictureFrame& frame) { return sum + CoverageOf(meshes, frame, MatchTexels, MatchTexels); });
 }
 
 /// Leaves in a square from -1 to 1, the first in front.
@@ -255,27 +273,25 @@ PlantMesh MatchedMesh(
     return {};
   }
   const ColorSum textureMean{ CardTextureMean, CardTextureMean, CardTextureMean };
-  const PictureSum wanted = SeenFromAround(full, extent);
-  const auto seenWith = [&](double scale) {
-    const PlantMesh mesh = MeshOf(crown.Cards, scale);
-    return SeenFromAround({ { trunk }, { mesh, &crown.Texture, textureMean } }, extent);
-  };
+  const std::vector<PictureFrame> frames = FramesAround(extent);
+  const PictureSum wanted = SeenFromAround(full, frames);
   double low = SmallestScale;
   double high = LargestScale;
   for (int halving = 0; halving < Halvings; ++halving)
   {
     const double middle = std::sqrt(low * high);
-    (seenWith(middle).Coverage < wanted.Coverage ? low : high) = middle;
+    const PlantMesh mesh = MeshOf(crown.Cards, middle);
+    const double covered = CoverageFromAround({ { trunk }, { mesh, &crown.Texture } }, frames);
+    (covered < wanted.Coverage ? low : high) = middle;
   }
-  const double scale = std::sqrt(low * high);
-  const PictureSum seen = seenWith(scale);
+  PlantMesh mesh = MeshOf(crown.Cards, std::sqrt(low * high));
+  const PictureSum seen = SeenFromAround({ { trunk }, { mesh, &crown.Texture, textureMean } }, frames);
   ColorSum gains{ 1.0f, 1.0f, 1.0f };
   for (int channel = 0; channel < 3 && wanted.Coverage > 0.0 && seen.Color[channel] > 0.0; ++channel)
   {
     const double ratio = wanted.Color[channel] / wanted.Coverage * seen.Coverage / seen.Color[channel];
     gains[channel] = static_cast<float>(std::clamp(ratio, 0.2, 5.0));
   }
-  PlantMesh mesh = MeshOf(crown.Cards, scale);
   for (Color& color : mesh.Colors)
   {
     color = Scaled(color, gains);

@@ -53,10 +53,11 @@ struct SprayBlade
   double Angle; ///< from the twig, to the right
   double Length;
   double Shade;
+  std::array<double, 2> Ahead{ std::sin(Angle), std::cos(Angle) }; ///< along the blade
 };
 
 /// Blades from the front to the back: each lies upon the next one below it.
-constexpr SprayBlade Spray[] = { { 0.585, 0.02, 0.38, 1.0 }, { 0.47, 0.72, 0.33, 0.97 }, { 0.43, -0.80, 0.34, 0.98 },
+const SprayBlade Spray[] = { { 0.585, 0.02, 0.38, 1.0 }, { 0.47, 0.72, 0.33, 0.97 }, { 0.43, -0.80, 0.34, 0.98 },
   { 0.27, 1.02, 0.34, 0.93 }, { 0.24, -1.05, 0.345, 0.95 }, { 0.10, 0.72, 0.31, 0.89 }, { 0.06, -0.62, 0.31, 0.91 } };
 /// Opacity of what is not a blade: cut out by itself, but not in a mean with the blades around it, so that a spray that
 /// is seen from afar fills its kite.
@@ -68,16 +69,16 @@ constexpr double BladeWidth = 0.59;   ///< over its length
 /// Shade of a lobed blade with its veins, half of which is turned from the light; 0 beside it.
 double LobedShade(const SprayBlade& blade, double x, double y)
 {
-  const double ahead[2] = { std::sin(blade.Angle), std::cos(blade.Angle) };
+  const std::array<double, 2>& ahead = blade.Ahead;
   const double along = (x * ahead[0] + (y - blade.Foot) * ahead[1]) / blade.Length;
   const double across = (x * ahead[1] - (y - blade.Foot) * ahead[0]) / (0.5 * BladeWidth * blade.Length);
-  if (along <= 0.0 || along >= 1.0)
+  const double side = std::abs(across);
+  if (along <= 0.0 || along >= 1.0 || side > 1.0) // the blade is at most 1 wide
   {
     return 0.0;
   }
   const double half = along < 0.45 ? std::sin(0.5 * Pi * along / 0.45) : std::cos(0.5 * Pi * (along - 0.45) / 0.55);
   const double lobe = std::sin(4.0 * Pi * along + 0.6);
-  const double side = std::abs(across);
   if (side > std::pow(half, 0.8) * (1.0 - 0.16 * lobe * lobe))
   {
     return 0.0;

@@ -6,6 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+// Before the loop over lanes, which GCC would else take apart before it makes vectors of it.
+#if defined(__GNUC__) && !defined(__clang__)
+#define LITTORAL_LANES _Pragma("GCC unroll 1")
+#else
+#define LITTORAL_LANES
+#endif
 
 namespace littoral
 {
@@ -24,15 +32,6 @@ struct Projected
 /// Samples of a row that are tested together, as vectors of the processor.
 constexpr int Lanes = 8;
 
-/// The nearest hit of a sample.
-struct Sample
-{
-  float Depth = 0.0f;
-  int Mesh = -1; ///< -1: none
-  int Corner[3]{};
-  float Weights[3]{};
-};
-
 /// Triangle as samples need it: p = a + v (b - a) + w (c - a).
 struct Triangle
 {
@@ -43,39 +42,161 @@ struct Triangle
   float Texel[3][2]{}; ///< of a, and of b and c against it
 };
 
-/// Samples beside each other: v and w, and whether they are in a triangle.
+/// The samples in the box around a triangle: rows and columns, the last ones included.
+struct SampleBox
+{
+  int FirstRow;
+  int LastRow;
+  int FirstColumn;
+  int LastColumn;
+};
+
+/// Samples that a triangle hits, and that are nearer than what is there.
+struct NearerSamples
+{
+  std::vector<int> At; ///< index into the samples
+  std::vector<float> V;
+  std::vector<float> W;
+  std::vector<float> Depth;
+  std::vector<int> IsOpaque;
+
+  void Reserve(std::size_t count)
+  {
+    if (this->At.size() < count)
+    {
+      this->At.resize(count);
+      this->V.resize(count);
+      this->W.resize(count);
+      this->Depth.resize(count);
+      this->IsOpaque.resize(count);
+    }
+  }
+};
+
+/// Samples beside each other, and whether a triangle hits them nearer than what is there.
 struct TestedSamples
 {
   float V[Lanes];
   float W[Lanes];
-  int IsInside[Lanes];
+  float Depth[Lanes];
+  int IsNearer[Lanes];
 };
 
-LITTORAL_SIMD_CLONES
-void TestSamples(const Triangle& triangle, int row, int column, TestedSamples& samples)
+/// Whether any is.
+LITTORAL_INLINE bool TestLanes(
+  const Triangle& triangle, int column, float y, const float* depths, TestedSamples& tested)
 {
-  const float y = static_cast<float>(row) + 0.5f - triangle.Origin.Y;
+  int any = 0;
+  LITTORAL_LANES
   for (int lane = 0; lane < Lanes; ++lane)
   {
     const float x = static_cast<float>(column + lane) + 0.5f - triangle.Origin.X;
     const float v = x * triangle.V[0] + y * triangle.V[1];
     const float w = x * triangle.W[0] + y * triangle.W[1];
-    samples.V[lane] = v;
-    samples.W[lane] = w;
-    samples.IsInside[lane] =
-      static_cast<int>(v >= 0.0f) & static_cast<int>(w >= 0.0f) & static_cast<int>(v + w <= 1.0f);
+    const float depth = triangle.Origin.Depth + v * triangle.Depth[0] + w * triangle.Depth[1];
+    tested.V[lane] = v;
+    tested.W[lane] = w;
+    tested.Depth[lane] = depth;
+    tested.IsNearer[lane] = static_cast<int>(v >= 0.0f) & static_cast<int>(w >= 0.0f) &
+      static_cast<int>(v + w <= 1.0f) & static_cast<int>(depth > depths[lane]);
+    any |= tested.IsNearer[lane];
+  }
+  return any != 0;
+}
+
+/// Finds the samples of a box that a triangle hits, nearer than `depths`, which lie row by row; their number.
+LITTORAL_SIMD_CLONES
+int TestSamples(const Triangle& ofMesh, const SampleBox& box, const float* depths, int columns, NearerSamples& nearer)
+{
+  const Triangle triangle = ofMesh; // which nothing else writes
+  TestedSamples tested;
+  int found = 0;
+  for (int row = box.FirstRow; row <= box.LastRow; ++row)
+  {
+    const float y = static_cast<float>(row) + 0.5f - triangle.Origin.Y;
+    for (int column = box.FirstColumn; column <= box.LastColumn; column += Lanes)
+    {
+      const int first = row * columns + column;
+      if (!TestLanes(triangle, column, y, depths + first, tested))
+      {
+        continue;
+      }
+      for (int lane = 0; lane < std::min(Lanes, box.LastColumn - column + 1); ++lane)
+      {
+        nearer.At[found] = first + lane;
+        nearer.V[found] = tested.V[lane];
+        nearer.W[found] = tested.W[lane];
+        nearer.Depth[found] = tested.Depth[lane];
+        found += tested.IsNearer[lane];
+      }
+    }
+  }
+  return found;
+}
+
+/// Marks the samples where the alpha between the four next texels passes the test, as of a renderer that interpolates.
+LITTORAL_SIMD_CLONES
+void TestOpacity(const TextureImage& texture, const Triangle& triangle, int count, NearerSamples& nearer)
+{
+  const unsigned char* alphas = texture.Texels.front().data() + 3;
+  const int lastColumn = texture.Columns - 1;
+  const int lastRow = texture.Rows - 1;
+  for (int n = 0; n < count; ++n)
+  {
+    const float v = nearer.V[n];
+    const float w = nearer.W[n];
+    const auto along = [&](int axis, int last) {
+      const float at = triangle.Texel[0][axis] + v * triangle.Texel[1][axis] + w * triangle.Texel[2][axis] - 0.5f;
+      return std::clamp(at, 0.0f, static_cast<float>(last));
+    };
+    const float x = along(0, lastColumn);
+    const float y = along(1, lastRow);
+    const int left = static_cast<int>(x);
+    const int low = static_cast<int>(y);
+    const int right = std::min(left + 1, lastColumn);
+    const int high = std::min(low + 1, lastRow);
+    const auto alpha = [&](int column, int row) {
+      return static_cast<float>(alphas[4 * (row * texture.Columns + column)]);
+    };
+    const float part = x - static_cast<float>(left);
+    const float below = alpha(left, low) + part * (alpha(right, low) - alpha(left, low));
+    const float above = alpha(left, high) + part * (alpha(right, high) - alpha(left, high));
+    nearer.IsOpaque[n] = static_cast<int>(below + (y - static_cast<float>(low)) * (above - below) >= 127.5f);
   }
 }
 
 class Rasterizer
 {
+  /// The nearest hit of a sample.
+  struct Sample
+  {
+    int Triangle = -1; ///< -1: none
+    float V = 0.0f;
+    float W = 0.0f;
+  };
+
+  struct DrawnTriangle
+  {
+    int Mesh;
+    std::array<int, 3> Corners;
+  };
+
 public:
-  Rasterizer(const PictureFrame& frame, int columns, int rows)
+  Rasterizer(const PictureFrame& frame, int columns, int rows, bool isOutline = false)
     : Frame(frame)
+    , IsOutline(isOutline)
     , Columns(columns * PictureSamples)
     , Rows(rows * PictureSamples)
     , Samples(static_cast<std::size_t>(this->Columns) * this->Rows)
+    , Depths(this->Samples.size() + Lanes, -std::numeric_limits<float>::infinity())
   {
+  }
+
+  double CountCovered() const
+  {
+    const auto covered =
+      std::count_if(this->Samples.begin(), this->Samples.end(), [](const Sample& s) { return s.Triangle >= 0; });
+    return static_cast<double>(covered) / (PictureSamples * PictureSamples);
   }
 
   void Draw(const DrawnMesh& drawn, int index)
@@ -102,9 +223,11 @@ public:
       SeenTexel* texels = &picture[static_cast<std::size_t>(row / PictureSamples) * columns];
       for (int column = 0; column < this->Columns; ++column, ++sample)
       {
-        if (sample->Mesh >= 0)
+        if (sample->Triangle >= 0)
         {
-          this->Shade(meshes[sample->Mesh], *sample, texels[column / PictureSamples]);
+          const DrawnTriangle& triangle = this->Triangles[sample->Triangle];
+          const std::array<float, 3> weights{ 1.0f - sample->V - sample->W, sample->V, sample->W };
+          this->Shade(meshes[triangle.Mesh], triangle.Corners, weights, texels[column / PictureSamples]);
         }
       }
     }
@@ -127,9 +250,13 @@ public:
 
 private:
   PictureFrame Frame;
+  bool IsOutline; ///< any hit of a sample does, the first one
   int Columns;
   int Rows;
   std::vector<Sample> Samples;
+  std::vector<float> Depths; ///< of the samples; lanes reach over the end
+  std::vector<DrawnTriangle> Triangles;
+  NearerSamples Nearer; ///< of one triangle
   std::vector<Projected> Vertices;
 
   void Project(const PlantMesh& mesh)
@@ -147,14 +274,9 @@ private:
     }
   }
 
-  Triangle MakeTriangle(const DrawnMesh& drawn, const std::array<int, 3>& corners, float area) const
+  static void SetTexels(const DrawnMesh& drawn, const std::array<int, 3>& corners, Triangle& triangle)
   {
-    const Projected& a = this->Vertices[corners[0]];
-    const Projected& b = this->Vertices[corners[1]];
-    const Projected& c = this->Vertices[corners[2]];
-    Triangle triangle{ a, { (c.Y - a.Y) / area, (a.X - c.X) / area }, { (a.Y - b.Y) / area, (b.X - a.X) / area },
-      { b.Depth - a.Depth, c.Depth - a.Depth } };
-    for (int axis = 0; axis < 2 && drawn.Texture; ++axis)
+    for (int axis = 0; axis < 2; ++axis)
     {
       const auto size = static_cast<float>(axis == 0 ? drawn.Texture->Columns : drawn.Texture->Rows);
       for (int corner = 0; corner < 3; ++corner)
@@ -163,7 +285,6 @@ private:
           (corner > 0 ? triangle.Texel[0][axis] : 0.0f);
       }
     }
-    return triangle;
   }
 
   void DrawTriangle(const DrawnMesh& drawn, int index, const std::array<int, 3>& corners)
@@ -172,75 +293,48 @@ private:
     const Projected& b = this->Vertices[corners[1]];
     const Projected& c = this->Vertices[corners[2]];
     // Samples are in the middles of their cells.
-    const auto first = [](float low) { return std::max(0, static_cast<int>(std::ceil(low - 0.5f))); };
-    const auto last = [](float high, int count) {
+    const auto firstOf = [](float low) { return std::max(0, static_cast<int>(std::ceil(low - 0.5f))); };
+    const auto lastOf = [](float high, int count) {
       return std::min(count - 1, static_cast<int>(std::floor(high - 0.5f)));
     };
-    const int firstRow = first(std::min({ a.Y, b.Y, c.Y }));
-    const int lastRow = last(std::max({ a.Y, b.Y, c.Y }), this->Rows);
-    const int firstColumn = first(std::min({ a.X, b.X, c.X }));
-    const int lastColumn = last(std::max({ a.X, b.X, c.X }), this->Columns);
+    const int firstRow = firstOf(std::min({ a.Y, b.Y, c.Y }));
+    const int lastRow = lastOf(std::max({ a.Y, b.Y, c.Y }), this->Rows);
+    const int firstColumn = firstOf(std::min({ a.X, b.X, c.X }));
+    const int lastColumn = lastOf(std::max({ a.X, b.X, c.X }), this->Columns);
     const float area = (b.X - a.X) * (c.Y - a.Y) - (c.X - a.X) * (b.Y - a.Y);
     if (area == 0.0f || firstRow > lastRow || firstColumn > lastColumn)
     {
       return;
     }
-    const Triangle triangle = this->MakeTriangle(drawn, corners, area);
-    TestedSamples samples;
-    for (int row = firstRow; row <= lastRow; ++row)
+    Triangle triangle{ a, { (c.Y - a.Y) / area, (a.X - c.X) / area }, { (a.Y - b.Y) / area, (b.X - a.X) / area },
+      { b.Depth - a.Depth, c.Depth - a.Depth } };
+    const SampleBox box{ firstRow, lastRow, firstColumn, lastColumn };
+    this->Nearer.Reserve(static_cast<std::size_t>(lastRow - firstRow + 1) * (lastColumn - firstColumn + 1) + Lanes);
+    const int found = TestSamples(triangle, box, this->Depths.data(), this->Columns, this->Nearer);
+    if (found == 0)
     {
-      for (int column = firstColumn; column <= lastColumn; column += Lanes)
+      return;
+    }
+    if (drawn.Texture)
+    {
+      SetTexels(drawn, corners, triangle);
+      TestOpacity(*drawn.Texture, triangle, found, this->Nearer);
+    }
+    const int number = static_cast<int>(this->Triangles.size());
+    for (int n = 0; n < found; ++n)
+    {
+      if (!drawn.Texture || this->Nearer.IsOpaque[n])
       {
-        TestSamples(triangle, row, column, samples);
-        for (int lane = 0; lane < std::min(Lanes, lastColumn - column + 1); ++lane)
-        {
-          if (samples.IsInside[lane])
-          {
-            Sample& sample = this->Samples[static_cast<std::size_t>(row) * this->Columns + column + lane];
-            DrawSample(drawn, index, corners, triangle, samples.V[lane], samples.W[lane], sample);
-          }
-        }
+        const int at = this->Nearer.At[n];
+        this->Depths[at] = this->IsOutline ? std::numeric_limits<float>::infinity() : this->Nearer.Depth[n];
+        this->Samples[at] = { number, this->Nearer.V[n], this->Nearer.W[n] };
       }
     }
+    this->Triangles.push_back({ index, corners });
   }
 
-  /// Draws a sample that is nearer than what is there.
-  static void DrawSample(const DrawnMesh& drawn, int index, const std::array<int, 3>& corners, const Triangle& triangle,
-    float v, float w, Sample& sample)
-  {
-    const float depth = triangle.Origin.Depth + v * triangle.Depth[0] + w * triangle.Depth[1];
-    if ((sample.Mesh < 0 || depth > sample.Depth) && IsOpaque(drawn.Texture, triangle, v, w))
-    {
-      sample = { depth, index, { corners[0], corners[1], corners[2] }, { 1.0f - v - w, v, w } };
-    }
-  }
-
-  /// Whether the alpha between the four next texels passes the test, as of a renderer that interpolates.
-  static bool IsOpaque(const TextureImage* texture, const Triangle& triangle, float v, float w)
-  {
-    if (!texture)
-    {
-      return true;
-    }
-    int low[2];
-    int high[2];
-    float part[2];
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      const int last = (axis == 0 ? texture->Columns : texture->Rows) - 1;
-      const float along = triangle.Texel[0][axis] + v * triangle.Texel[1][axis] + w * triangle.Texel[2][axis] - 0.5f;
-      const float held = std::clamp(along, 0.0f, static_cast<float>(last));
-      low[axis] = static_cast<int>(held);
-      high[axis] = std::min(low[axis] + 1, last);
-      part[axis] = held - static_cast<float>(low[axis]);
-    }
-    const auto alpha = [&](int column, int row) { return static_cast<float>(texture->At(column, row)[3]); };
-    const float below = alpha(low[0], low[1]) + part[0] * (alpha(high[0], low[1]) - alpha(low[0], low[1]));
-    const float above = alpha(low[0], high[1]) + part[0] * (alpha(high[0], high[1]) - alpha(low[0], high[1]));
-    return below + part[1] * (above - below) >= 127.5f;
-  }
-
-  static const Texel& TexelAt(const DrawnMesh& drawn, const int* corners, const float* weights)
+  static const Texel& TexelAt(
+    const DrawnMesh& drawn, const std::array<int, 3>& corners, const std::array<float, 3>& weights)
   {
     double at[2] = { 0.0, 0.0 };
     for (int i = 0; i < 3; ++i)
@@ -254,7 +348,8 @@ private:
   }
 
   /// Adds a sample's color and normal to its texel.
-  void Shade(const DrawnMesh& drawn, const Sample& sample, SeenTexel& texel) const
+  void Shade(const DrawnMesh& drawn, const std::array<int, 3>& corners, const std::array<float, 3>& weights,
+    SeenTexel& texel) const
   {
     ColorSum color{ 0.0f, 0.0f, 0.0f };
     Vector3 normal(0.0);
@@ -262,15 +357,15 @@ private:
     {
       for (int channel = 0; channel < 3; ++channel)
       {
-        color[channel] += sample.Weights[i] * static_cast<float>(drawn.Mesh.Colors[sample.Corner[i]][channel]);
+        color[channel] += weights[i] * static_cast<float>(drawn.Mesh.Colors[corners[i]][channel]);
       }
-      normal += static_cast<double>(sample.Weights[i]) * drawn.Mesh.Normals[sample.Corner[i]];
+      normal += static_cast<double>(weights[i]) * drawn.Mesh.Normals[corners[i]];
     }
+    const Texel shade = drawn.Texture ? TexelAt(drawn, corners, weights) : Texel{};
     for (int channel = 0; channel < 3; ++channel)
     {
-      const float factor = drawn.Texture ? static_cast<float>(TexelAt(drawn, sample.Corner, sample.Weights)[channel]) /
-          255.0f / drawn.TextureMean[channel]
-                                         : 1.0f;
+      const float factor =
+        drawn.Texture ? static_cast<float>(shade[channel]) / 255.0f / drawn.TextureMean[channel] : 1.0f;
       texel.Color[channel] += std::min(255.0f, factor * color[channel]);
     }
     texel.Coverage += 1.0f;
@@ -300,6 +395,16 @@ std::vector<SeenTexel> PictureOf(const std::vector<DrawnMesh>& meshes, const Pic
     rasterizer.Draw(meshes[index], static_cast<int>(index));
   }
   return rasterizer.Resolve(meshes);
+}
+
+double CoverageOf(const std::vector<DrawnMesh>& meshes, const PictureFrame& frame, int columns, int rows)
+{
+  Rasterizer rasterizer(frame, columns, rows, true);
+  for (std::size_t index = 0; index < meshes.size(); ++index)
+  {
+    rasterizer.Draw(meshes[index], static_cast<int>(index));
+  }
+  return rasterizer.CountCovered();
 }
 
 void PictureSum::Add(const std::vector<SeenTexel>& picture)

@@ -246,13 +246,18 @@ void DealPlaces(
   }
   SingleRows sent(share.Ranks);
   std::size_t kept = 0;
-  for (const PlantPlace& place : places)
+  for (std::size_t n = 0; n < places.size(); ++n)
   {
+    const PlantPlace& place = places[n];
     const auto behind = std::upper_bound(firstCells.begin(), firstCells.end(), grid.CellAt(place.Foot));
     const auto part = static_cast<std::size_t>(behind - firstCells.begin()) - 1;
     if (part == share.Rank)
     {
-      places[kept++] = place;
+      if (kept < n)
+      {
+        places[kept] = place;
+      }
+      ++kept;
       continue;
     }
     sent[part].resize(sent[part].size() + length);

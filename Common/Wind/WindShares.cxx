@@ -54,30 +54,39 @@ void WindField::ShareBlocks(
   }
   this->Deal(planes, share);
   const std::size_t kept = this->NumberOfKept();
-  for (std::size_t process = 0; process < share.Ranks; ++process)
+  for (std::size_t process = 0; kept > 0 && process < share.Ranks; ++process)
   {
     const WorkShare other{ process, share.Ranks, {}, {} };
     const float* next = planes.Received[process].data();
     for (std::size_t own = first; own < std::min(end, other.OwnOf(blocks)); ++own)
     {
       const auto [low, high] = this->FrequenciesOf(other.RowOf(own));
-      for (int frequency = low; kept > 0 && frequency <= high; ++frequency, next += 2 * kept)
+      for (int frequency = low; frequency <= high; ++frequency)
       {
+        const bool isOwn = process == share.Rank; // and not sent
+        const float* re = isOwn ? &planes.Made[own - first][2 * lines * static_cast<std::size_t>(frequency - low) +
+                                    static_cast<std::size_t>(this->Columns.First) * this->Grid.Count[2]]
+                                : next;
         const Plane plane = this->KeptPlane(frequency);
-        std::copy_n(next, kept, plane.Re);
-        std::copy_n(next + kept, kept, plane.Im);
+        std::copy_n(re, kept, plane.Re);
+        std::copy_n(re + (isOwn ? lines : kept), kept, plane.Im);
+        next += isOwn ? 0 : 2 * kept;
       }
     }
   }
 }
 
-/// Sends each process its columns of the planes that were made, and gets the own ones of those of the others.
+/// Sends each other process its columns of the planes that were made, and gets the own ones of those of the others.
 void WindField::Deal(SharedPlanes& planes, const WorkShare& share) const
 {
   const auto lines = static_cast<std::ptrdiff_t>(this->Grid.NumberOfLines());
   planes.Sent.resize(share.Ranks);
   for (std::size_t process = 0; process < share.Ranks; ++process)
   {
+    if (process == share.Rank)
+    {
+      continue;
+    }
     const WindColumns& columns = planes.Columns[process];
     const std::ptrdiff_t from = static_cast<std::ptrdiff_t>(columns.First) * this->Grid.Count[2];
     const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(columns.Count()) * this->Grid.Count[2];

@@ -263,7 +263,8 @@ std::vector<PlantPlace> PlacePlants(vtkPointSet* sites, const SitePart& part, vt
   const std::vector<StemShape>& stems, const WorkShare& share)
 {
   std::vector<PlantPlace> places;
-  places.reserve(part.Indices.size());
+  // Ranks have room for plants of others, which would else take other memory for all.
+  places.reserve(part.Indices.size() + (share.Ranks > 1 ? part.Indices.size() / 8 : 0));
   RequireLengths(sites, "Input", FarForPoints);
   const SiteArrays arrays(sites, dimensions, part.FirstSite);
   const PlantDraws draws(options);

@@ -203,7 +203,7 @@ void RankTeam::Exchange(NumberRows& rows)
   }
 }
 
-/// Each rank in turn deals its rows out.
+/// All ranks deal their rows out, pair by pair: in each round each rank has another partner, or none.
 void RankTeam::Deal(const SingleRows& sent, SingleRows& received)
 {
   this->GoOn();
@@ -216,27 +216,40 @@ void RankTeam::Deal(const SingleRows& sent, SingleRows& received)
   this->Controller->AllGather(lengths.data(), all.data(), static_cast<vtkIdType>(this->Ranks));
   received.resize(this->Ranks);
   received[this->Rank] = sent[this->Rank];
-  for (std::size_t from = 0; from < this->Ranks; ++from)
-  {
-    for (std::size_t to = 0; to < this->Ranks; ++to)
+  const auto send = [&](std::size_t other) {
+    const vtkIdType length = lengths[other];
+    if (length > 0)
     {
-      const vtkIdType length = all[from * this->Ranks + to];
-      if (to == this->Rank && from != to)
-      {
-        received[from].resize(static_cast<std::size_t>(length));
-      }
-      if (from == to || length == 0)
-      {
-        continue;
-      }
-      if (from == this->Rank)
-      {
-        this->Controller->Send(sent[to].data(), length, static_cast<int>(to), DealTag);
-      }
-      else if (to == this->Rank)
-      {
-        this->Controller->Receive(received[from].data(), length, static_cast<int>(from), DealTag);
-      }
+      this->Controller->Send(sent[other].data(), length, static_cast<int>(other), DealTag);
+    }
+  };
+  for (std::size_t round = 0; round < this->Ranks; ++round)
+  {
+    const std::size_t other = (round + this->Ranks - this->Rank) % this->Ranks;
+    if (other == this->Rank)
+    {
+      continue;
+    }
+    // A message that is sent before it is wanted keeps both busy.
+    char ready = 1;
+    if (this->Rank < other)
+    {
+      this->Controller->Receive(&ready, 1, static_cast<int>(other), DealTag);
+      send(other);
+    }
+    else
+    {
+      this->Controller->Send(&ready, 1, static_cast<int>(other), DealTag);
+    }
+    const vtkIdType length = all[other * this->Ranks + this->Rank];
+    received[other].resize(static_cast<std::size_t>(length));
+    if (length > 0)
+    {
+      this->Controller->Receive(received[other].data(), length, static_cast<int>(other), DealTag);
+    }
+    if (this->Rank > other)
+    {
+      send(other);
     }
   }
 }

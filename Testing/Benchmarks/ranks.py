@@ -5,13 +5,17 @@
 A rank asks for its piece of the output of a pipeline and for nothing else, as in ParaView's servers. So each piece is
 made by a process of its own, one after the other: what ranks take from each other, cores and memory's bandwidth, is not
 in these numbers, and neither is the sending of data. Those that exchange numbers (TOGETHER) are made side by side
-by MPI, with all of that and what a rank takes while it waits. Strong scaling divides the same work; weak scaling gives n ranks n
-times the work. T(n) = s + p / n is fitted to the processor time of the rank that takes longest.
+by MPI, with all of that. A rank that waits for another does so busily, which is no work: where there is mpicc,
+mpi_waiting.c tells it apart, and a row of what is left follows that of the whole. Strong scaling divides the same work;
+weak scaling gives n ranks n times the work. T(n) = s + p / n is fitted to the processor time of the rank that takes
+longest.
 """
 
+import ctypes
 import json
 import os
 import resource
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -39,9 +43,12 @@ def sites(pv, scale):
     return pv.QuadratPoints(Size=[4000.0 * scale, 4000.0], Quadrats=[400 * scale, 400], MeanPerQuadrat=10.0)
 
 
+def shrub(pv, _):
+    return pv.ReevesTree(Preset="Shrub")
+
+
 def instances(pv, scale):
-    return pv.PlantScatter(Sites=sites(pv, scale), Prototypes=pv.ReevesTree(Preset="Shrub"), OutputForm="Instances",
-                           UseCulling=0)
+    return pv.PlantScatter(Sites=sites(pv, scale), Prototypes=shrub(pv, scale), OutputForm="Instances", UseCulling=0)
 
 
 def sea_surface(pv, scale):
@@ -81,25 +88,51 @@ def drainage(pv, scale):
 
 
 CASES = {"terrain": terrain, "wind": wind, "sections of a wind": sections, "points of quadrats": sites,
-         "scatter to instances": instances, "sea surface": sea_surface, "suspended particles": particles,
-         "orbits": orbits, "fog": fog, "K and g": statistics, "kriging": kriging, "leaf area in cells": canopy,
-         "drainage": drainage}
+         "scatter to instances": instances, "its prototype": shrub, "sea surface": sea_surface,
+         "suspended particles": particles, "orbits": orbits, "fog": fog, "K and g": statistics, "kriging": kriging,
+         "leaf area in cells": canopy, "drainage": drainage}
 TOGETHER = ("wind", "sections of a wind", "K and g", "scatter to instances")
 
 
+def build_waiting(folder):
+    """The library that tells waiting apart, in a folder; None where there is no compiler for MPI."""
+    library = os.path.join(folder, "libmpi_waiting.so")
+    source = Path(__file__).resolve().parent / "mpi_waiting.c"
+    if not shutil.which("mpicc"):
+        return None
+    subprocess.run(["mpicc", "-O2", "-shared", "-fPIC", "-o", library, source], check=True)
+    return library
+
+
+def seconds_waited():
+    """Processor time of this thread that went into waiting so far; 0 where nothing tells it apart."""
+    try:
+        waited = ctypes.CDLL(None).SecondsWaited
+    except AttributeError:
+        return 0.0
+    waited.restype = ctypes.c_double
+    return waited()
+
+
+def on_ranks(ranks, waiting, *command):
+    """Command line that starts a command on some ranks, with the library that tells waiting apart, if any."""
+    return ["mpirun", "-np", str(ranks), *(["env", f"LD_PRELOAD={waiting}"] if waiting else []), *command]
+
+
 def update(name, scale, piece, pieces):
-    """Makes a piece in this process: processor time [s] and memory [MB] that it took."""
+    """Makes a piece in this process: processor time [s], that without waiting, and memory [MB] that it took."""
     from vtk_proxies import VtkProxies
 
     made = []  # so that nothing is given back before it is measured
     pv = VtkProxies(made.append)
     output = CASES[name](pv, scale)
-    before = resource.getrusage(resource.RUSAGE_SELF)
+    before, waited = resource.getrusage(resource.RUSAGE_SELF), seconds_waited()
     output.UpdatePiece(piece, pieces, 0)
-    after = resource.getrusage(resource.RUSAGE_SELF)
+    after, waited = resource.getrusage(resource.RUSAGE_SELF), seconds_waited() - waited
     if output.GetErrorCode():
         raise SystemExit(f"{name}: piece {piece} of {pieces} failed")
-    return {"seconds": after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime,
+    seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return {"seconds": seconds, "work": seconds - waited,
             "megabytes": (after.ru_maxrss - before.ru_maxrss) / 1024}
 
 
@@ -120,7 +153,8 @@ def measured_together(name, scale, ranks):
     """What each rank takes."""
     with tempfile.TemporaryDirectory() as folder:
         ranks_yield = {**os.environ, "OMPI_MCA_mpi_yield_when_idle": "1"}  # else one that waits takes a whole core
-        subprocess.run(["mpirun", "-np", str(ranks), sys.executable, __file__, name, str(scale), folder], check=True,
+        waiting = build_waiting(folder) if ranks > 1 else None
+        subprocess.run(on_ranks(ranks, waiting, sys.executable, __file__, name, str(scale), folder), check=True,
                        env=ranks_yield)
         return [json.loads(Path(folder, str(rank)).read_text()) for rank in range(ranks)]
 
@@ -154,18 +188,25 @@ def model_of(times):
     return (s, p) if s >= 0.0 else (0.0, sum(t * a for a, t in zip(x, times.values())) / sum(a * a for a in x))
 
 
-def line_of(name):
-    """A row of the table."""
+def line_of(name, strong, weak, seconds):
+    """A row of the table, of the processor time by a key."""
+    s, p = model_of({n: one[seconds] for n, one in strong.items()})
+    gains = [(s + p) / (s + p / n) for n in PROJECTED]
+    alone = strong[1]
+    cells = [name, f"{alone[seconds]:.2f}", *(f"{strong[n][seconds] / alone[seconds]:.2f}" for n in RANKS[1:]),
+             f"{alone['megabytes']:.0f}", *(f"{strong[n]['megabytes'] / max(1.0, alone['megabytes']):.2f}"
+                                            for n in RANKS[1:]),
+             f"{weak[seconds] / alone[seconds]:.2f}", f"{s / (s + p):.2f}", *(f"{gain:.1f}" for gain in gains)]
+    return "| " + " | ".join(cells) + " |"
+
+
+def print_lines(name):
+    """Rows of a case: of all processor time, and without waiting where it is told apart."""
     strong = {n: measured(name, 1, n) for n in RANKS}
     weak = measured(name, RANKS[-1], RANKS[-1])
-    s, p = model_of({n: one["seconds"] for n, one in strong.items()})
-    gains = [(s + p) / (s + p / n) for n in PROJECTED]
-    cells = [name, f"{strong[1]['seconds']:.2f}", *(f"{strong[n]['seconds'] / strong[1]['seconds']:.2f}" for n in RANKS[1:]),
-             f"{strong[1]['megabytes']:.0f}", *(f"{strong[n]['megabytes'] / max(1.0, strong[1]['megabytes']):.2f}"
-                                                for n in RANKS[1:]),
-             f"{weak['seconds'] / strong[1]['seconds']:.2f}", f"{s / (s + p):.2f}",
-             *(f"{gain:.1f}" for gain in gains)]
-    return "| " + " | ".join(cells) + " |"
+    print(line_of(name, strong, weak, "seconds"), flush=True)
+    if name in TOGETHER and shutil.which("mpicc"):
+        print(line_of(f"{name}, without waiting", strong, weak, "work"), flush=True)
 
 
 def main(names):
@@ -175,7 +216,7 @@ def main(names):
     print("| " + " | ".join(head) + " |")
     print("|" + "---|" * len(head), flush=True)
     for name in names or CASES:
-        print(line_of(name), flush=True)
+        print_lines(name)
 
 
 if __name__ == "__main__":

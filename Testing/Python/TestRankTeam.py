@@ -4,7 +4,7 @@
 rank, a fraction of its work; where ranks have other input the first works alone, or each of them, and what one cannot do
 ends on all of them with one message.
 
-The file starts itself on two ranks; each writes what it has seen."""
+The file starts itself on three ranks; each writes what it has seen."""
 
 import hashlib
 import json
@@ -20,7 +20,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-RANKS = 2
+RANKS = 3
 
 
 class Messages:
@@ -105,6 +105,9 @@ def images(rank):
     """Names and sources of images of which each rank is asked for its piece."""
     yield "wind", wind()
     yield "wind of two columns, cut along", wind(across=2)
+    veering = wind()
+    veering.SetVeer(0.2)
+    yield "veering wind", veering
     yield "other wind", wind(seed=1 + rank)
     yield "wind too large", wind(across=1 << 24)
     aborted = wind()
@@ -155,7 +158,7 @@ def check_images(folder, ranks):
                 assert found == wanted, f"{name}: rank {rank} has {found}, one alone {wanted}"
                 assert ("the bound" in said) == ("large" in name and rank == 0), f"{name}: {said}"
                 covered[name] = covered.get(name, 0) + (extent[3] - extent[2] if found else 0)
-    assert covered["wind"] == 8, covered
+    assert covered["wind"] == covered["veering wind"] == 8, covered
 
 
 def sites(quadrats=40, seed=1):
@@ -276,7 +279,7 @@ def check_forests(folder, ranks):
     assert sum(reads["many sites"]) == 4800 and max(reads["many sites"]) < 2500, reads
     assert 0 in reads["one quadrat"], reads
     for name in "a terrain through the sites", "sites of a process":
-        assert reads[name] == [plants[name], plants[name]], f"{name}: {reads}"
+        assert reads[name] == [plants[name]] * ranks, f"{name}: {reads}"
     assert sum(reads["measured trees"]) == plants["measured trees"] > 300, f"{reads}, {plants}"
 
 
