@@ -45,6 +45,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -264,6 +265,38 @@ bool CheckToldWay()
     }
   }
   return good;
+}
+
+/// Particles that stay in a level have the opacities of each view.
+bool CheckWeightsAlone()
+{
+  vtkNew<vtkPoints> places;
+  for (int n = 0; n < 400; ++n)
+  {
+    places->InsertNextPoint(0.2 * std::sin(1.7 * n), 11.0 + 0.2 * std::cos(0.9 * n), -4.0 + 0.2 * std::sin(0.31 * n));
+  }
+  vtkNew<vtkPolyData> particles;
+  particles->SetPoints(places);
+  vtkNew<Sea> sea;
+  const auto look = [&](Levels* levels, double back) {
+    levels->SetInputData(0, particles);
+    levels->SetSeaStateConnection(sea->GetOutputPort());
+    LookAlongY(levels);
+    levels->UseCullingOff();
+    levels->SetViewPoint(0.0, -back, -4.0);
+    levels->Update();
+    return BytesOf(levels);
+  };
+  bool good = true;
+  vtkNew<Levels> kept;
+  std::set<std::vector<char>> all;
+  for (const double back : { 0.0, 0.9, 1.1, 0.0 })
+  {
+    vtkNew<Levels> fresh;
+    good &= Check(look(kept, back) == look(fresh, back), "opacities of another view");
+    all.insert(BytesOf(kept));
+  }
+  return good & Check(all.size() == 3, "a view has no effect");
 }
 
 bool CheckArrays()
@@ -909,6 +942,7 @@ int TestParticleLevels(int argc, char* argv[])
   bool good = CheckArrays();
   good &= CheckDriftedFrames();
   good &= CheckToldWay();
+  good &= CheckWeightsAlone();
   good &= CheckFewerParticles();
   good &= CheckMotion();
   good &= CheckPixelPromise();

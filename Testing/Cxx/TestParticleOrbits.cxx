@@ -262,7 +262,7 @@ bool CheckSurface()
 
 bool CheckCountsAndSlaves()
 {
-  vtkNew<vtkPolyData> particles = Particles(4);
+  vtkNew<vtkPolyData> particles = Particles(5);
   vtkNew<vtkIntArray> counts;
   counts->SetName("TrainCount");
   vtkNew<vtkIntArray> masters;
@@ -270,9 +270,9 @@ bool CheckCountsAndSlaves()
   vtkNew<vtkDoubleArray> offset;
   offset->SetName("Offset");
   offset->SetNumberOfComponents(3);
-  const int countOf[4] = { 30, 0, 5, 30 };
-  const int masterOf[4] = { -1, 1, -1, 0 };
-  for (int id = 0; id < 4; ++id)
+  const int countOf[5] = { 30, 0, 5, 30, 0 };
+  const int masterOf[5] = { -1, 1, -1, 0, -1 };
+  for (int id = 0; id < 5; ++id)
   {
     counts->InsertNextValue(countOf[id]);
     masters->InsertNextValue(masterOf[id]);
@@ -291,15 +291,16 @@ bool CheckCountsAndSlaves()
   orbits->UpdateTimeStep(2.0);
   auto* moved = vtkMultiBlockDataSet::SafeDownCast(orbits->GetOutputDataObject(0));
   auto* output = vtkPolyData::SafeDownCast(moved->GetBlock(1));
-  double p[4][3];
-  double rest[4][3];
-  for (int id = 0; id < 4; ++id)
+  double p[5][3];
+  double rest[5][3];
+  for (int id = 0; id < 5; ++id)
   {
     output->GetPoint(id, p[id]);
     particles->GetPoint(id, rest[id]);
   }
   bool good = Check(!moved->GetBlock(0), "a block from nowhere");
   good &= Check(p[1][0] == rest[1][0] && p[1][2] == rest[1][2], "a point without trains moves");
+  good &= Check(std::equal(p[4], p[4] + 3, rest[4]), "a point without trains moves behind slaves");
   good &= Check(p[2][0] != rest[2][0] && p[0][0] != rest[0][0], "a point with trains does not move");
   good &= Check(std::abs(p[3][0] - p[0][0] - 0.5) < 1e-12 && std::abs(p[3][1] - p[0][1] + 0.25) < 1e-12 &&
       std::abs(p[3][2] - p[0][2] + 0.125) < 1e-12,
@@ -316,7 +317,7 @@ bool CheckCountsAndSlaves()
     few->RemoveRow(few->GetNumberOfRows() - 1);
   }
   vtkNew<Orbits> alone;
-  alone->SetInputData(0, Particles(4));
+  alone->SetInputData(0, Particles(5));
   alone->SetInputData(1, few);
   alone->UpdateTimeStep(2.0);
   double q[3];
