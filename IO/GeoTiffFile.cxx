@@ -103,14 +103,6 @@ struct ProgressPart
   }
 };
 
-/// Why GDAL failed: what it says of the disk, which libtiff 4.7.2 says last, else the first error, else words of one's
-/// own.
-std::string WhyFailed(const GdalMessages& messages, const std::string& words)
-{
-  const std::string ofDisk = messages.About({ "File too large", "No space left" });
-  return ofDisk.empty() ? messages.ErrorOr(words) : ofDisk;
-}
-
 /// Throws why GDAL failed, or WriteStopped.
 void RequireDone(bool isDone, const ProgressPart& part, const GdalMessages& messages)
 {
@@ -118,7 +110,7 @@ void RequireDone(bool isDone, const ProgressPart& part, const GdalMessages& mess
   {
     throw WriteStopped();
   }
-  const std::string problem = WhyFailed(messages, isDone ? "" : "the heights cannot be written");
+  const std::string problem = messages.ErrorOr(isDone ? "" : "the heights cannot be written");
   if (!problem.empty())
   {
     throw RasterError(problem);
@@ -217,13 +209,13 @@ void MakeFile(const std::string& name, const std::string& scratch, const GeoTiff
   const Dataset dataset = CreateDataset(scratch, content);
   if (!dataset)
   {
-    throw RasterError(WhyFailed(messages, "GDAL cannot create it"));
+    throw RasterError(messages.ErrorOr("GDAL cannot create it"));
   }
   SetPlace(dataset.get(), content, messages);
   WriteRows(dataset.get(), content, { progress, 0.0, 0.6 }, messages);
   AddOverviews(dataset.get(), content, { progress, 0.6, 0.1 }, messages);
   CopyInOrder(dataset.get(), content, name, { progress, 0.7, 0.3 }, messages);
-  const std::string problem = WhyFailed(messages, WhyOtherSystem(name, content.System));
+  const std::string problem = messages.ErrorOr(WhyOtherSystem(name, content.System));
   if (!problem.empty())
   {
     throw RasterError(problem);
