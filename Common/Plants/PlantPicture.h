@@ -55,7 +55,7 @@ inline constexpr int PictureSamples = 2;
 std::vector<SeenTexel> PictureOf(
   const std::vector<DrawnMesh>& meshes, const PictureFrame& frame, int columns, int rows);
 
-/// What the meshes cover of such a picture [texels], in less time.
+/// The part of such a picture that the meshes cover [texels], in less time.
 double CoverageOf(const std::vector<DrawnMesh>& meshes, const PictureFrame& frame, int columns, int rows);
 
 /// Sums of a picture.

@@ -77,11 +77,12 @@ def main():
     except ImportError:
         print("there is no MPI in this VTK or Python")
         sys.exit(125)
-    if not shutil.which("mpirun") or not shutil.which("mpicc"):
-        print("there is no mpirun or no mpicc")
-        sys.exit(125)
     with tempfile.TemporaryDirectory() as folder:
-        command = ranks.on_ranks(2, ranks.build_waiting(folder), sys.executable, os.path.abspath(__file__), folder)
+        waiting = ranks.build_waiting(folder)
+        if not waiting or not shutil.which("mpirun"):
+            print("there is no mpirun or no compiler for MPI")
+            sys.exit(125)
+        command = ranks.on_ranks(2, waiting, sys.executable, os.path.abspath(__file__), folder)
         # A rank that waits does so busily, also on cores that others want.
         subprocess.run(command, check=True, timeout=100, env={**os.environ, "OMPI_MCA_mpi_yield_when_idle": "0"})
         first, second = (json.loads(Path(folder, str(rank)).read_text()) for rank in range(2))
