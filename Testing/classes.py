@@ -359,7 +359,8 @@ ROWS = [
         fed_by=[SITES, TREE, TERRAIN],
         inputs=lambda h: [h.make("vtkQuadratPointSource"), h.tree()],
         variants=[{"SetSeed": (2,)}, {"SetUseLevels": (False,), "SetUseCulling": (False,)},
-                  {"SetViewPoint": (50.0, 50.0, 9.0)}, {"SetPassJoints": (False,)}, {"SetPassSurfaces": (False,)}],
+                  {"SetViewPoint": (50.0, 50.0, 9.0)}, {"SetPassJoints": (False,)},
+                  {"SetViewPoint": (50.0, 50.0, 9.0), "SetPassSurfaces": (False,)}],
         mistakes=[
             Mistake("PlantScatter", lambda pv: dict(Sites=pv.sites()), "There are no prototypes"),
             Mistake("PlantScatter", lambda pv: dict(Sites=pv.tree()), "The sites are blocks"),

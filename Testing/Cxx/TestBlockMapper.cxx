@@ -253,7 +253,7 @@ bool CheckReadInPlace()
   good &= Check(Difference(picture, expected) < least, "in place: another picture than VTK's");
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(blocks.Window);
   const bool isTold = ofDoubles > 0.0 && littoral::PinnedArray::IsPossible(window);
-  const double bytes = 24.0 * static_cast<double>(sheet->GetNumberOfPoints()); // of points and normals
+  const double bytes = 12.0 * static_cast<double>(sheet->GetNumberOfPoints()); // of normals
   good &= Check(!isTold || ofSheet < ofDoubles - 0.9e-6 * bytes, "arrays in place have a copy");
 
   auto* points = vtkFloatArray::SafeDownCast(sheet->GetPoints()->GetData());

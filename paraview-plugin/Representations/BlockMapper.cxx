@@ -5,7 +5,6 @@
 #include "vtkLandscapePass.h"
 
 #include "vtkActor.h"
-#include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -20,13 +19,10 @@
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkShader.h"
-#include "vtkShaderProgram.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace littoral
@@ -144,23 +140,16 @@ void BlockMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
     primitive.VAO->ReleaseGraphicsResources();
     primitive.AttributeUpdateTime = vtkTimeStamp();
   }
-  vtkPolyData* block = this->CurrentInput;
-  vtkNew<vtkPolyData> inPlace;
-  std::vector<vtkSmartPointer<vtkOpenGLVertexBufferObject>> pinned; // until the mapper has those that it needs
-  this->Points = nullptr;
-  this->Middle = {};
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  std::vector<vtkSmartPointer<vtkOpenGLVertexBufferObject>> pinned; // until the mapper has those that it needs
   if (PinnedArray::IsPossible(window))
   {
-    this->SharePoints(inPlace);
     for (const Read& read : this->ReadInPlace())
     {
       pinned.push_back(read.Pinned.Pin(read.Array, window));
     }
-    this->ShiftPoints(pinned.front(), renderer, actor);
   }
   this->Superclass::BuildBufferObjects(renderer, actor);
-  this->CurrentInput = block;
   for (const char* name : { "vertexMC", "normalMC", "scalarColor", "tcoord" })
   {
     if (vtkOpenGLVertexBufferObject* sent = this->VBOs->GetVBO(name))
@@ -184,59 +173,10 @@ void BlockMapper::BuildIBO(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* 
 }
 
 //----------------------------------------------------------------------------
-/// Has the mapper take points that are of it alone, since no other mapper of the same points would shift those of its
-/// buffer; they have the memory of the block's. Points that VTK is asked to shift otherwise are left to it.
-void BlockMapper::SharePoints(vtkPolyData* block)
-{
-  auto* points = vtkFloatArray::SafeDownCast(this->CurrentInput->GetPoints()->GetData());
-  const bool isShifted = this->ShiftScaleMethod == vtkOpenGLVertexBufferObject::AUTO_SHIFT_SCALE ||
-    this->ShiftScaleMethod == vtkOpenGLVertexBufferObject::ALWAYS_AUTO_SHIFT_SCALE;
-  if (!points || !isShifted)
-  {
-    return;
-  }
-  this->Points = vtkSmartPointer<vtkFloatArray>::New();
-  this->Points->ShallowCopy(points);
-  vtkNew<vtkPoints> shared;
-  shared->SetData(this->Points);
-  block->ShallowCopy(this->CurrentInput);
-  block->SetPoints(shared);
-  this->CurrentInput = block;
-}
-
-//----------------------------------------------------------------------------
-/// Notes the middle of the points as what has been taken from those in a buffer, as VTK does; the shader takes it.
-void BlockMapper::ShiftPoints(vtkOpenGLVertexBufferObject* buffer, vtkRenderer* renderer, vtkActor* actor)
-{
-  if (!buffer)
-  {
-    return;
-  }
-  const double* bounds = this->GetInput()->GetPoints()->GetBounds();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    this->Middle[axis] = static_cast<float>(0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]));
-  }
-  // As VTK's mapper sets it too, so that it finds nothing changed.
-  buffer->SetCoordShiftAndScaleMethod(
-    static_cast<vtkOpenGLVertexBufferObject::ShiftScaleMethod>(this->ShiftScaleMethod));
-  buffer->SetProp3D(actor);
-  buffer->SetCamera(renderer->GetActiveCamera());
-  buffer->SetShift(this->Middle[0], this->Middle[1], this->Middle[2]);
-  buffer->SetScale(1.0, 1.0, 1.0);
-  this->PinnedPoints.Confirm(this->Points, buffer);
-  if (!buffer->GetCoordShiftAndScaleEnabled())
-  {
-    this->Middle = {}; // they are in the middle, or programs want no shift at all
-  }
-}
-
-//----------------------------------------------------------------------------
-std::array<BlockMapper::Read, 3> BlockMapper::ReadInPlace()
+std::array<BlockMapper::Read, 2> BlockMapper::ReadInPlace()
 {
   vtkPointData* arrays = this->CurrentInput->GetPointData();
-  return { Read{ "vertexMC", this->Points, this->PinnedPoints },
-    Read{ "normalMC", arrays->GetNormals(), this->PinnedNormals },
+  return { Read{ "normalMC", arrays->GetNormals(), this->PinnedNormals },
     Read{ "tcoord", arrays->GetTCoords(), this->PinnedTCoords } };
 }
 
@@ -244,36 +184,12 @@ std::array<BlockMapper::Read, 3> BlockMapper::ReadInPlace()
 /// Reads no memory that an array has left, also where nobody has told that the array has changed.
 void BlockMapper::FollowMemory(vtkRenderer* renderer)
 {
-  if (this->Points)
-  {
-    this->Points->ShallowCopy(this->CurrentInput->GetPoints()->GetData());
-  }
   for (const Read& read : this->ReadInPlace())
   {
     if (read.Pinned.HasMoved(read.Array, this->VBOs->GetVBO(read.Attribute)))
     {
       read.Pinned.Pin(read.Array, vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
     }
-  }
-}
-
-//----------------------------------------------------------------------------
-void BlockMapper::BuildShaders(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
-{
-  this->Superclass::BuildShaders(shaders, renderer, actor);
-  std::string source = shaders[vtkShader::Vertex]->GetSource();
-  source.insert(source.find("void main"),
-    "uniform vec3 blockMiddle;\n#define vertexMC vec4(vertexMC.xyz - blockMiddle, vertexMC.w)\n");
-  shaders[vtkShader::Vertex]->SetSource(source);
-}
-
-//----------------------------------------------------------------------------
-void BlockMapper::SetMapperShaderParameters(vtkOpenGLHelper& primitive, vtkRenderer* renderer, vtkActor* actor)
-{
-  this->Superclass::SetMapperShaderParameters(primitive, renderer, actor);
-  if (primitive.Program->IsUniformUsed("blockMiddle"))
-  {
-    primitive.Program->SetUniform3f("blockMiddle", this->Middle.data());
   }
 }
 

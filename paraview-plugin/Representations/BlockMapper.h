@@ -10,7 +10,6 @@
 #include <array>
 
 class vtkDataArray;
-class vtkFloatArray;
 
 namespace littoral
 {
@@ -20,7 +19,7 @@ namespace littoral
  *
  * The mapper of a tree builds vertices and indices of all blocks anew when anything has changed; this one sends the
  * arrays that have changed, such as points and normals of what moves, and keeps the others in the graphics' memory.
- * Where a processor draws, points, normals and texture coordinates are read from the arrays themselves, and many
+ * Where a processor draws, normals and texture coordinates are read from the arrays themselves, and many
  * triangles are drawn by parts, since all of them would be kept until they are drawn.
  */
 class BlockMapper : public vtkOpenGLPolyDataMapper
@@ -46,8 +45,6 @@ protected:
   ~BlockMapper() override;
 
   void ComputeBounds() override;
-  void BuildShaders(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
-  void SetMapperShaderParameters(vtkOpenGLHelper& primitive, vtkRenderer* renderer, vtkActor* actor) override;
   void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
   void BuildIBO(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* block) override;
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
@@ -63,9 +60,7 @@ private:
     vtkDataArray* Array;
     PinnedArray& Pinned;
   };
-  std::array<Read, 3> ReadInPlace();
-  void SharePoints(vtkPolyData* block);
-  void ShiftPoints(vtkOpenGLVertexBufferObject* buffer, vtkRenderer* renderer, vtkActor* actor);
+  std::array<Read, 2> ReadInPlace();
   bool IsDrawnByParts(vtkRenderer* renderer, vtkActor* actor) const;
   void FollowMemory(vtkRenderer* renderer);
 
@@ -78,11 +73,8 @@ private:
     vtkIdType Tuples = 0;
   };
   Source Colored;
-  PinnedArray PinnedPoints;
   PinnedArray PinnedNormals;
   PinnedArray PinnedTCoords;
-  vtkSmartPointer<vtkFloatArray> Points; ///< have the memory of those of the block, but are of this mapper alone
-  std::array<float, 3> Middle{};         ///< that the shader takes from points
   unsigned int BlockIndex = 0;
   bool IsDrawing = false;
 };

@@ -91,15 +91,9 @@ vtkSmartPointer<vtkOpenGLVertexBufferObject> PinnedArray::Pin(vtkDataArray* arra
     this->Time = 0;
     return nullptr;
   }
-  this->Confirm(numbers, buffer);
-  return buffer;
-}
-
-//----------------------------------------------------------------------------
-void PinnedArray::Confirm(vtkDataArray* array, vtkOpenGLVertexBufferObject* buffer)
-{
-  Notes::Write(array, buffer);
+  Notes::Write(numbers, buffer);
   this->Time = buffer->GetUploadTime();
+  return buffer;
 }
 
 //----------------------------------------------------------------------------

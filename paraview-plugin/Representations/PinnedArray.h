@@ -28,9 +28,6 @@ public:
   /// for other arrays. It goes with the last mapper that has it.
   vtkSmartPointer<vtkOpenGLVertexBufferObject> Pin(vtkDataArray* array, vtkOpenGLRenderWindow* window);
 
-  /// Has VTK take the buffer of an array, with all that has been set in it, for sent.
-  void Confirm(vtkDataArray* array, vtkOpenGLVertexBufferObject* buffer);
-
   /// Whether a buffer reads an array that has other memory by now.
   bool HasMoved(vtkDataArray* array, vtkOpenGLVertexBufferObject* buffer) const;
 
