@@ -254,6 +254,11 @@ FileOutcome WriteGeoTiff(const std::string& path, const GeoTiffContent& content,
     catch (const RasterError&)
     {
       file.NoteFullDisk();
+      scratch.NoteFullDisk();
+      if (!scratch.WhyFailed().empty())
+      {
+        throw RasterError(scratch.WhyFailed());
+      }
       throw;
     }
     return file.Commit();

@@ -265,7 +265,7 @@ void ReplacedFile::NoteFullDisk()
   constexpr off_t some = 1 << 16;
   const off_t end = ::lseek(this->Descriptor, 0, SEEK_END);
   const int error = ::posix_fallocate(this->Descriptor, end, some);
-  if (error == ENOSPC || error == EDQUOT)
+  if (error == ENOSPC || error == EDQUOT || error == EFBIG)
   {
     this->Fail(error);
   }

@@ -34,7 +34,8 @@ public:
   std::ostream& Stream() { return this->Output; }
   /// Called with the bytes written from time to time; what it throws ends the write.
   void OnWrite(std::function<void(std::size_t)> watch) { this->Buffer.Watch = std::move(watch); }
-  /// Called when a library could not write to Path() and keeps no reason: notes a disk without room as the one.
+  /// Called when a library could not write to Path() and keeps no reason: notes a disk without room, or a file
+  /// without leave to grow, as the one.
   void NoteFullDisk();
   /// Ends the writing; the new file can then be read at Path(). False if it is not whole.
   bool Close();

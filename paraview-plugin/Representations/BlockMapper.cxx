@@ -69,12 +69,6 @@ void DrawTrianglesByParts(GLsizei corners)
 vtkStandardNewMacro(BlockMapper);
 
 //----------------------------------------------------------------------------
-BlockMapper::BlockMapper() = default;
-
-//----------------------------------------------------------------------------
-BlockMapper::~BlockMapper() = default;
-
-//----------------------------------------------------------------------------
 bool BlockMapper::HasManyCells(vtkPolyData* surface)
 {
   return 3 * surface->GetNumberOfPolys() > CornersOfPart;

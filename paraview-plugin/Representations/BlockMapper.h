@@ -19,8 +19,8 @@ namespace littoral
  *
  * The mapper of a tree builds vertices and indices of all blocks anew when anything has changed; this one sends the
  * arrays that have changed, such as points and normals of what moves, and keeps the others in the graphics' memory.
- * Where a processor draws, normals and texture coordinates are read from the arrays themselves, and many
- * triangles are drawn by parts, since all of them would be kept until they are drawn.
+ * Where a processor draws, normals and texture coordinates are read from the arrays themselves, and many triangles are
+ * drawn by parts, since all of them would be kept until they are drawn.
  */
 class BlockMapper : public vtkOpenGLPolyDataMapper
 {
@@ -41,8 +41,8 @@ public:
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
 
 protected:
-  BlockMapper();
-  ~BlockMapper() override;
+  BlockMapper() = default;
+  ~BlockMapper() override = default;
 
   void ComputeBounds() override;
   void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
