@@ -44,3 +44,12 @@ lifted = skeleton(sway)
 along, right = lifted[12][0] - rest[12][0], rest[12][1] - lifted[12][1]
 assert along > 0.0 and abs(right / along - 1.0) < 0.1, (along, right)
 print("lift: a joint of the trunk goes", along, "m along the wind,", right, "m to the right")
+
+# Of scattered plants all levels are shown at once, of one plant the level that moves.
+view = simple.CreateView("RenderView")
+moving = ["/Root/High/Skin", "/Root/High/Leaves"]
+assert list(simple.Show(sway, view).BlockSelectors) == moving
+sites = simple.PointSource(NumberOfPoints=5, Radius=30.0)
+wood = simple.PlantScatter(Sites=sites, Prototypes=[tree], FollowCamera=0, UseLevels=0, UseCulling=0)
+shown = simple.Show(simple.BeamTreeDeformation(Input=wood, Wind=wind, Prototypes=[tree]), view)
+assert list(shown.BlockSelectors) == moving + ["/Root/Medium", "/Root/Low"], list(shown.BlockSelectors)
