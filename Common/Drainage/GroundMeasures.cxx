@@ -107,9 +107,11 @@ struct PairSum
 };
 
 /// Measures the slope-area relation up to a drainage area [cells].
-void MeasureSlopeArea(const std::vector<CellIndex>& cells, const std::vector<double>& slopes, const OutletMask& outlets,
-  double maximumCells, GroundMeasures& measures)
+void MeasureSlopeArea(const GridSamples& heights, const FlowRouting& routing, const OutletMask& outlets,
+  double maximumCells, const ParallelFor& parallel, GroundMeasures& measures)
 {
+  const std::vector<CellIndex> cells = FlowAccumulation(routing);
+  const std::vector<double> slopes = SlopesToReceivers(heights, routing, parallel);
   const double first = std::log(MinimumCells);
   const double last = std::log(maximumCells);
   std::vector<SlopeAreaBin> bins(SlopeAreaBins);
@@ -254,9 +256,18 @@ GroundMeasures MeasureGround(const GridSamples& heights, const OutletMask& outle
     measures.StandardDeviation > 0.0 ? routing.Volume / (area * count) / measures.StandardDeviation : 0.0;
   const double maximumCells = MaximumCellsOf(count, maximumArea / area);
   measures.MaximumArea = maximumCells * area;
-  MeasureSlopeArea(
-    FlowAccumulation(routing), SlopesToReceivers(heights, routing, parallel), outlets, maximumCells, measures);
+  MeasureSlopeArea(heights, routing, outlets, maximumCells, parallel, measures);
   return measures;
+}
+
+std::vector<SlopeAreaBin> SlopeAreaOf(
+  const GridSamples& heights, const OutletMask& outlets, const ParallelFor& parallel, double maximumArea)
+{
+  const double most = maximumArea / (heights.Spacing[0] * heights.Spacing[1]);
+  const double maximumCells = MaximumCellsOf(static_cast<double>(heights.Values.size()), most);
+  GroundMeasures measures;
+  MeasureSlopeArea(heights, RouteFlow(heights, outlets, parallel), outlets, maximumCells, parallel, measures);
+  return measures.SlopeArea;
 }
 
 }
