@@ -164,8 +164,10 @@ FlowRouting Drain(GridSamples& ground, const std::vector<std::uint8_t>& dry, dou
   GridSamples breached = WithHighPasses(ground);
   BreachDepressions(breached, outlets, BreachPath::LeastCost, poll, MaximumVisits, dry);
   FlowRouting routing = RouteFlow(breached, outlets, parallel, poll);
+  breached.Values = {}; // memory
   const std::vector<CellIndex> areas = FlowAccumulation(routing);
-  const auto grade = [&] { return GradeAlong(ground, routing, areas, EvenLaw(leastSlope), cut, parallel, poll); };
+  const std::vector<double> falls = FallsAlong(ground, routing, areas, EvenLaw(leastSlope), parallel);
+  const auto grade = [&] { return GradeBy(falls, ground, routing, cut, parallel, poll); };
   for (double width = ValleyWidth; width >= BedWidth; width *= 0.5)
   {
     GridSamples bed = ground;
@@ -239,19 +241,21 @@ CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& measured, 
     GridSamples ground = Sum(quilt, guide, smooth);
     matching.Match(ground, 1.0, parallel);
     const Poll poll = [&] { progress(done); };
-    const std::vector<double> levels = routing.Order.empty() ? FloodDepressions(ground, border, poll).SpillElevation
-                                                             : SpillElevationsBy(routing, ground, poll);
-    const std::vector<double> pits = ShallowDepressions(ground, levels, letBe);
+    GridSamples filled = ground;
+    filled.Values = routing.Order.empty() ? FloodDepressions(ground, border, poll).SpillElevation
+                                          : SpillElevationsBy(routing, ground, poll);
+    const std::vector<double> pits = ShallowDepressions(ground, filled.Values, letBe);
     Add(ground.Values, pits, 1.0);
-    routing = Drain(
-      ground, DryCells(ground, levels, pits), LeastSlopeFactor * meanSlope, cut, rivers.Law(limit), parallel, poll);
+    const std::vector<std::uint8_t> dry = DryCells(ground, filled.Values, pits);
+    filled.Values = {}; // memory
+    routing = {};
+    routing = Drain(ground, dry, LeastSlopeFactor * meanSlope, cut, rivers.Law(limit), parallel, poll);
     Add(ground.Values, pits, -1.0);
     if (rivers.IsKnown())
     {
       matching.Match(ground, 1.0, parallel); // a monotone map turns no water
     }
     const double steep = MeanSlope(ground) / meanSlope;
-    GridSamples filled = ground;
     filled.Values = SpillElevationsBy(routing, ground, poll);
     const double steepOfRivers = rivers.RatioOf(filled, parallel);
     const double sunk = ShareBelow(ground, filled);
