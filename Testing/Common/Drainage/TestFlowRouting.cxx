@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -197,13 +198,18 @@ TEST(DepressionBreaching, DryFlatsNeedNoFlood)
 {
   for (int seed = 0; seed < 8; ++seed)
   {
-    // one more pit in ground whose flats are dry
+    // a pit in ground whose flats are dry
     const OutletMask outlets = BorderOutlets(31, 22);
     GridSamples ground = RandomGround(31, 22, { 2.0, 3.0 }, seed);
     ground.Values = RelaxedLevels(ground, outlets);
     ground.At(15, 11) -= 20.0;
     std::vector<std::uint8_t> dry(ground.Values.size(), 1);
     dry[11 * 31 + 15] = 0;
+    if (seed % 2 == 1) // with a flat, of which a flood tells the pit
+    {
+      ground.At(16, 11) = ground.At(15, 11);
+      dry[11 * 31 + 16] = 0;
+    }
     GridSamples other = ground;
     const BreachCount count = BreachDepressions(ground, outlets, BreachPath::LeastCost, NoPoll, 16384, dry);
     const BreachCount counted = BreachDepressions(other, outlets, BreachPath::LeastCost, NoPoll, 16384);
@@ -334,8 +340,9 @@ TEST(FlowRouting, FlatsOfDrainedGroundAreRoutedAsFlooded)
   int routed = 0;
   for (int seed = 0; seed < 400; ++seed)
   {
-    // lakes of one level each; of whole heights many are entered from two cells at once
-    const double step = seed % 4 == 0 ? 0.0 : 0.05 * (seed % 4);
+    // lakes of one level each; of steps many are entered from two cells at once
+    constexpr std::array<double, 4> steps{ 0.0, 0.1, 0.5, 1.0 };
+    const double step = steps[seed % 4];
     GridSamples ground = RandomGround(14, 11, { 2.0, 3.0 }, seed, step);
     OutletMask outlets = BorderOutlets(14, 11);
     outlets[5 * 14 + 6] = 1;
@@ -358,8 +365,8 @@ TEST(FlowRouting, FlatsOfDrainedGroundAreRoutedAsFlooded)
       EXPECT_EQ(receivers, expected);
     }
     ground.At(3, 3) -= 20.0;
-    receivers[3 * 14 + 3] = -1;
-    EXPECT_FALSE(RouteFlatsAsFlood(ground.Values, outlets, lattice, receivers));
+    expected[3 * 14 + 3] = -1;
+    EXPECT_FALSE(RouteFlatsAsFlood(ground.Values, outlets, lattice, expected));
   }
   EXPECT_GT(routed, 200); // else the flood is asked
 }
