@@ -25,11 +25,9 @@ ChannelLaw EvenLaw(double slope)
   return law;
 }
 
-std::vector<double> GradeAlong(const GridSamples& heights, const FlowRouting& routing,
-  const std::vector<CellIndex>& accumulation, const ChannelLaw& law, double cut, const ParallelFor& parallel,
-  const Poll& poll)
+std::vector<double> FallsAlong(const GridSamples& heights, const FlowRouting& routing,
+  const std::vector<CellIndex>& accumulation, const ChannelLaw& law, const ParallelFor& parallel)
 {
-  SteppedPoll stepped(poll);
   const CellLattice lattice(heights);
   std::vector<double> falls(heights.Values.size());
   parallel(falls.size(), [&](std::size_t begin, std::size_t end) {
@@ -43,29 +41,52 @@ std::vector<double> GradeAlong(const GridSamples& heights, const FlowRouting& ro
       falls[n] = direction < 0 ? 0.0 : slope * lattice.Distance(direction);
     }
   });
-  // z_r = min(z_r, z - S d), from the divides downstream
+  return falls;
+}
+
+std::vector<double> GradeAlong(const GridSamples& heights, const FlowRouting& routing,
+  const std::vector<CellIndex>& accumulation, const ChannelLaw& law, double cut, const ParallelFor& parallel,
+  const Poll& poll)
+{
+  return GradeBy(FallsAlong(heights, routing, accumulation, law, parallel), heights, routing, cut, parallel, poll);
+}
+
+std::vector<double> GradeBy(const std::vector<double>& falls, const GridSamples& heights, const FlowRouting& routing,
+  double cut, const ParallelFor& parallel, const Poll& poll)
+{
+  poll();
   std::vector<double> lowered = heights.Values;
-  for (std::size_t n = routing.Order.size(); n-- > 0;)
-  {
-    stepped.Step();
-    const CellIndex cell = routing.Order[n];
-    const CellIndex receiver = routing.Receiver[cell];
-    if (receiver != cell)
-    {
-      lowered[receiver] = std::min(lowered[receiver], lowered[cell] - falls[cell]);
-    }
-  }
-  // z = max(z, z_r + S d), from the outlets upstream
   std::vector<double> graded = heights.Values;
-  for (const CellIndex cell : routing.Order)
-  {
-    stepped.Step();
-    const CellIndex receiver = routing.Receiver[cell];
-    if (receiver != cell)
+  const auto lower = [&] {
+    // z_r = min(z_r, z - S d), from the divides downstream
+    for (std::size_t n = routing.Order.size(); n-- > 0;)
     {
-      graded[cell] = std::max(graded[cell], graded[receiver] + falls[cell]);
+      const CellIndex cell = routing.Order[n];
+      const CellIndex receiver = routing.Receiver[cell];
+      if (receiver != cell)
+      {
+        lowered[receiver] = std::min(lowered[receiver], lowered[cell] - falls[cell]);
+      }
     }
-  }
+  };
+  const auto raise = [&] {
+    // z = max(z, z_r + S d), from the outlets upstream
+    for (const CellIndex cell : routing.Order)
+    {
+      const CellIndex receiver = routing.Receiver[cell];
+      if (receiver != cell)
+      {
+        graded[cell] = std::max(graded[cell], graded[receiver] + falls[cell]);
+      }
+    }
+  };
+  parallel(2, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t way = begin; way < end; ++way)
+    {
+      way == 0 ? lower() : raise();
+    }
+  });
+  poll();
   parallel(graded.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)
     {

@@ -42,6 +42,14 @@ std::vector<double> GradeAlong(const GridSamples& heights, const FlowRouting& ro
   const std::vector<CellIndex>& accumulation, const ChannelLaw& law, double cut,
   const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
 
+/// Falls S d of the law from each cell to its receiver; 0 at outlets.
+std::vector<double> FallsAlong(const GridSamples& heights, const FlowRouting& routing,
+  const std::vector<CellIndex>& accumulation, const ChannelLaw& law, const ParallelFor& parallel = SerialFor);
+
+/// GradeAlong() by known falls.
+std::vector<double> GradeBy(const std::vector<double>& falls, const GridSamples& heights, const FlowRouting& routing,
+  double cut, const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
+
 /**
  * Heights of a grid lowered along the flow paths so that no channel is steeper than the law, or a least slope S_0:
  *

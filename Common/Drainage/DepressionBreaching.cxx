@@ -64,10 +64,10 @@ public:
   }
 
   /// Lowest pits first, so that higher ones find their channels.
-  void CutAtLeastCost(std::size_t maximumVisits)
+  void CutAtLeastCost(std::size_t maximumVisits, const std::vector<std::uint8_t>& dry)
   {
     const std::vector<double> uncut = this->Heights;
-    if (!this->FindClearPits())
+    if (!this->FindClearPits(dry))
     {
       this->Flood(uncut);
       this->SortPits();
@@ -113,8 +113,8 @@ private:
   };
 
   /// Finds pits without a flood, the lowest first; whether none lies on a flat or is as high as another, where the
-  /// order of the flood decides.
-  bool FindClearPits()
+  /// order of the flood decides. It comes to a dry flat from below, so that this has no pit.
+  bool FindClearPits(const std::vector<std::uint8_t>& dry)
   {
     for (CellIndex cell = 0; cell < this->Lattice.Count(); ++cell)
     {
@@ -126,7 +126,7 @@ private:
       double lowest = std::numeric_limits<double>::infinity();
       this->Lattice.ForEachNeighbour(
         cell, [&](CellIndex neighbour, int) { lowest = std::min(lowest, this->Heights[neighbour]); });
-      if (lowest == height)
+      if (lowest == height && (dry.empty() || !dry[cell]))
       {
         return false;
       }
@@ -309,13 +309,13 @@ private:
 
 }
 
-BreachCount BreachDepressions(
-  GridSamples& heights, const OutletMask& outlets, BreachPath path, const Poll& poll, std::size_t maximumVisits)
+BreachCount BreachDepressions(GridSamples& heights, const OutletMask& outlets, BreachPath path, const Poll& poll,
+  std::size_t maximumVisits, const std::vector<std::uint8_t>& dry)
 {
   Breacher breacher(heights, outlets, poll);
   if (path == BreachPath::LeastCost)
   {
-    breacher.CutAtLeastCost(maximumVisits);
+    breacher.CutAtLeastCost(maximumVisits, dry);
   }
   else
   {

@@ -8,6 +8,8 @@
 #include "Terrain/GridSamples.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace littoral
 {
@@ -32,10 +34,11 @@ struct BreachCount
  * Breaches depressions: cuts a channel from each pit to the next lower cell, or to an outlet, so that every cell has a
  * path downhill (complete breaching, Lindsay 2016). No cell is raised. The bed of a channel falls evenly to its end;
  * where that is an outlet that is not lower, the outlet is lowered to just below the pit. LeastCost visits at most
- * `maximumVisits` cells for a pit, and then takes the path of FloodOrder.
+ * `maximumVisits` cells for a pit, and then takes the path of FloodOrder. It need not look for the pits of flats by a
+ * flood where `dry` marks the cells that are no lower than their spill elevation, if these are known.
  */
 BreachCount BreachDepressions(GridSamples& heights, const OutletMask& outlets, BreachPath path,
-  const Poll& poll = NoPoll, std::size_t maximumVisits = 131072);
+  const Poll& poll = NoPoll, std::size_t maximumVisits = 131072, const std::vector<std::uint8_t>& dry = {});
 
 }
 

@@ -76,4 +76,67 @@ DepressionFlood FloodDepressions(const GridSamples& heights, const OutletMask& o
   return flood;
 }
 
+std::vector<double> SpillElevationsBy(const FlowRouting& routing, const GridSamples& heights, const Poll& poll)
+{
+  const CellLattice lattice(heights);
+  const std::vector<double>& ground = heights.Values;
+  std::vector<double> levels = ground;
+  enum State : std::uint8_t
+  {
+    Dry,
+    Open,
+    Reached
+  };
+  std::vector<State> states(ground.size(), Dry);
+  std::vector<CellIndex> open;
+  for (const CellIndex cell : routing.Order)
+  {
+    levels[cell] = std::max(ground[cell], levels[routing.Receiver[cell]]);
+    if (levels[cell] > ground[cell])
+    {
+      states[cell] = Open;
+      open.push_back(cell);
+    }
+  }
+  poll();
+  const auto [lowest, highest] = RangeOf(ground);
+  FloodQueue rim(lowest, highest, open.size());
+  for (const CellIndex cell : open)
+  {
+    lattice.ForEachNeighbour(cell, [&](CellIndex neighbour, int) {
+      if (states[neighbour] == Dry)
+      {
+        states[neighbour] = Reached;
+        rim.Push(neighbour, ground[neighbour]);
+      }
+    });
+  }
+  std::vector<CellIndex> lake;
+  SteppedPoll steps(poll, 1 << 16);
+  while (!rim.IsEmpty())
+  {
+    double level = 0.0;
+    lake.assign(1, rim.Pop(level));
+    for (std::size_t n = 0; n < lake.size(); ++n)
+    {
+      steps.Step();
+      lattice.ForEachNeighbour(lake[n], [&](CellIndex neighbour, int) {
+        if (states[neighbour] != Open)
+        {
+          return;
+        }
+        states[neighbour] = Reached;
+        levels[neighbour] = std::max(ground[neighbour], level);
+        if (ground[neighbour] > level)
+        {
+          rim.Push(neighbour, ground[neighbour]);
+          return;
+        }
+        lake.push_back(neighbour);
+      });
+    }
+  }
+  return levels;
+}
+
 }

@@ -5,6 +5,7 @@
 
 #include "Drainage/CellLattice.h"
 #include "Drainage/DrainageOutlets.h"
+#include "Drainage/FlowRouting.h"
 #include "Numerics/Parallel.h"
 #include "Terrain/GridSamples.h"
 
@@ -29,6 +30,14 @@ struct DepressionFlood
  * are flooded in the order in which they were reached, so the result is unique.
  */
 DepressionFlood FloodDepressions(const GridSamples& heights, const OutletMask& outlets, const Poll& poll = NoPoll);
+
+/**
+ * Spill elevations alone, by known flow paths to the outlets: the greatest height on the path of a cell is no less than
+ * its spill elevation, so that cells which are as high are dry, and the others are flooded from these. The better the
+ * paths drain the ground, the less there is to flood. Heights may not be missing.
+ */
+std::vector<double> SpillElevationsBy(
+  const FlowRouting& routing, const GridSamples& heights, const Poll& poll = NoPoll);
 
 }
 

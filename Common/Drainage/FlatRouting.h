@@ -4,6 +4,7 @@
 #define LittoralFlatRouting_h
 
 #include "Drainage/CellLattice.h"
+#include "Drainage/DrainageOutlets.h"
 #include "Numerics/Parallel.h"
 
 #include <cstdint>
@@ -54,6 +55,14 @@ FlowCode FirstExit(const CellLattice& lattice, CellIndex cell, const IsExit& isE
  * neighbours that are one step nearer to an exit. No order of cells has a part in it.
  */
 void RouteFlats(const CellLattice& lattice, std::vector<FlowCode>& codes, const Poll& poll = NoPoll);
+
+/**
+ * Receivers of the cells of flats, below 0 before, as the backlinks of FloodDepressions(), without a flood: on a ground
+ * without depressions it comes to a flat by that cell of its rim whose lowest neighbour is the lowest. False, with
+ * receivers of some flats, where there is a depression or two cells come first.
+ */
+bool RouteFlatsAsFlood(const std::vector<double>& heights, const OutletMask& outlets, const CellLattice& lattice,
+  std::vector<CellIndex>& receivers);
 
 }
 

@@ -80,7 +80,9 @@ FlowRouting RouteFlow(
   const CellLattice lattice(heights);
   FlowRouting routing;
   routing.Receiver.resize(lattice.Count());
-  if (!FindReceivers(heights.Values, outlets, lattice, parallel, routing.Receiver))
+  const bool isDrained = FindReceivers(heights.Values, outlets, lattice, parallel, routing.Receiver) ||
+    (flats == FlatWays::Flood && RouteFlatsAsFlood(heights.Values, outlets, lattice, routing.Receiver));
+  if (!isDrained)
   {
     const DepressionFlood flood = FloodDepressions(heights, outlets, poll);
     routing.DepressionCells = flood.DepressionCells;

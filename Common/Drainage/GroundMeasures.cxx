@@ -6,6 +6,7 @@
 #include "Drainage/FlowRouting.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -77,26 +78,14 @@ std::vector<double> Laplacians(const GridSamples& heights, const ParallelFor& pa
   return curvature;
 }
 
-/// Sum of squared differences of so many pairs, and how many have both heights.
+/// Sum of squared differences of pairs, and how many have both heights.
 struct PairSum
 {
   double Squares = 0.0;
   double Pairs = 0.0;
 
-  void Add(const double* from, const double* to, int count)
+  void AddPresent(const double* from, const double* to, int count)
   {
-    double sum = this->Squares;
-    for (int i = 0; i < count; ++i)
-    {
-      const double difference = to[i] - from[i];
-      sum += difference * difference;
-    }
-    if (!std::isnan(sum))
-    {
-      this->Squares = sum;
-      this->Pairs += std::max(0, count);
-      return;
-    }
     for (int i = 0; i < count; ++i)
     {
       const double difference = to[i] - from[i];
@@ -106,10 +95,58 @@ struct PairSum
   }
 };
 
-/// Measures the slope-area relation up to a drainage area [cells].
-void MeasureSlopeArea(const std::vector<CellIndex>& cells, const std::vector<double>& slopes, const OutletMask& outlets,
-  double maximumCells, GroundMeasures& measures)
+/// Pairs of a row with the heights from another place on.
+struct RowPairs
 {
+  const double* To = nullptr;
+  int Count = 0;
+};
+
+/// Sums of some lags that are taken side by side, as each waits for its last addition.
+constexpr std::size_t LagsAtOnce = 4;
+using LagSums = std::array<PairSum, LagsAtOnce>;
+
+/// Adds the pairs of a row to the sums, each in the order of the row.
+void AddPairs(const double* from, const std::array<RowPairs, LagsAtOnce>& pairs, LagSums& sums)
+{
+  std::array<double, LagsAtOnce> squares{};
+  int common = pairs[0].Count;
+  for (std::size_t n = 0; n < LagsAtOnce; ++n)
+  {
+    squares[n] = sums[n].Squares;
+    common = std::min(common, pairs[n].Count);
+  }
+  for (int i = 0; i < common; ++i)
+  {
+    for (std::size_t n = 0; n < LagsAtOnce; ++n)
+    {
+      const double difference = pairs[n].To[i] - from[i];
+      squares[n] += difference * difference;
+    }
+  }
+  for (std::size_t n = 0; n < LagsAtOnce; ++n)
+  {
+    for (int i = std::max(0, common); i < pairs[n].Count; ++i)
+    {
+      const double difference = pairs[n].To[i] - from[i];
+      squares[n] += difference * difference;
+    }
+    if (std::isnan(squares[n]))
+    {
+      sums[n].AddPresent(from, pairs[n].To, pairs[n].Count);
+      continue;
+    }
+    sums[n].Squares = squares[n];
+    sums[n].Pairs += std::max(0, pairs[n].Count);
+  }
+}
+
+/// Measures the slope-area relation up to a drainage area [cells].
+void MeasureSlopeArea(const GridSamples& heights, const FlowRouting& routing, const OutletMask& outlets,
+  double maximumCells, const ParallelFor& parallel, GroundMeasures& measures)
+{
+  const std::vector<CellIndex> cells = FlowAccumulation(routing);
+  const std::vector<double> slopes = SlopesToReceivers(heights, routing, parallel);
   const double first = std::log(MinimumCells);
   const double last = std::log(maximumCells);
   std::vector<SlopeAreaBin> bins(SlopeAreaBins);
@@ -201,14 +238,24 @@ std::vector<double> SemivarianceAlongAxes(
     for (std::size_t row = begin; row < end; ++row)
     {
       const double* here = &heights.Values[row * heights.Width];
-      for (std::size_t n = 0; n < lags.size(); ++n)
+      for (std::size_t first = 0; first < lags.size(); first += LagsAtOnce)
       {
-        PairSum& sum = sums[row * lags.size() + n];
-        sum.Add(here, here + lags[n], heights.Width - lags[n]);
-        if (static_cast<int>(row) + lags[n] < heights.Height)
+        const std::size_t count = std::min(LagsAtOnce, lags.size() - first);
+        std::array<RowPairs, LagsAtOnce> along;
+        std::array<RowPairs, LagsAtOnce> across;
+        for (std::size_t n = 0; n < LagsAtOnce; ++n) // the last lag again where there are no more
         {
-          sum.Add(here, here + static_cast<std::size_t>(lags[n]) * heights.Width, heights.Width);
+          const int lag = lags[first + std::min(n, count - 1)];
+          along[n] = { here + lag, heights.Width - lag };
+          if (static_cast<int>(row) + lag < heights.Height)
+          {
+            across[n] = { here + static_cast<std::size_t>(lag) * heights.Width, heights.Width };
+          }
         }
+        LagSums sum;
+        AddPairs(here, along, sum);
+        AddPairs(here, across, sum);
+        std::copy_n(sum.begin(), count, sums.begin() + static_cast<std::ptrdiff_t>(row * lags.size() + first));
       }
     }
   });
@@ -254,9 +301,18 @@ GroundMeasures MeasureGround(const GridSamples& heights, const OutletMask& outle
     measures.StandardDeviation > 0.0 ? routing.Volume / (area * count) / measures.StandardDeviation : 0.0;
   const double maximumCells = MaximumCellsOf(count, maximumArea / area);
   measures.MaximumArea = maximumCells * area;
-  MeasureSlopeArea(
-    FlowAccumulation(routing), SlopesToReceivers(heights, routing, parallel), outlets, maximumCells, measures);
+  MeasureSlopeArea(heights, routing, outlets, maximumCells, parallel, measures);
   return measures;
+}
+
+std::vector<SlopeAreaBin> SlopeAreaOf(
+  const GridSamples& heights, const OutletMask& outlets, const ParallelFor& parallel, double maximumArea)
+{
+  const double most = maximumArea / (heights.Spacing[0] * heights.Spacing[1]);
+  const double maximumCells = MaximumCellsOf(static_cast<double>(heights.Values.size()), most);
+  GroundMeasures measures;
+  MeasureSlopeArea(heights, RouteFlow(heights, outlets, parallel), outlets, maximumCells, parallel, measures);
+  return measures.SlopeArea;
 }
 
 }

@@ -55,6 +55,10 @@ GroundMeasures MeasureGround(const GridSamples& heights, const OutletMask& outle
   const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll,
   double maximumArea = std::numeric_limits<double>::infinity());
 
+/// The bins of the slope-area relation alone, of a terrain without missing heights.
+std::vector<SlopeAreaBin> SlopeAreaOf(const GridSamples& heights, const OutletMask& outlets,
+  const ParallelFor& parallel = SerialFor, double maximumArea = std::numeric_limits<double>::infinity());
+
 /// Lags of the semivariances [cells]: 1 to 100, or to half the shorter side, in steps that grow.
 std::vector<int> SemivarianceLags(int width, int height);
 

@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr int Passes = 3;
-constexpr int ColumnsAtOnce = 16;
+constexpr int Lines = 8; ///< smoothed side by side
 
 /// A moving average over 2 Radius + 1 cells and a part of the next cell at each end.
 class MovingAverage
@@ -35,22 +35,31 @@ public:
     this->Part = (variance - whole(r)) * count / (2.0 * ((r + 1.0) * (r + 1.0) - variance));
   }
 
-  /// Smooths one line, mirrored at its ends.
-  void Apply(double* line, int length)
+  /// Smooths lines side by side, mirrored at their ends: cell n of line c is at n Lines + c.
+  void Apply(double* lines, int length)
   {
     const int reach = this->Radius + 1;
-    this->Sums.resize(static_cast<std::size_t>(length) + 2 * reach + 1);
-    this->Sums[0] = 0.0;
+    this->Sums.resize((static_cast<std::size_t>(length) + 2 * reach + 1) * Lines);
+    double* sums = this->Sums.data();
+    std::fill_n(sums, Lines, 0.0);
     for (int n = 0; n < length + 2 * reach; ++n)
     {
-      this->Sums[n + 1] = this->Sums[n] + line[Mirrored(n - reach, length)];
+      const double* line = lines + static_cast<std::size_t>(Mirrored(n - reach, length)) * Lines;
+      for (int c = 0; c < Lines; ++c)
+      {
+        sums[Lines + c] = sums[c] + line[c];
+      }
+      sums += Lines;
     }
     const double scale = 1.0 / (2.0 * this->Radius + 1.0 + 2.0 * this->Part);
-    for (int n = 0; n < length; ++n)
+    const double part = this->Part;
+    const std::size_t across = static_cast<std::size_t>(2 * reach) * Lines;
+    sums = this->Sums.data();
+    for (std::size_t n = 0; n < static_cast<std::size_t>(length) * Lines; ++n)
     {
-      const double inner = this->Sums[n + 2 * reach] - this->Sums[n + 1];
-      const double outer = this->Sums[n + 2 * reach + 1] - this->Sums[n];
-      line[n] = scale * (inner + this->Part * (outer - inner));
+      const double inner = sums[n + across] - sums[n + Lines];
+      const double outer = sums[n + across + Lines] - sums[n];
+      lines[n] = scale * (inner + part * (outer - inner));
     }
   }
 
@@ -69,50 +78,47 @@ private:
   std::vector<double> Sums;
 };
 
+/// Smooths lines of a length, each `apart` values from the last, with their cells `step` values from each other.
+void SmoothLines(std::vector<double>& values, std::size_t count, std::size_t length, std::size_t apart,
+  std::size_t step, double deviation, const ParallelFor& parallel)
+{
+  parallel((count + Lines - 1) / Lines, [&](std::size_t begin, std::size_t end) {
+    MovingAverage average(deviation);
+    std::vector<double> lines(Lines * length, 0.0);
+    for (std::size_t group = begin; group < end; ++group)
+    {
+      double* first = values.data() + group * Lines * apart;
+      const std::size_t present = std::min<std::size_t>(Lines, count - group * Lines);
+      for (std::size_t n = 0; n < length; ++n)
+      {
+        for (std::size_t c = 0; c < present; ++c)
+        {
+          lines[n * Lines + c] = first[c * apart + n * step];
+        }
+      }
+      for (int pass = 0; pass < Passes; ++pass)
+      {
+        average.Apply(lines.data(), static_cast<int>(length));
+      }
+      for (std::size_t n = 0; n < length; ++n)
+      {
+        for (std::size_t c = 0; c < present; ++c)
+        {
+          first[c * apart + n * step] = lines[n * Lines + c];
+        }
+      }
+    }
+  });
+}
+
 }
 
 void SmoothGrid(std::vector<double>& values, int width, int height, double deviation, const ParallelFor& parallel)
 {
-  parallel(height, [&](std::size_t begin, std::size_t end) {
-    MovingAverage average(deviation);
-    for (std::size_t row = begin; row < end; ++row)
-    {
-      for (int pass = 0; pass < Passes; ++pass)
-      {
-        average.Apply(&values[row * width], width);
-      }
-    }
-  });
-  parallel((width + ColumnsAtOnce - 1) / ColumnsAtOnce, [&](std::size_t begin, std::size_t end) {
-    MovingAverage average(deviation);
-    std::vector<double> columns(static_cast<std::size_t>(ColumnsAtOnce) * height);
-    for (std::size_t group = begin; group < end; ++group)
-    {
-      const std::size_t first = group * ColumnsAtOnce;
-      const std::size_t count = std::min<std::size_t>(ColumnsAtOnce, width - first);
-      for (std::size_t j = 0; j < static_cast<std::size_t>(height); ++j)
-      {
-        for (std::size_t c = 0; c < count; ++c)
-        {
-          columns[c * height + j] = values[j * width + first + c];
-        }
-      }
-      for (std::size_t c = 0; c < count; ++c)
-      {
-        for (int pass = 0; pass < Passes; ++pass)
-        {
-          average.Apply(&columns[c * height], height);
-        }
-      }
-      for (std::size_t j = 0; j < static_cast<std::size_t>(height); ++j)
-      {
-        for (std::size_t c = 0; c < count; ++c)
-        {
-          values[j * width + first + c] = columns[c * height + j];
-        }
-      }
-    }
-  });
+  const auto columns = static_cast<std::size_t>(width);
+  const auto rows = static_cast<std::size_t>(height);
+  SmoothLines(values, rows, columns, columns, 1, deviation, parallel);
+  SmoothLines(values, columns, rows, 1, columns, deviation, parallel);
 }
 
 void SpreadChanges(std::vector<double>& changes, std::vector<double>& weights, int width, int height, double deviation,

@@ -39,6 +39,10 @@ constexpr int GuideSteps = 8;
 /// Pieces of a place that are looked at for one square; of larger places each nth row, another first one each time.
 constexpr std::size_t MaximumPieces = std::size_t{ 1 } << 18;
 
+/// Pieces side by side that are given up together, and the samples of the overlap after which they may be.
+constexpr std::size_t PiecesOfBlock = 32;
+constexpr std::size_t SamplesOfPart = 64;
+
 /// Draw of the shifts of rows and columns, by their numbers.
 constexpr std::uint64_t ShiftDraw = 2;
 
@@ -60,16 +64,17 @@ struct Sample
   float Value;
 };
 
+constexpr std::size_t SamplesAtOnce = 4;
+
 /// Adds squared differences to samples to the sums of pieces side by side, of the cells from `shift` on. Four samples
 /// are taken at once, as each turn reads and writes the sums.
 LITTORAL_SIMD_CLONES void AddSquares(
-  const std::vector<Sample>& samples, std::size_t shift, std::size_t count, float* sums)
+  const Sample* samples, std::size_t sampleCount, std::size_t shift, std::size_t count, float* sums)
 {
-  constexpr std::size_t atOnce = 4;
-  const std::size_t whole = samples.size() / atOnce * atOnce;
-  for (std::size_t first = 0; first < whole; first += atOnce)
+  const std::size_t whole = sampleCount / SamplesAtOnce * SamplesAtOnce;
+  for (std::size_t first = 0; first < whole; first += SamplesAtOnce)
   {
-    const Sample* of = samples.data() + first;
+    const Sample* of = samples + first;
     const float a = of[0].Value;
     const float b = of[1].Value;
     const float c = of[2].Value;
@@ -84,7 +89,7 @@ LITTORAL_SIMD_CLONES void AddSquares(
       sums[n - shift] += (p * p + q * q) + (r * r + s * s);
     }
   }
-  for (std::size_t last = whole; last < samples.size(); ++last)
+  for (std::size_t last = whole; last < sampleCount; ++last)
   {
     const Sample of = samples[last];
     LITTORAL_INDEPENDENT
@@ -100,6 +105,21 @@ struct Corner
 {
   int X;
   int Y;
+};
+
+/// Costs of the pieces for one square: of their differences to the guide and to what is laid.
+struct SquareCosts
+{
+  std::vector<Sample> Guide;
+  std::vector<Sample> Overlap;
+  std::vector<std::uint8_t> IsAllowed; ///< by the piece
+  float OfGuide = 0.0F;
+  float OfOverlap = 0.0F;
+
+  float Of(float guide, float overlap, float use) const
+  {
+    return (LeastCost + this->OfGuide * guide + this->OfOverlap * overlap) * (1.0F + use + use * use);
+  }
 };
 
 /// Column of the least path from the first row to the last through values, each step at most one aside.
@@ -153,6 +173,8 @@ public:
     this->IsLaid.assign(cells, 0);
     this->Uses.assign(static_cast<std::size_t>(this->CountX) * this->CountY, 0.0F);
     this->Costs = this->Uses;
+    this->OfGuide = this->Uses;
+    this->OfOverlap = this->Uses;
   }
 
   GridSamples Quilt(const CarvingProgress& progress)
@@ -212,8 +234,7 @@ private:
   {
     const Corner to = this->CornerOf(row, column);
     const int number = row * this->Columns + column;
-    this->TakeCosts(to, number);
-    this->ForbidNeighbours(to, row, column);
+    this->TakeCosts(to, row, column);
     const Corner from = this->Chosen(number);
     this->Shifts.push_back({ from.X - to.X, from.Y - to.Y });
     this->Lay(from, to, row, column);
@@ -273,43 +294,122 @@ private:
     return samples;
   }
 
-  /// Costs of the pieces by their corners in the place.
-  void TakeCosts(const Corner& to, int number)
+  /// Costs of the pieces by their corners in the place; infinite of those that cannot be near the least one. Sums of
+  /// squares only grow, so that a piece is given up once a part of its sum is too much. The rows' most promising pieces
+  /// come first.
+  void TakeCosts(const Corner& to, int row, int column)
   {
-    const std::vector<Sample> overlap = this->OverlapOf(to);
-    const std::vector<Sample> guide = this->GuideOf(to);
     const auto most = static_cast<std::size_t>(this->CountY); // one row of a place that is wide and low
     const std::size_t step = std::min(most, (this->Costs.size() + MaximumPieces - 1) / MaximumPieces);
-    const std::size_t first = this->Random.Words(static_cast<std::uint64_t>(number), 1)[0] % step;
+    const auto number = static_cast<std::uint64_t>(row * this->Columns + column);
+    const std::size_t first = this->Random.Words(number, 1)[0] % step;
+    const std::size_t rows = (most + step - 1 - first) / step;
+    SquareCosts square{ this->GuideOf(to), this->OverlapOf(to), this->AllowedPieces(to, row, column, first, step) };
+    square.OfGuide = GuideWeight / static_cast<float>(std::max<std::size_t>(1, square.Guide.size()));
+    square.OfOverlap =
+      static_cast<float>(Channels) / static_cast<float>(std::max<std::size_t>(1, square.Overlap.size()));
     std::fill(this->Costs.begin(), this->Costs.end(), std::numeric_limits<float>::infinity());
-    const std::size_t rows = (static_cast<std::size_t>(this->CountY) + step - 1 - first) / step;
-    ForRanges(this->Parallel, rows, 4, [&](std::size_t begin, std::size_t end) {
-      std::vector<float> sums(this->CountX);
-      for (std::size_t n = begin; n < end; ++n)
-      {
-        const int y = static_cast<int>(first + n * step);
-        float* costs = this->Costs.data() + static_cast<std::size_t>(y) * this->CountX;
-        const float* uses = this->Uses.data() + static_cast<std::size_t>(y) * this->CountX;
-        std::fill_n(costs, this->CountX, 0.0F);
-        AddSquares(guide, this->Place.Index(0, y), sums.size(), costs);
-        std::fill(sums.begin(), sums.end(), 0.0F);
-        AddSquares(overlap, this->Place.Index(0, y), sums.size(), sums.data());
-        const float ofGuide = GuideWeight / static_cast<float>(std::max<std::size_t>(1, guide.size()));
-        const float ofOverlap =
-          static_cast<float>(Channels) / static_cast<float>(std::max<std::size_t>(1, overlap.size()));
-        for (int x = 0; x < this->CountX; ++x)
+    std::vector<float> least(rows, std::numeric_limits<float>::infinity());
+    const std::size_t blocks = (static_cast<std::size_t>(this->CountX) + PiecesOfBlock - 1) / PiecesOfBlock;
+    std::vector<float> starts(rows * blocks);
+    const auto forRows = [&](const auto& visit) {
+      ForRanges(this->Parallel, rows, 4, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t n = begin; n < end; ++n)
         {
-          const float use = uses[x];
-          costs[x] = (LeastCost + ofGuide * costs[x] + ofOverlap * sums[x]) * (1.0F + use + use * use);
+          visit(static_cast<int>(first + n * step), &starts[n * blocks], least[n]);
+        }
+      });
+    };
+    forRows([&](int y, float* start, float& leastOfRow) {
+      this->BeginRow(square, y, start);
+      float* best = std::min_element(start, start + blocks);
+      leastOfRow = this->FinishBlock(square, y, best - start, std::numeric_limits<float>::infinity());
+      *best = std::numeric_limits<float>::infinity();
+    });
+    const float limit = CostTolerance * *std::min_element(least.begin(), least.end());
+    forRows([&](int y, float* start, float&) {
+      for (std::size_t block = 0; block < blocks; ++block)
+      {
+        if (start[block] <= limit)
+        {
+          this->FinishBlock(square, y, block, limit);
         }
       }
     });
   }
 
-  /// Leaves out pieces that go on where one beside the square ends, unless none is left.
-  void ForbidNeighbours(const Corner& to, int row, int column)
+  std::size_t BlockLength(std::size_t block) const
   {
-    const std::vector<float> all = this->Costs;
+    return std::min(PiecesOfBlock, static_cast<std::size_t>(this->CountX) - block * PiecesOfBlock);
+  }
+
+  /// Sums of a row over the guide and the first part of the overlap, and the least cost of each block by these.
+  void BeginRow(const SquareCosts& square, int y, float* starts)
+  {
+    const auto count = static_cast<std::size_t>(this->CountX);
+    const std::size_t first = static_cast<std::size_t>(y) * count;
+    std::fill_n(&this->OfGuide[first], count, 0.0F);
+    std::fill_n(&this->OfOverlap[first], count, 0.0F);
+    const std::size_t shift = this->Place.Index(0, y);
+    AddSquares(square.Guide.data(), square.Guide.size(), shift, count, &this->OfGuide[first]);
+    const std::size_t part = std::min(SamplesOfPart, square.Overlap.size());
+    AddSquares(square.Overlap.data(), part, shift, count, &this->OfOverlap[first]);
+    for (std::size_t block = 0; block * PiecesOfBlock < count; ++block)
+    {
+      starts[block] = this->LeastOfBlock(square, first + block * PiecesOfBlock, this->BlockLength(block));
+    }
+  }
+
+  /// Sets the costs of a block of a row by its whole sums, unless they are all above a limit; the least one.
+  float FinishBlock(const SquareCosts& square, int y, std::size_t block, float limit)
+  {
+    const std::size_t x = block * PiecesOfBlock;
+    const std::size_t first = static_cast<std::size_t>(y) * this->CountX + x;
+    const std::size_t count = this->BlockLength(block);
+    const std::size_t all = square.Overlap.size();
+    float least = 0.0F;
+    for (std::size_t done = SamplesOfPart; done < all; done += SamplesOfPart)
+    {
+      AddSquares(square.Overlap.data() + done, std::min(SamplesOfPart, all - done),
+        this->Place.Index(static_cast<int>(x), y), count, &this->OfOverlap[first]);
+      least = this->LeastOfBlock(square, first, count);
+      if (least > limit)
+      {
+        return least;
+      }
+    }
+    for (std::size_t piece = first; piece < first + count; ++piece)
+    {
+      if (square.IsAllowed[piece])
+      {
+        this->Costs[piece] = square.Of(this->OfGuide[piece], this->OfOverlap[piece], this->Uses[piece]);
+      }
+    }
+    return this->LeastOfBlock(square, first, count);
+  }
+
+  /// Least cost of the pieces of a block that are allowed, by the sums so far.
+  float LeastOfBlock(const SquareCosts& square, std::size_t first, std::size_t count) const
+  {
+    float least = std::numeric_limits<float>::infinity();
+    for (std::size_t piece = first; piece < first + count; ++piece)
+    {
+      const float cost = square.Of(this->OfGuide[piece], this->OfOverlap[piece], this->Uses[piece]);
+      least = square.IsAllowed[piece] && cost < least ? cost : least;
+    }
+    return least;
+  }
+
+  /// Pieces of the rows that are looked at, but those that go on where one beside the square ends, unless none is left.
+  std::vector<std::uint8_t> AllowedPieces(
+    const Corner& to, int row, int column, std::size_t first, std::size_t step) const
+  {
+    std::vector<std::uint8_t> all(this->Costs.size(), 0);
+    for (std::size_t y = first; y < static_cast<std::size_t>(this->CountY); y += step)
+    {
+      std::fill_n(all.begin() + static_cast<std::ptrdiff_t>(y * this->CountX), this->CountX, std::uint8_t{ 1 });
+    }
+    std::vector<std::uint8_t> allowed = all;
     constexpr std::array<Corner, 4> neighbours{ { { -1, 0 }, { 0, -1 }, { -1, -1 }, { 1, -1 } } };
     for (const Corner& next : neighbours)
     {
@@ -318,13 +418,11 @@ private:
         continue;
       }
       const Corner& shift = this->Shifts[static_cast<std::size_t>(row + next.Y) * this->Columns + column + next.X];
-      this->EachNear({ to.X + shift.X, to.Y + shift.Y }, this->Side / 2,
-        [&](std::size_t piece, int, int) { this->Costs[piece] = std::numeric_limits<float>::infinity(); });
+      this->EachNear(
+        { to.X + shift.X, to.Y + shift.Y }, this->Side / 2, [&](std::size_t piece, int, int) { allowed[piece] = 0; });
     }
-    if (std::none_of(this->Costs.begin(), this->Costs.end(), [](float cost) { return std::isfinite(cost); }))
-    {
-      this->Costs = all;
-    }
+    const bool isAny = std::find(allowed.begin(), allowed.end(), std::uint8_t{ 1 }) != allowed.end();
+    return isAny ? allowed : all;
   }
 
   /// Calls a function with the pieces that are less than a distance along x and y from a corner, and these distances.
@@ -473,7 +571,9 @@ private:
   int CountY = 0;
   Relief Ground;
   std::vector<char> IsLaid;
-  std::vector<float> Uses; ///< by piece
+  std::vector<float> Uses;      ///< by piece
+  std::vector<float> OfGuide;   ///< sums of squares by the piece
+  std::vector<float> OfOverlap; ///< the same, as far as they are taken
   std::vector<float> Costs;
   std::vector<Corner> Shifts; ///< corner in the place less that on the ground, of the squares so far
 };

@@ -30,12 +30,15 @@ struct Knot
 /// Quantiles of the heights and of the distribution at each part, without those that are no higher than the last.
 std::vector<Knot> KnotsOf(std::vector<double> heights, const HeightQuantiles& quantiles)
 {
-  std::sort(heights.begin(), heights.end());
   std::vector<Knot> knots;
+  auto sorted = heights.begin(); // what is before is no higher
   for (int part = 0; part <= Parts; ++part)
   {
     const double rank = 0.5 * (1.0 - std::cos(Pi * part / Parts));
-    const double from = heights[static_cast<std::size_t>(rank * static_cast<double>(heights.size() - 1))];
+    const auto at = heights.begin() + static_cast<std::ptrdiff_t>(rank * static_cast<double>(heights.size() - 1));
+    std::nth_element(sorted, at, heights.end());
+    sorted = at;
+    const double from = *at;
     if (knots.empty() || from > knots.back().From)
     {
       knots.push_back({ from, quantiles.At(rank) });
@@ -86,7 +89,7 @@ double MapHeight(const std::vector<Knot>& knots, double height)
 
 }
 
-void MatchHeights(std::vector<double>& heights, const HeightQuantiles& quantiles)
+void MatchHeights(std::vector<double>& heights, const HeightQuantiles& quantiles, const ParallelFor& parallel)
 {
   std::vector<Knot> knots = KnotsOf(heights, quantiles);
   if (knots.size() < 2)
@@ -96,11 +99,13 @@ void MatchHeights(std::vector<double>& heights, const HeightQuantiles& quantiles
   SetSlopes(knots);
   const Knot low = knots.front();
   const double straight = (knots.back().To - low.To) / (knots.back().From - low.From);
-  for (double& height : heights)
-  {
-    const double line = low.To + straight * (height - low.From);
-    height = (1.0 - StraightPart) * MapHeight(knots, height) + StraightPart * line;
-  }
+  parallel(heights.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      const double line = low.To + straight * (heights[n] - low.From);
+      heights[n] = (1.0 - StraightPart) * MapHeight(knots, heights[n]) + StraightPart * line;
+    }
+  });
 }
 
 }

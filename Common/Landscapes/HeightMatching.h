@@ -4,6 +4,7 @@
 #define LittoralHeightMatching_h
 
 #include "Drainage/HeightQuantiles.h"
+#include "Numerics/Parallel.h"
 
 #include <vector>
 
@@ -15,7 +16,8 @@ namespace littoral
  * the distribution's. A map by all ranks would print the distribution's own steps on the ground as terraces.
  * It grows everywhere, so that no path of the water changes.
  */
-void MatchHeights(std::vector<double>& heights, const HeightQuantiles& quantiles);
+void MatchHeights(
+  std::vector<double>& heights, const HeightQuantiles& quantiles, const ParallelFor& parallel = SerialFor);
 
 }
 

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -63,6 +64,9 @@ constexpr double SunkAim = 0.9;
 constexpr double MostLetBe = 2.0;
 constexpr double SunkTolerance = 0.05;
 constexpr double LeastSunk = 1e-6; ///< no 0 is divided by
+
+/// Cells that the search for a way out of a depression takes at most.
+constexpr std::size_t MaximumVisits = 131072;
 
 /// Cells whose sizes differ by less are of one size.
 constexpr double SpacingTolerance = 1e-3;
@@ -109,6 +113,34 @@ void Add(std::vector<double>& heights, const std::vector<double>& depths, double
   }
 }
 
+/// Share of the cells of a ground that lie below another.
+double ShareBelow(const GridSamples& ground, const GridSamples& other)
+{
+  std::size_t below = 0;
+  for (std::size_t n = 0; n < ground.Values.size(); ++n)
+  {
+    below += ground.Values[n] < other.Values[n];
+  }
+  return static_cast<double>(below) / static_cast<double>(ground.Values.size());
+}
+
+/// Cells no lower than the spill elevations of a ground that is filled by depths; empty where rounding keeps it from
+/// them.
+std::vector<std::uint8_t> DryCells(
+  const GridSamples& filled, const std::vector<double>& levels, const std::vector<double>& depths)
+{
+  std::vector<std::uint8_t> dry(levels.size());
+  for (std::size_t n = 0; n < levels.size(); ++n)
+  {
+    dry[n] = filled.Values[n] == levels[n];
+    if (depths[n] > 0.0 && !dry[n])
+    {
+      return {};
+    }
+  }
+  return dry;
+}
+
 /// Ground whose heights z are exp(z / h), so that the way of least cut from a depression leads through low passes and
 /// along valleys; else it is straight through whatever is in between.
 GridSamples WithHighPasses(GridSamples ground)
@@ -124,16 +156,18 @@ GridSamples WithHighPasses(GridSamples ground)
 
 /// Takes depressions away along the ways of least cut: a part is cut there, the rest is filled. Rivers that are steeper
 /// than a limit are cut down to it. Cuts fade to the sides over valleys that are the deeper the narrower they are, so
-/// that no dam is opened by a slot.
-void Drain(GridSamples& ground, double leastSlope, double cut, const ChannelLaw& limit, const ParallelFor& parallel,
-  const Poll& poll)
+/// that no dam is opened by a slot. The flow paths are returned.
+FlowRouting Drain(GridSamples& ground, const std::vector<std::uint8_t>& dry, double leastSlope, double cut,
+  const ChannelLaw& limit, const ParallelFor& parallel, const Poll& poll)
 {
   const OutletMask outlets = BorderOutlets(ground.Width, ground.Height);
   GridSamples breached = WithHighPasses(ground);
-  BreachDepressions(breached, outlets, BreachPath::LeastCost, poll);
-  const FlowRouting routing = RouteFlow(breached, outlets, parallel, poll);
+  BreachDepressions(breached, outlets, BreachPath::LeastCost, poll, MaximumVisits, dry);
+  FlowRouting routing = RouteFlow(breached, outlets, parallel, poll);
+  breached.Values = {}; // memory
   const std::vector<CellIndex> areas = FlowAccumulation(routing);
-  const auto grade = [&] { return GradeAlong(ground, routing, areas, EvenLaw(leastSlope), cut, parallel, poll); };
+  const std::vector<double> falls = FallsAlong(ground, routing, areas, EvenLaw(leastSlope), parallel);
+  const auto grade = [&] { return GradeBy(falls, ground, routing, cut, parallel, poll); };
   for (double width = ValleyWidth; width >= BedWidth; width *= 0.5)
   {
     GridSamples bed = ground;
@@ -153,6 +187,7 @@ void Drain(GridSamples& ground, double leastSlope, double cut, const ChannelLaw&
     }
   }
   ground.Values = grade();
+  return routing;
 }
 
 }
@@ -198,6 +233,7 @@ CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& measured, 
   const OutletMask border = BorderOutlets(terrain.Width, terrain.Height);
   const double sunkOfPlace = target.Measures.DepressionFraction;
   double letBe = sunkOfPlace;
+  FlowRouting routing;
   CarvingReport report;
   while (true)
   {
@@ -205,20 +241,24 @@ CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& measured, 
     GridSamples ground = Sum(quilt, guide, smooth);
     matching.Match(ground, 1.0, parallel);
     const Poll poll = [&] { progress(done); };
-    const std::vector<double> pits = ShallowDepressions(ground, border, letBe, poll);
+    GridSamples filled = ground;
+    filled.Values = routing.Order.empty() ? FloodDepressions(ground, border, poll).SpillElevation
+                                          : SpillElevationsBy(routing, ground, poll);
+    const std::vector<double> pits = ShallowDepressions(ground, filled.Values, letBe);
     Add(ground.Values, pits, 1.0);
-    Drain(ground, LeastSlopeFactor * meanSlope, cut, rivers.Law(limit), parallel, poll);
+    const std::vector<std::uint8_t> dry = DryCells(ground, filled.Values, pits);
+    filled.Values = {}; // memory
+    routing = {};
+    routing = Drain(ground, dry, LeastSlopeFactor * meanSlope, cut, rivers.Law(limit), parallel, poll);
     Add(ground.Values, pits, -1.0);
     if (rivers.IsKnown())
     {
       matching.Match(ground, 1.0, parallel); // a monotone map turns no water
     }
     const double steep = MeanSlope(ground) / meanSlope;
-    GridSamples filled = ground;
-    const DepressionFlood flood = FloodDepressions(ground, border, poll);
-    filled.Values = flood.SpillElevation;
+    filled.Values = SpillElevationsBy(routing, ground, poll);
     const double steepOfRivers = rivers.RatioOf(filled, parallel);
-    const double sunk = static_cast<double>(flood.DepressionCells) / static_cast<double>(ground.Values.size());
+    const double sunk = ShareBelow(ground, filled);
     const double misfit = std::max(
       { matching.SemivarianceError(ground, parallel) / SemivarianceTolerance, std::abs(steep - 1.0) / SlopeTolerance,
         std::abs(steepOfRivers - 1.0) / SteepnessTolerance, sunk / std::max(SunkTolerance, sunkOfPlace) });

@@ -35,7 +35,7 @@ PlaceMatching::PlaceMatching(const GridSamples& place, const CarvingTarget& targ
 void PlaceMatching::Match(GridSamples& ground, double most, const ParallelFor& parallel) const
 {
   std::vector<double> matched = ground.Values;
-  MatchHeights(matched, this->Quantiles);
+  MatchHeights(matched, this->Quantiles, parallel);
   const SampleShape is = ShapeOf(ground.Values);
   const double mean = this->Heights.Mean;
   for (double& height : ground.Values)

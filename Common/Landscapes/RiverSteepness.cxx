@@ -71,7 +71,7 @@ double RiverSteepness::RatioOf(const GridSamples& ground, const ParallelFor& par
     return 1.0;
   }
   const OutletMask border = BorderOutlets(ground.Width, ground.Height);
-  const std::vector<SlopeAreaBin> bins = MeasureGround(ground, border, parallel, NoPoll, this->MaximumArea).SlopeArea;
+  const std::vector<SlopeAreaBin> bins = SlopeAreaOf(ground, border, parallel, this->MaximumArea);
   double sum = 0.0;
   for (const SlopeAreaBin& bin : bins)
   {

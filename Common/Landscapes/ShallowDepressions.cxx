@@ -3,7 +3,6 @@
 #include "Landscapes/ShallowDepressions.h"
 
 #include "Drainage/CellLattice.h"
-#include "Drainage/DepressionFilling.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -52,10 +51,8 @@ std::vector<Depression> DepressionsOf(const CellLattice& lattice, const std::vec
 
 }
 
-std::vector<double> ShallowDepressions(
-  const GridSamples& ground, const OutletMask& outlets, double share, const Poll& poll)
+std::vector<double> ShallowDepressions(const GridSamples& ground, const std::vector<double>& levels, double share)
 {
-  const std::vector<double> levels = FloodDepressions(ground, outlets, poll).SpillElevation;
   std::vector<double> depths;
   for (std::size_t n = 0; n < levels.size(); ++n)
   {

@@ -3,13 +3,16 @@
 #include "../OnThreads.h"
 #include "Drainage/DepressionBreaching.h"
 #include "Drainage/DepressionFilling.h"
+#include "Drainage/FlatRouting.h"
 #include "Drainage/FlowRouting.h"
 #include "RandomGround.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -176,6 +179,46 @@ TEST(DepressionFilling, APitIsFilledToItsSill)
   EXPECT_EQ(flood.SpillElevation[4 * 9 + 4], 7.0);
 }
 
+TEST(DepressionFilling, SpillElevationsByAnyFlowPaths)
+{
+  for (int seed = 0; seed < 8; ++seed)
+  {
+    const GridSamples ground = RandomGround(31, 22, { 2.0, 3.0 }, seed, seed % 2 ? 1.0 : 0.0);
+    const OutletMask outlets = BorderOutlets(31, 22);
+    // paths of the ground, and of another one, which leave most cells to be flooded
+    for (const int of : { seed, seed + 1 })
+    {
+      const FlowRouting routing = RouteFlow(RandomGround(31, 22, { 2.0, 3.0 }, of), outlets);
+      EXPECT_EQ(SpillElevationsBy(routing, ground), RelaxedLevels(ground, outlets));
+    }
+  }
+}
+
+TEST(DepressionBreaching, DryFlatsNeedNoFlood)
+{
+  for (int seed = 0; seed < 8; ++seed)
+  {
+    // a pit in ground whose flats are dry
+    const OutletMask outlets = BorderOutlets(31, 22);
+    GridSamples ground = RandomGround(31, 22, { 2.0, 3.0 }, seed);
+    ground.Values = RelaxedLevels(ground, outlets);
+    ground.At(15, 11) -= 20.0;
+    std::vector<std::uint8_t> dry(ground.Values.size(), 1);
+    dry[11 * 31 + 15] = 0;
+    if (seed % 2 == 1) // with a flat, of which a flood tells the pit
+    {
+      ground.At(16, 11) = ground.At(15, 11);
+      dry[11 * 31 + 16] = 0;
+    }
+    GridSamples other = ground;
+    const BreachCount count = BreachDepressions(ground, outlets, BreachPath::LeastCost, NoPoll, 16384, dry);
+    const BreachCount counted = BreachDepressions(other, outlets, BreachPath::LeastCost, NoPoll, 16384);
+    EXPECT_EQ(count.Pits, 1u);
+    EXPECT_EQ(counted.Pits, 1u);
+    EXPECT_EQ(ground.Values, other.Values);
+  }
+}
+
 TEST(DepressionBreaching, LeavesNoSunkCellAndRaisesNone)
 {
   for (const BreachPath path : { BreachPath::FloodOrder, BreachPath::LeastCost })
@@ -290,6 +333,42 @@ TEST(FlowRouting, DrainsDepressionsAndFlats)
     ExpectSound(routing, CellLattice(ground), outlets);
     EXPECT_EQ(CellsAtOutlets(routing, outlets), 27 * 19);
   }
+}
+
+TEST(FlowRouting, FlatsOfDrainedGroundAreRoutedAsFlooded)
+{
+  int routed = 0;
+  for (int seed = 0; seed < 400; ++seed)
+  {
+    // lakes of one level each; of steps many are entered from two cells at once
+    constexpr std::array<double, 4> steps{ 0.0, 0.1, 0.5, 1.0 };
+    const double step = steps[seed % 4];
+    GridSamples ground = RandomGround(14, 11, { 2.0, 3.0 }, seed, step);
+    OutletMask outlets = BorderOutlets(14, 11);
+    outlets[5 * 14 + 6] = 1;
+    ground.Values = RelaxedLevels(ground, outlets);
+    const DepressionFlood flood = FloodDepressions(ground, outlets);
+    const CellLattice lattice(ground);
+    std::vector<CellIndex> receivers;
+    std::vector<CellIndex> expected;
+    for (CellIndex cell = 0; cell < lattice.Count(); ++cell)
+    {
+      const int direction = outlets[cell] ? -1 : SteepestDirection(ground.Values, lattice, cell);
+      const bool isOnFlat = direction < 0 && !outlets[cell];
+      receivers.push_back(isOnFlat ? -1 : direction < 0 ? cell : cell + lattice.Offset(direction));
+      expected.push_back(isOnFlat ? flood.Backlink[cell] : receivers.back());
+    }
+    EXPECT_EQ(RouteFlow(ground, outlets).Receiver, expected);
+    if (RouteFlatsAsFlood(ground.Values, outlets, lattice, receivers))
+    {
+      ++routed;
+      EXPECT_EQ(receivers, expected);
+    }
+    ground.At(3, 3) -= 20.0;
+    expected[3 * 14 + 3] = -1;
+    EXPECT_FALSE(RouteFlatsAsFlood(ground.Values, outlets, lattice, expected));
+  }
+  EXPECT_GT(routed, 200); // else the flood is asked
 }
 
 TEST(FlowRouting, AreaAtTheOutletsIsTheGrids)

@@ -45,7 +45,8 @@ GridSamples Table(const std::vector<Pit>& pits)
 
 std::vector<double> Shallow(const GridSamples& ground, int cells)
 {
-  return ShallowDepressions(ground, BorderOutlets(Width, Height), (cells + 0.5) / (Width * Height));
+  const std::vector<double> levels = FloodDepressions(ground, BorderOutlets(Width, Height)).SpillElevation;
+  return ShallowDepressions(ground, levels, (cells + 0.5) / (Width * Height));
 }
 
 }
