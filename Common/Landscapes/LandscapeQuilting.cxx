@@ -164,7 +164,7 @@ FlowRouting Drain(GridSamples& ground, const std::vector<std::uint8_t>& dry, dou
   GridSamples breached = WithHighPasses(ground);
   BreachDepressions(breached, outlets, BreachPath::LeastCost, poll, MaximumVisits, dry);
   FlowRouting routing = RouteFlow(breached, outlets, parallel, poll);
-  breached.Values = {}; // memory
+  breached.Values = std::vector<double>();
   const std::vector<CellIndex> areas = FlowAccumulation(routing);
   const std::vector<double> falls = FallsAlong(ground, routing, areas, EvenLaw(leastSlope), parallel);
   const auto grade = [&] { return GradeBy(falls, ground, routing, cut, parallel, poll); };
@@ -244,13 +244,14 @@ CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& measured, 
     GridSamples filled = ground;
     filled.Values = routing.Order.empty() ? FloodDepressions(ground, border, poll).SpillElevation
                                           : SpillElevationsBy(routing, ground, poll);
-    const std::vector<double> pits = ShallowDepressions(ground, filled.Values, letBe);
+    std::vector<double> pits = ShallowDepressions(ground, filled.Values, letBe);
     Add(ground.Values, pits, 1.0);
     const std::vector<std::uint8_t> dry = DryCells(ground, filled.Values, pits);
-    filled.Values = {}; // memory
+    filled.Values = std::vector<double>();
     routing = {};
     routing = Drain(ground, dry, LeastSlopeFactor * meanSlope, cut, rivers.Law(limit), parallel, poll);
     Add(ground.Values, pits, -1.0);
+    pits = std::vector<double>();
     if (rivers.IsKnown())
     {
       matching.Match(ground, 1.0, parallel); // a monotone map turns no water
@@ -259,6 +260,7 @@ CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& measured, 
     filled.Values = SpillElevationsBy(routing, ground, poll);
     const double steepOfRivers = rivers.RatioOf(filled, parallel);
     const double sunk = ShareBelow(ground, filled);
+    filled.Values = std::vector<double>();
     const double misfit = std::max(
       { matching.SemivarianceError(ground, parallel) / SemivarianceTolerance, std::abs(steep - 1.0) / SlopeTolerance,
         std::abs(steepOfRivers - 1.0) / SteepnessTolerance, sunk / std::max(SunkTolerance, sunkOfPlace) });
