@@ -267,6 +267,38 @@ bool CheckToldWay()
   return good;
 }
 
+/// Another way of the same points is heard of.
+bool CheckOtherWay()
+{
+  vtkNew<Sea> sea;
+  vtkNew<vtkFlowPrimitiveSource> current;
+  current->SetFlowType(vtkFlowPrimitiveSource::Uniform);
+  vtkNew<vtkCurrentDriftFilter> drift;
+  drift->SetInputData(0, Particles(5000, VTK_FLOAT));
+  drift->AddCurrentConnection(current->GetOutputPort());
+  drift->WayAsFieldOn();
+  vtkNew<vtkPolyData> states[2];
+  for (const int state : { 0, 1 })
+  {
+    drift->UpdateTimeStep(4.0 * state);
+    states[state]->ShallowCopy(drift->GetOutputDataObject(0));
+  }
+  states[1]->SetPoints(states[0]->GetPoints());
+  vtkNew<Levels> one;
+  vtkNew<Levels> other;
+  for (Levels* levels : { one.Get(), other.Get() })
+  {
+    levels->SetSeaStateConnection(sea->GetOutputPort());
+    LookAlongY(levels);
+    for (int state = levels == other ? 1 : 0; state < 2; ++state)
+    {
+      levels->SetInputData(0, states[state]);
+      levels->UpdateTimeStep(4.0);
+    }
+  }
+  return Check(BytesOf(one) == BytesOf(other), "levels stay where another way is told of the same points");
+}
+
 /// Particles that stay in a level have the opacities of each view.
 bool CheckWeightsAlone()
 {
@@ -942,6 +974,7 @@ int TestParticleLevels(int argc, char* argv[])
   bool good = CheckArrays();
   good &= CheckDriftedFrames();
   good &= CheckToldWay();
+  good &= CheckOtherWay();
   good &= CheckWeightsAlone();
   good &= CheckFewerParticles();
   good &= CheckMotion();
