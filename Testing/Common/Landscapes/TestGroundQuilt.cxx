@@ -165,6 +165,36 @@ TEST(GroundQuilt, PiecesAreThePlaceInAnotherOrder)
   }
 }
 
+TEST(GroundQuilt, DrawsAmongPiecesOfNearlyTheLeastCost)
+{
+  // two halves of a place are the same but for a factor, by which one costs a tenth more
+  constexpr double period = 100.0;
+  constexpr double factor = 1.002;
+  const auto wave = [](double x, double number, double phase) {
+    return std::sin(2.0 * M_PI * number * x / period + phase);
+  };
+  const GridSamples place = Ground(200, 60, { 1.0, 1.0 }, [&](double x, double y) {
+    const double height =
+      wave(x, 1.0, 0.0) + 0.6 * wave(x, 3.0, 1.0) + 0.3 * wave(x, 7.0, 0.2 * y) + std::sin(y / 17.0);
+    return x < period ? height : factor * height;
+  });
+  constexpr int side = 30;
+  const GridSamples smooth = Smooth(place, GuideSmoothing(side));
+  const auto part = [](const GridSamples& ground) {
+    return Ground(20, 20, { 1.0, 1.0 },
+      [&](double x, double y) { return ground.At(40 + static_cast<int>(x), 20 + static_cast<int>(y)); });
+  };
+  int others = 0;
+  constexpr int draws = 20;
+  for (int seed = 1; seed <= draws; ++seed)
+  {
+    const double steepness = Steepness(QuiltGround(place, part(smooth), side, seed)) / Steepness(part(place));
+    EXPECT_NEAR(steepness, steepness < std::sqrt(factor) ? 1.0 : factor, 1e-4);
+    others += steepness < std::sqrt(factor) ? 0 : 1;
+  }
+  EXPECT_NEAR(others, draws / 2, 6);
+}
+
 TEST(GroundQuilt, FollowsItsGuide)
 {
   const GridSamples place = Hills(100, 90, 1);
