@@ -54,39 +54,28 @@ std::vector<double> GradeAlong(const GridSamples& heights, const FlowRouting& ro
 std::vector<double> GradeBy(const std::vector<double>& falls, const GridSamples& heights, const FlowRouting& routing,
   double cut, const ParallelFor& parallel, const Poll& poll)
 {
-  poll();
+  SteppedPoll stepped(poll);
   std::vector<double> lowered = heights.Values;
   std::vector<double> graded = heights.Values;
-  const auto lower = [&] {
+  // Both ways side by side: neither waits for the memory of the other.
+  for (std::size_t n = 0; n < routing.Order.size(); ++n)
+  {
+    stepped.Step();
     // z_r = min(z_r, z - S d), from the divides downstream
-    for (std::size_t n = routing.Order.size(); n-- > 0;)
+    const CellIndex down = routing.Order[routing.Order.size() - 1 - n];
+    const CellIndex below = routing.Receiver[down];
+    if (below != down)
     {
-      const CellIndex cell = routing.Order[n];
-      const CellIndex receiver = routing.Receiver[cell];
-      if (receiver != cell)
-      {
-        lowered[receiver] = std::min(lowered[receiver], lowered[cell] - falls[cell]);
-      }
+      lowered[below] = std::min(lowered[below], lowered[down] - falls[down]);
     }
-  };
-  const auto raise = [&] {
     // z = max(z, z_r + S d), from the outlets upstream
-    for (const CellIndex cell : routing.Order)
+    const CellIndex up = routing.Order[n];
+    const CellIndex receiver = routing.Receiver[up];
+    if (receiver != up)
     {
-      const CellIndex receiver = routing.Receiver[cell];
-      if (receiver != cell)
-      {
-        graded[cell] = std::max(graded[cell], graded[receiver] + falls[cell]);
-      }
+      graded[up] = std::max(graded[up], graded[receiver] + falls[up]);
     }
-  };
-  parallel(2, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t way = begin; way < end; ++way)
-    {
-      way == 0 ? lower() : raise();
-    }
-  });
-  poll();
+  }
   parallel(graded.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)
     {

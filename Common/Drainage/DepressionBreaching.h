@@ -30,6 +30,9 @@ struct BreachCount
   double Volume = 0.0;      ///< excavated volume [m^3]
 };
 
+/// Cells that a search for the end of a channel takes at most, unless told otherwise.
+constexpr std::size_t MostBreachVisits = 131072;
+
 /**
  * Breaches depressions: cuts a channel from each pit to the next lower cell, or to an outlet, so that every cell has a
  * path downhill (complete breaching, Lindsay 2016). No cell is raised. The bed of a channel falls evenly to its end;
@@ -38,7 +41,7 @@ struct BreachCount
  * flood where `dry` marks the cells that are no lower than their spill elevation, if these are known.
  */
 BreachCount BreachDepressions(GridSamples& heights, const OutletMask& outlets, BreachPath path,
-  const Poll& poll = NoPoll, std::size_t maximumVisits = 131072, const std::vector<std::uint8_t>& dry = {});
+  const Poll& poll = NoPoll, std::size_t maximumVisits = MostBreachVisits, const std::vector<std::uint8_t>& dry = {});
 
 }
 

@@ -89,8 +89,10 @@ std::vector<double> SpillElevationsBy(const FlowRouting& routing, const GridSamp
   };
   std::vector<State> states(ground.size(), Dry);
   std::vector<CellIndex> open;
+  SteppedPoll steps(poll);
   for (const CellIndex cell : routing.Order)
   {
+    steps.Step();
     levels[cell] = std::max(ground[cell], levels[routing.Receiver[cell]]);
     if (levels[cell] > ground[cell])
     {
@@ -98,7 +100,6 @@ std::vector<double> SpillElevationsBy(const FlowRouting& routing, const GridSamp
       open.push_back(cell);
     }
   }
-  poll();
   const auto [lowest, highest] = RangeOf(ground);
   FloodQueue rim(lowest, highest, open.size());
   for (const CellIndex cell : open)
@@ -111,31 +112,11 @@ std::vector<double> SpillElevationsBy(const FlowRouting& routing, const GridSamp
       }
     });
   }
-  std::vector<CellIndex> lake;
-  SteppedPoll steps(poll, 1 << 16);
-  while (!rim.IsEmpty())
-  {
-    double level = 0.0;
-    lake.assign(1, rim.Pop(level));
-    for (std::size_t n = 0; n < lake.size(); ++n)
-    {
-      steps.Step();
-      lattice.ForEachNeighbour(lake[n], [&](CellIndex neighbour, int) {
-        if (states[neighbour] != Open)
-        {
-          return;
-        }
-        states[neighbour] = Reached;
-        levels[neighbour] = std::max(ground[neighbour], level);
-        if (ground[neighbour] > level)
-        {
-          rim.Push(neighbour, ground[neighbour]);
-          return;
-        }
-        lake.push_back(neighbour);
-      });
-    }
-  }
+  FloodFrom(rim, lattice, ground, levels, poll, [&](CellIndex, CellIndex neighbour) {
+    const bool isReached = states[neighbour] == Open;
+    states[neighbour] = isReached ? Reached : states[neighbour];
+    return isReached;
+  });
   return levels;
 }
 

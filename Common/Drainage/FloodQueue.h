@@ -4,6 +4,7 @@
 #define LittoralFloodQueue_h
 
 #include "Drainage/CellLattice.h"
+#include "Numerics/Parallel.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -169,6 +170,42 @@ private:
   std::size_t Size = 0;
   std::uint32_t Next = 0;
 };
+
+/**
+ * Priority-flood from the cells of a rim: sets the level of each cell that is reached, w = max(z, level of the cell
+ * before). `reach(cell, neighbour)` is called for each neighbour of a flooded cell, and returns whether that one is
+ * reached by it.
+ */
+template <typename Reach>
+void FloodFrom(FloodQueue& rim, const CellLattice& lattice, const std::vector<double>& heights,
+  std::vector<double>& levels, const Poll& poll, const Reach& reach)
+{
+  // Cells below the water are filled at once, in the order in which they are reached: no heap is needed for them.
+  std::vector<CellIndex> lake;
+  SteppedPoll steps(poll, 1 << 16);
+  while (!rim.IsEmpty())
+  {
+    double level = 0.0;
+    lake.assign(1, rim.Pop(level));
+    for (std::size_t n = 0; n < lake.size(); ++n)
+    {
+      steps.Step();
+      lattice.ForEachNeighbour(lake[n], [&](CellIndex neighbour, int) {
+        if (!reach(lake[n], neighbour))
+        {
+          return;
+        }
+        levels[neighbour] = std::max(heights[neighbour], level);
+        if (heights[neighbour] > level)
+        {
+          rim.Push(neighbour, heights[neighbour]);
+          return;
+        }
+        lake.push_back(neighbour);
+      });
+    }
+  }
+}
 
 }
 

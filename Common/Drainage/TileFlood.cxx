@@ -56,37 +56,15 @@ void Flood(const TileGround& ground, std::vector<double>& levels, const Poll& po
       rim.Push(cell, levels[cell]);
     }
   });
-  std::vector<CellIndex> lake;
-  SteppedPoll steps(poll, 1 << 16);
-  while (!rim.IsEmpty())
-  {
-    double level = 0.0;
-    lake.assign(1, rim.Pop(level));
-    for (std::size_t n = 0; n < lake.size(); ++n)
+  FloodFrom(rim, lattice, heights, levels, poll, [&](CellIndex cell, CellIndex neighbour) {
+    if (!isOpen[neighbour])
     {
-      steps.Step();
-      lattice.ForEachNeighbour(lake[n], [&](CellIndex neighbour, int) {
-        if (!isOpen[neighbour])
-        {
-          return;
-        }
-        const bool isNew = std::isnan(levels[neighbour]);
-        meet(lake[n], neighbour, isNew);
-        if (!isNew)
-        {
-          return;
-        }
-        // w = max(z, level of the cell before)
-        levels[neighbour] = std::max(heights[neighbour], level);
-        if (heights[neighbour] > level)
-        {
-          rim.Push(neighbour, heights[neighbour]);
-          return;
-        }
-        lake.push_back(neighbour);
-      });
+      return false;
     }
-  }
+    const bool isNew = std::isnan(levels[neighbour]);
+    meet(cell, neighbour, isNew);
+    return isNew;
+  });
 }
 
 /// Levels of a tile's outlets, NaN elsewhere.

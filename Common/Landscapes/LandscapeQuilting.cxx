@@ -65,9 +65,6 @@ constexpr double MostLetBe = 2.0;
 constexpr double SunkTolerance = 0.05;
 constexpr double LeastSunk = 1e-6; ///< no 0 is divided by
 
-/// Cells that the search for a way out of a depression takes at most.
-constexpr std::size_t MaximumVisits = 131072;
-
 /// Cells whose sizes differ by less are of one size.
 constexpr double SpacingTolerance = 1e-3;
 
@@ -162,7 +159,7 @@ FlowRouting Drain(GridSamples& ground, const std::vector<std::uint8_t>& dry, dou
 {
   const OutletMask outlets = BorderOutlets(ground.Width, ground.Height);
   GridSamples breached = WithHighPasses(ground);
-  BreachDepressions(breached, outlets, BreachPath::LeastCost, poll, MaximumVisits, dry);
+  BreachDepressions(breached, outlets, BreachPath::LeastCost, poll, MostBreachVisits, dry);
   FlowRouting routing = RouteFlow(breached, outlets, parallel, poll);
   breached.Values = std::vector<double>();
   const std::vector<CellIndex> areas = FlowAccumulation(routing);

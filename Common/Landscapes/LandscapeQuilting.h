@@ -25,9 +25,9 @@ double QuiltMemory(int width, int height);
  * 1. Waves of the terrain that are longer than a piece, with the heights and the plane of the place, are the guide of
  *    QuiltGround(). What the quilt lacks of them is added.
  * 2. Heights are matched (PlaceMatching). The shallowest depressions stay, with about as many cells as in the place;
- * the others are taken away along the ways by which least is cut, partly by cutting and partly by filling. Rivers of a
- *    large place are cut down to its slopes by drainage area (RiverSteepness), times a limit, and heights are matched
- *    again.
+ *    the others are taken away along the ways by which least is cut, partly by cutting and partly by filling. Rivers
+ *    of a large place are cut down to its slopes by drainage area (RiverSteepness), times a limit, and heights are
+ *    matched again.
  * 3. The long waves are corrected by the semivariances that are missing, the part of cuts by the mean slope, the limit
  *    by the slopes of rivers, and the depressions that stay by those that are there. After at most eight rounds of 2
  *    and 3 the best ground is taken.

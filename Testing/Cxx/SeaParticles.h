@@ -20,6 +20,7 @@
 
 #include <cstring>
 #include <limits>
+#include <vector>
 
 namespace littoral::testing
 {
@@ -69,6 +70,28 @@ inline double Counter(vtkAlgorithm* algorithm, const char* name)
 {
   vtkDataArray* array = algorithm->GetOutputDataObject(0)->GetFieldData()->GetArray(name);
   return array ? array->GetTuple1(0) : std::numeric_limits<double>::quiet_NaN();
+}
+
+inline void Append(std::vector<char>& bytes, vtkDataArray* array)
+{
+  const char* begin = static_cast<const char*>(array->GetVoidPointer(0));
+  bytes.insert(bytes.end(), begin, begin + array->GetNumberOfValues() * array->GetDataTypeSize());
+}
+
+/// All bytes of the points and point arrays of the three blocks.
+inline std::vector<char> BytesOf(vtkAlgorithm* algorithm)
+{
+  std::vector<char> bytes;
+  for (int index = 0; index < 3; ++index)
+  {
+    vtkPolyData* block = BlockOf(algorithm, index);
+    Append(bytes, block->GetPoints()->GetData());
+    for (int n = 0; n < block->GetPointData()->GetNumberOfArrays(); ++n)
+    {
+      Append(bytes, block->GetPointData()->GetArray(n));
+    }
+  }
+  return bytes;
 }
 
 }
