@@ -50,7 +50,8 @@ void AttachFrequencies(const std::vector<double>& frequencies, vtkDataObject* pl
 class vtkBeamTreeDeformationFilter::vtkInternals
 {
 public:
-  std::vector<littoral::DataStamp> Inputs;
+  littoral::DataStamp Input;
+  std::vector<littoral::DataStamp> Others; // of the wind and the prototypes
   vtkMTimeType Properties = 0;
   littoral::SwayBlocks Plants;
 };
@@ -204,18 +205,21 @@ void vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputVector, 
 {
   auto internals = std::make_unique<vtkInternals>();
   internals->Properties = this->GetMTime();
-  for (int port : { PlantsPort, WindPort, PrototypesPort })
+  internals->Input = littoral::StampOf(vtkDataObject::GetData(inputVector[PlantsPort]));
+  for (int port : { WindPort, PrototypesPort })
   {
     for (int index = 0; index < inputVector[port]->GetNumberOfInformationObjects(); ++index)
     {
-      internals->Inputs.push_back(littoral::StampOf(vtkDataObject::GetData(inputVector[port], index)));
+      internals->Others.push_back(littoral::StampOf(vtkDataObject::GetData(inputVector[port], index)));
     }
   }
-  if (this->Internals && this->Internals->Plants.IsWhole() && this->Internals->Inputs == internals->Inputs &&
-    this->Internals->Properties == internals->Properties)
+  const bool areKindsKnown = this->Internals && this->Internals->Plants.IsWhole() &&
+    this->Internals->Others == internals->Others && this->Internals->Properties == internals->Properties;
+  if (areKindsKnown && this->Internals->Input == internals->Input)
   {
     return;
   }
+  std::shared_ptr<littoral::SwayKinds> known = areKindsKnown ? this->Internals->Plants.GetKinds() : nullptr;
   this->Internals.reset();
   std::vector<vtkSmartPointer<vtkMultiBlockDataSet>> prototypes;
   for (int index = 0; index < inputVector[PrototypesPort]->GetNumberOfInformationObjects(); ++index)
@@ -224,7 +228,8 @@ void vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputVector, 
   }
   auto* wind = littoral::InputOf<vtkImageData>(inputVector[WindPort], "Wind");
   this->SetProgressText("Reading plants");
-  internals->Plants.Read(plants, { prototypes.begin(), prototypes.end() }, wind, this->MakeSettings(), this);
+  internals->Plants.Read(
+    plants, { prototypes.begin(), prototypes.end() }, wind, this->MakeSettings(), std::move(known), this);
   this->Internals = std::move(internals);
 }
 

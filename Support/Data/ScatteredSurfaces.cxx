@@ -6,8 +6,8 @@
 #include "Data/Blocks.h"
 #include "Data/PlantBlocks.h"
 #include "Data/ScatterMerge.h"
-#include "Numerics/InvalidInput.h"
 #include "Pipeline/Memory.h"
+#include "Pipeline/Ranges.h"
 #include "Pipeline/Threads.h"
 
 #include "vtkMultiBlockDataSet.h"
@@ -19,19 +19,6 @@ namespace littoral
 
 namespace
 {
-
-ScatterPrototypes Taken(const std::vector<vtkMultiBlockDataSet*>& prototypes)
-{
-  std::vector<PrototypeBlocks> blocks;
-  for (vtkMultiBlockDataSet* prototype : prototypes)
-  {
-    blocks.push_back(PartsOf(prototype));
-    InContext("Of Prototypes: ", [&] { RequirePrototype(blocks.back()); });
-  }
-  ScatterPrototypes species;
-  TakeParts(blocks, false, species);
-  return species;
-}
 
 /// Puts a block of a part in place of another one.
 void Replace(int part, vtkPolyData* block, vtkMultiBlockDataSet* plants)
@@ -45,13 +32,8 @@ void Replace(int part, vtkPolyData* block, vtkMultiBlockDataSet* plants)
 
 }
 
-void ScatteredSurfaces::Make(
-  vtkMultiBlockDataSet* plants, const PlantTable& table, const std::vector<vtkMultiBlockDataSet*>& prototypes)
+void ScatteredSurfaces::Make(vtkMultiBlockDataSet* plants, const PlantTable& table, const ScatterPrototypes& species)
 {
-  Require(prototypes.empty() ? "connect the Prototypes that the plants were made from, or switch on PassSurfaces where "
-                               "they are scattered: the plants have no surfaces."
-                             : "");
-  const ScatterPrototypes species = Taken(prototypes);
   std::vector<ShownPlant> shown;
   MergedBlocks others; // what plants are passed with
   for (std::size_t row = 0; row < table.Places.size(); ++row)
@@ -75,6 +57,7 @@ void ScatteredSurfaces::Make(
   {
     if (IsSurface(part))
     {
+      KeepRanges(made.Parts[part]);
       Replace(part, made.Parts[part], this->Plants);
       this->AtRest[part] =
         StandAtRest(species.Parts[part], table.Places, made.Shown[static_cast<int>(LevelOfPart[part])]);

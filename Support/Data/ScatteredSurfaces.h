@@ -26,8 +26,7 @@ struct ScatteredSurfaces
   std::array<StandAtRest, NumberOfParts> AtRest;
 
   /// Makes the surfaces of plants whose table has tints. Throws InvalidInput.
-  void Make(
-    vtkMultiBlockDataSet* plants, const PlantTable& table, const std::vector<vtkMultiBlockDataSet*>& prototypes);
+  void Make(vtkMultiBlockDataSet* plants, const PlantTable& table, const ScatterPrototypes& species);
 
   /// Takes points and normals at rest from a surface of a part, and returns what is left of it.
   vtkSmartPointer<vtkPolyData> Bare(int part);

@@ -5,11 +5,8 @@
 #include "Data/JointBlock.h"
 #include "Data/PlantForm.h"
 #include "Data/ScatteredJoints.h"
-#include "Data/SwayPrototype.h"
-#include "Data/WindImage.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
-#include "Sway/CrownPictures.h"
 
 #include <algorithm>
 #include <cstring>
@@ -25,70 +22,18 @@ constexpr std::size_t LeafGrain = 1024;   // leaves a task
 constexpr std::size_t VertexGrain = 4096; // vertices a task
 constexpr double BytesOfTrunk = 4000.0;   // of a trunk's skeleton, about
 
-void RequireMemoryToSway(double bytes)
-{
-  RequireMemory(bytes, "The motion of the plants",
-    "take fewer plants in full, fewer modes, Response Interpolated, or fewer and smaller pictures");
-}
-
-/// Reads the prototypes of a scattered forest, or a plant that is its own.
-std::vector<SwayPrototype> ReadPrototypes(
-  const std::vector<vtkMultiBlockDataSet*>& plants, const SwaySettings& settings, bool areScattered)
-{
-  std::vector<SwayPrototype> read(plants.size());
-  const auto readAll = [&] {
-    for (std::size_t index = 0; index < read.size(); ++index)
-    {
-      if (areScattered)
-      {
-        RequirePlants(plants[index]);
-      }
-      read[index].Read(plants[index], settings);
-      Require(areScattered && read[index].Species.Rest.Nodes.empty()
-          ? "there is no block High/Skeleton, as plants have."
-          : "");
-    }
-  };
-  InContext(areScattered ? "Of Prototypes: " : "", readAll);
-  return read;
-}
-
-/// Pictures of all species; still ones, of the announced size, where there is no species.
-std::vector<TextureImage> PicturesOf(
-  const SwayScene& scene, const std::vector<SwayPrototype>& prototypes, vtkImageData* wind, vtkAlgorithm* progress)
-{
-  const SwaySettings& settings = scene.GetSettings();
-  const auto each = static_cast<std::size_t>(settings.Pictures);
-  std::vector<TextureImage> pictures(each * std::max<std::size_t>(1, prototypes.size()));
-  RunWithProgress(progress, prototypes.size(), 0.0, 0.3, [&](std::size_t index) {
-    const SwaySpecies& species = scene.GetSpecies()[index];
-    int node = 0;
-    const double height = species.Rest.Nodes.empty() ? 0.0 : species.Rest.Along(0, 0.75, node).z;
-    std::vector<TextureImage> own =
-      CrownPictures(species, prototypes[index].MakeCrown(), scene.GetWind(), MiddleOfWind(wind, height), settings);
-    std::move(own.begin(), own.end(), pictures.begin() + static_cast<std::ptrdiff_t>(index * each));
-  });
-  for (TextureImage& picture : pictures)
-  {
-    if (picture.Texels.empty())
-    {
-      picture = TextureImage(settings.TextureSize[0], settings.TextureSize[1]);
-    }
-  }
-  return pictures;
-}
-
 }
 
 //----------------------------------------------------------------------------
 void SwayBlocks::Read(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBlockDataSet*>& prototypes,
-  vtkImageData* wind, const SwaySettings& settings, vtkAlgorithm* progress)
+  vtkImageData* wind, const SwaySettings& settings, std::shared_ptr<SwayKinds> known, vtkAlgorithm* progress)
 {
   RequirePlants(plants);
+  this->Kinds = std::move(known);
   this->MakeScene(plants, prototypes, wind, settings, progress);
   if (this->Table.HasTints)
   {
-    this->Surfaces.Make(plants, this->Table, prototypes);
+    this->Surfaces.Make(plants, this->Table, this->Kinds->SurfacesOf(prototypes));
     plants = this->Surfaces.Plants;
   }
   this->ReadHigh(plants, prototypes, progress);
@@ -109,40 +54,22 @@ int SwayBlocks::RowAt(vtkIntArray* plantIds, vtkIdType point) const
 void SwayBlocks::MakeScene(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBlockDataSet*>& prototypes,
   vtkImageData* wind, const SwaySettings& settings, vtkAlgorithm* progress)
 {
-  const std::shared_ptr<const FrozenWind> frozen = ReadWind(wind);
   this->Table = ReadTable(plants);
   this->Scattered = this->Table.IsThere;
   if (!this->Scattered)
   {
     this->Table.Places.assign(1, PlantPlace());
     this->Table.Levels.assign(1, PlantLevel::Medium);
+    this->Kinds.reset();
   }
-  const std::vector<SwayPrototype> read =
-    ReadPrototypes(this->Scattered ? prototypes : std::vector{ plants }, settings, this->Scattered);
-  std::vector<SwaySpecies> species;
-  for (const SwayPrototype& prototype : read)
+  if (!this->Kinds)
   {
-    species.push_back(prototype.Species);
+    this->Kinds = std::make_shared<SwayKinds>();
+    this->Kinds->Read(this->Scattered ? prototypes : std::vector{ plants }, this->Scattered, wind, settings, progress);
   }
-  this->RequireKnownSpecies(read.size());
-  const double texels =
-    static_cast<double>(read.size()) * settings.Pictures * settings.TextureSize[0] * settings.TextureSize[1];
-  RequireMemoryToSway(2.0 * sizeof(Texel) * texels);
-  this->Scene = std::make_unique<SwayScene>(settings, frozen, this->Table.Places, std::move(species));
-  std::vector<TextureImage> pictures = PicturesOf(*this->Scene, read, wind, progress);
-  std::vector<ColorSum> means(pictures.size(), ColorSum{ 1.0f, 1.0f, 1.0f });
-  for (std::size_t index = 0; index < pictures.size() && !read.empty(); ++index)
-  {
-    means[index] = ReadTextureMean(read[index / static_cast<std::size_t>(settings.Pictures)].Crown);
-  }
-  const ColorSum mean = ShareMean(pictures, means);
-  const TextureAtlas atlas = StackTextures(pictures);
-  this->Scene->SetPictureAreas(atlas.Areas);
-  this->PictureImage = vtkSmartPointer<vtkImageData>::New();
-  CopyToImage(atlas.Image, this->PictureImage);
-  this->PictureFields = vtkSmartPointer<vtkPolyData>::New();
-  AttachTexture(this->PictureFields, atlas.Image);
-  AttachTextureMean(this->PictureFields, mean);
+  this->RequireKnownSpecies(this->Kinds->Species.size());
+  this->Scene = std::make_unique<SwayScene>(settings, this->Kinds->Wind, this->Table.Places, this->Kinds->Species);
+  this->Scene->SetPictureAreas(this->Kinds->Areas);
 }
 
 //----------------------------------------------------------------------------
@@ -520,7 +447,7 @@ void SwayBlocks::ShowPictures(vtkPolyData* crowns)
   crowns->GetPointData()->SetTCoords(tcoords);
   vtkNew<vtkFieldData> fields;
   fields->ShallowCopy(crowns->GetFieldData());
-  vtkFieldData* pictures = this->PictureFields->GetFieldData();
+  vtkFieldData* pictures = this->Kinds->PictureFields->GetFieldData();
   for (int index = 0; index < pictures->GetNumberOfArrays(); ++index)
   {
     fields->AddArray(pictures->GetAbstractArray(index));

@@ -9,9 +9,8 @@
 #include "Data/PlantBlocks.h"
 #include "Data/PlantTable.h"
 #include "Data/ScatteredSurfaces.h"
+#include "Data/SwayKinds.h"
 #include "Sway/SwayScene.h"
-
-#include "vtkImageData.h"
 
 #include <array>
 #include <cstddef>
@@ -27,10 +26,13 @@ namespace littoral
 class SwayBlocks
 {
 public:
-  /// Reads plants. `prototypes` are those of a scattered forest, or none. After an abort it is not whole. Throws
-  /// InvalidInput.
+  /// Reads plants. `prototypes` are those of a scattered forest, or none; `known`, of scattered plants, null or the
+  /// kinds that the same prototypes, wind and settings had before. After an abort it is not whole. Throws InvalidInput.
   void Read(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBlockDataSet*>& prototypes, vtkImageData* wind,
-    const SwaySettings& settings, vtkAlgorithm* progress);
+    const SwaySettings& settings, std::shared_ptr<SwayKinds> known, vtkAlgorithm* progress);
+
+  /// The kinds of scattered plants; null for a single plant.
+  std::shared_ptr<SwayKinds> GetKinds() const { return this->Scattered ? this->Kinds : nullptr; }
 
   /// False where an abort came before all was read.
   bool IsWhole() const { return this->Whole; }
@@ -48,7 +50,7 @@ public:
   const std::vector<double>& GetFrequencies() const { return this->Scene->GetFrequencies(); }
 
   /// Pictures of the crowns, all of a species one above the other, then the next species.
-  vtkImageData* GetPictures() const { return this->PictureImage; }
+  vtkImageData* GetPictures() const { return this->Kinds->PictureImage; }
 
 private:
   /// A block that follows joints.
@@ -64,12 +66,11 @@ private:
   bool Whole = false;
   PlantTable Table;
   bool Scattered = false;
+  std::shared_ptr<SwayKinds> Kinds;
   std::unique_ptr<SwayScene> Scene;
   ScatteredSurfaces Surfaces;
   std::vector<Skin> Skins;
   FrameArrays Arrays;
-  vtkSmartPointer<vtkImageData> PictureImage;
-  vtkSmartPointer<vtkPolyData> PictureFields; // the same as field data
 
   int RowAt(vtkIntArray* plantIds, vtkIdType point) const;
   void MakeScene(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBlockDataSet*>& prototypes, vtkImageData* wind,

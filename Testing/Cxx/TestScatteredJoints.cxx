@@ -12,13 +12,18 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationInformationVectorKey.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <cstdlib>
 #include <initializer_list>
+#include <string>
 #include <vector>
 
 namespace
@@ -57,6 +62,12 @@ std::vector<double> ValuesOf(vtkDataObject* plants)
 vtkPolyData* LeavesOf(vtkPlantScatterFilter* wood)
 {
   return vtkPolyData::SafeDownCast(BlockAt(wood->GetOutputDataObject(0), "High/Leaves"));
+}
+
+/// The array that holds the pictures of the crowns.
+vtkDataArray* PicturesOf(vtkAlgorithm* sway)
+{
+  return vtkImageData::SafeDownCast(sway->GetOutputDataObject(1))->GetPointData()->GetScalars();
 }
 
 bool HasJoints(vtkPlantScatterFilter* wood)
@@ -121,6 +132,26 @@ int TestScatteredJoints(int, char*[])
   const std::vector<double> made = moved();
   good &= Check(made == without, "surfaces that sway are not those that plants are passed with");
   good &= Check(LeavesOf(wood)->GetNumberOfPoints() == 0, "plants have surfaces");
+  const auto keeper = sway({ tree, shrub });
+  const auto follows = [&](const char* change, bool isOtherKind) {
+    const vtkSmartPointer<vtkDataArray> former = PicturesOf(keeper);
+    wood->Update();
+    keeper->UpdateTimeStep(3.3);
+    const bool isOther = PicturesOf(keeper) != former;
+    return Check(ValuesOf(keeper->GetOutputDataObject(0)) == moved(), std::string("not moved as anew: ") + change) &&
+      Check(isOther == isOtherKind, std::string("pictures of crowns are made at need: ") + change);
+  };
+  keeper->UpdateTimeStep(3.3);
+  auto* leaves = vtkPolyData::SafeDownCast(BlockAt(keeper->GetOutputDataObject(0), "High/Leaves"));
+  vtkDataArray* colors = leaves->GetPointData()->GetArray("RGB");
+  good &= Check(colors->GetNumberOfTuples() > 4096 && colors->GetInformation()->Has(vtkDataArray::PER_COMPONENT()),
+    "colors of surfaces that are made keep no ranges");
+  wood->SetViewPoint(18.0, -15.0, 12.0);
+  good &= follows("other plants", false);
+  wind->SetSeed(5);
+  good &= follows("another wind", true);
+  shrub->SetSeed(7);
+  good &= follows("another prototype", true);
   vtkNew<ErrorCounter> bareErrors;
   const auto bare = sway({});
   bareErrors->Watch(bare);

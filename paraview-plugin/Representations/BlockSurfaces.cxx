@@ -7,6 +7,9 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
+#include "vtkInformationInformationVectorKey.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
@@ -43,6 +46,17 @@ bool HasOnlyBlocks(vtkDataObjectTree* tree)
   return areBlocks;
 }
 
+/// Keeps the range of an array of one number where VTK, which would read all of it, looks first.
+void KeepRange(double number, vtkDataArray* array)
+{
+  const double range[2] = { number, number };
+  vtkNew<vtkInformationVector> ranges;
+  ranges->SetNumberOfInformationObjects(1);
+  ranges->GetInformationObject(0)->Set(vtkDataArray::COMPONENT_RANGE(), range, 2);
+  array->GetInformation()->Set(vtkDataArray::PER_COMPONENT(), ranges);
+  array->GetInformation()->Set(vtkDataArray::PER_FINITE_COMPONENT(), ranges);
+}
+
 /// An array of one number, as it was before if it had as many; in bytes where they can tell it.
 vtkDataArray* Filled(vtkSmartPointer<vtkDataArray>& kept, const char* name, unsigned int number, vtkIdType size)
 {
@@ -53,6 +67,7 @@ vtkDataArray* Filled(vtkSmartPointer<vtkDataArray>& kept, const char* name, unsi
     kept->SetName(name);
     kept->SetNumberOfTuples(size);
     kept->Fill(number);
+    KeepRange(number, kept);
   }
   return kept;
 }
