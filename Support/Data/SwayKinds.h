@@ -3,7 +3,7 @@
 #ifndef LittoralSupportSwayKinds_h
 #define LittoralSupportSwayKinds_h
 
-// What swaying plants have in common, whichever are shown. Private: never installed, never wrapped.
+// Kinds of swaying plants, whichever are shown. Private: never installed, never wrapped.
 
 #include "Data/ScatterPrototypes.h"
 #include "Sway/SwaySpecies.h"
