@@ -56,7 +56,7 @@ bool AsksForPiece(vtkInformation* output)
 
 }
 
-RankTeam::RankTeam(vtkInformation* request, vtkInformationVector* outputs)
+RankTeam::RankTeam(vtkInformation* request, vtkInformationVector* outputs, bool hasAnyPart)
   : Controller(vtkMultiProcessController::GetGlobalController())
 {
   const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
@@ -64,7 +64,7 @@ RankTeam::RankTeam(vtkInformation* request, vtkInformationVector* outputs)
   const int ranks = this->Controller ? this->Controller->GetNumberOfProcesses() : 1;
   const int rank = this->Controller ? this->Controller->GetLocalProcessId() : 0;
   if (output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) == ranks &&
-    output->Get(Pipeline::UPDATE_PIECE_NUMBER()) == rank && AsksForPiece(output))
+    output->Get(Pipeline::UPDATE_PIECE_NUMBER()) == rank && (hasAnyPart || AsksForPiece(output)))
   {
     this->Ranks = static_cast<std::size_t>(ranks);
     this->Rank = static_cast<std::size_t>(rank);

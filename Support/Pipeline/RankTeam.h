@@ -26,8 +26,9 @@ namespace littoral
 class RankTeam
 {
 public:
-  /// The ranks that are asked for the output of a request.
-  RankTeam(vtkInformation* request, vtkInformationVector* outputs);
+  /// The ranks that are asked for the output of a request; also for parts that a consumer has chosen of an image, where
+  /// each rank has what any part needs. Until data are asked for, VTK does not tell the part that it makes of a piece.
+  RankTeam(vtkInformation* request, vtkInformationVector* outputs, bool hasAnyPart = false);
 
   bool IsAlone() const { return this->Ranks < 2; }
   bool IsFirst() const { return this->Rank == 0; }

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/SharedParts.h"
+
+#include "Pipeline/SharedKey.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkExecutive.h"
+#include "vtkInformation.h"
+#include "vtkInformationExecutivePortKey.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+
+namespace littoral
+{
+
+namespace
+{
+
+vtkInformationIntegerKey* FormKey()
+{
+  static auto* key = SharedKey<vtkInformationIntegerKey>("FORM_OF_PARTS");
+  return key;
+}
+
+void RequestPart(vtkInformation* input, int piece, int pieces)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece);
+  input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), pieces);
+  input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+}
+
+}
+
+void AnnouncePartForm(vtkInformation* output, PartForm form)
+{
+  output->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  output->Set(FormKey(), static_cast<int>(form));
+}
+
+void ForgetPartForm(vtkInformation* output)
+{
+  output->Remove(FormKey());
+}
+
+bool ComesInParts(vtkInformation* input, PartForm form)
+{
+  while (input && !input->Has(FormKey()))
+  {
+    vtkExecutive* producer = vtkExecutive::PRODUCER()->GetExecutive(input);
+    const bool passesOn = producer && producer->GetAlgorithm()->IsA("vtkPVPostFilter");
+    input = passesOn ? producer->GetInputInformation(0, 0) : nullptr;
+  }
+  return input && input->Get(FormKey()) == static_cast<int>(form);
+}
+
+bool IsPart(vtkInformation* input, PartForm form)
+{
+  vtkDataObject* data = vtkDataObject::GetData(input);
+  return data && data->GetInformation()->Get(vtkDataObject::DATA_NUMBER_OF_PIECES()) > 1 && ComesInParts(input, form);
+}
+
+void RequestSamePart(vtkInformation* input, vtkInformation* output)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  // VTK asks for piece -1 where it knows of none.
+  RequestPart(input, std::max(0, output->Get(Pipeline::UPDATE_PIECE_NUMBER())),
+    std::max(1, output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())));
+}
+
+void RequestNoOtherPart(vtkInformation* input)
+{
+  vtkDataObject* data = vtkDataObject::GetData(input);
+  vtkInformation* own = data ? data->GetInformation() : nullptr;
+  if (own && own->Has(vtkDataObject::DATA_NUMBER_OF_PIECES()))
+  {
+    RequestPart(input, own->Get(vtkDataObject::DATA_PIECE_NUMBER()), own->Get(vtkDataObject::DATA_NUMBER_OF_PIECES()));
+  }
+}
+
+}
