@@ -333,6 +333,7 @@ int vtkPlantScatterFilter::RequestUpdateExtent(
   if (MayShareSites(request, inputs, outputs))
   {
     littoral::RequestSamePart(inputs[SitesPort]->GetInformationObject(0), outputs->GetInformationObject(0));
+    littoral::RequestTogether(inputs[PrototypesPort]);
   }
   return 1;
 }

@@ -7,6 +7,7 @@
 // wrapped.
 
 class vtkInformation;
+class vtkInformationVector;
 
 namespace littoral
 {
@@ -17,6 +18,7 @@ enum class PartForm
   Runs = 1,      ///< of points in an order of place, one behind the other: ranks know the points by their numbers, and
                  ///< have few that belong to others
   Instances = 2, ///< of plants, with all prototypes in each part
+  Whole = 3,     ///< all of it in the first part; ranks that each need all can share the work
 };
 
 /// Announces that an output can be made in such parts. All ranks or none must be able to make theirs: those that share
@@ -34,6 +36,13 @@ bool IsPart(vtkInformation* input, PartForm form);
 
 /// Asks an input for the part that is asked of an output.
 void RequestSamePart(vtkInformation* input, vtkInformation* output);
+
+/// Asks inputs of the form Whole, of which all ranks need all, to make it together, if on all ranks, all of which must
+/// call this now, each of them has changed since it made some.
+void RequestTogether(vtkInformationVector* inputs);
+
+/// Whether an output is asked for so; once.
+bool IsAskedTogether(vtkInformation* output);
 
 /// Asks an input for the part that it has, if it has data.
 void RequestNoOtherPart(vtkInformation* input);
