@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../ProcessTeam.h"
 #include "Numerics/Constants.h"
 #include "Plants/CylindricalProjection.h"
 #include "Plants/PlantLevels.h"
@@ -125,6 +126,47 @@ TEST(PlantLevels, TheEnvelopeIsClosedAndWithinItsVolumeHoweverItIsJittered)
         EXPECT_NEAR(mesh.TCoords[i][1], up, 1e-12);
       }
     }
+  }
+}
+
+TEST(PlantLevels, ProcessesSharePicturesFromAfar)
+{
+  const auto grow = [](int seed) {
+    ReevesTreeParameters parameters = PresetParameters(TreePreset::Shrub);
+    parameters.NumberOfLeaves = 40;
+    parameters.Seed = seed;
+    return GrowReevesTree(parameters);
+  };
+  const Plant plant = grow(1);
+  std::uint64_t keys[2];
+  PlantLevelOptions options;
+  options.ShareOf = [&](std::uint64_t key) {
+    keys[1] = key;
+    return WorkShare();
+  };
+  LevelsOf(grow(2), options);
+  options.ShareOf = [&](std::uint64_t key) {
+    keys[0] = key;
+    return WorkShare();
+  };
+  const PlantImpostor alone = LevelsOf(plant, options).Impostor;
+  EXPECT_NE(keys[0], keys[1]);
+  EXPECT_GT(std::set<Texel>(alone.Pictures.Texels.begin(), alone.Pictures.Texels.end()).size(), 50u);
+  for (const std::size_t ranks : { 2, 3, 30 }) // more than views too
+  {
+    littoral::testing::ProcessTeam(ranks).Run([&](const WorkShare& share) {
+      PlantLevelOptions shared;
+      shared.ShareOf = [&](std::uint64_t key) {
+        EXPECT_EQ(key, keys[0]);
+        return share;
+      };
+      const PlantImpostor impostor = LevelsOf(plant, shared).Impostor;
+      EXPECT_EQ(impostor.Pictures.Texels, alone.Pictures.Texels) << share.Rank << " of " << ranks;
+      EXPECT_EQ(impostor.Normals, alone.Normals);
+      EXPECT_EQ(impostor.Shape.Areas, alone.Shape.Areas);
+      EXPECT_EQ(impostor.Mean, alone.Mean);
+      EXPECT_EQ(impostor.TextureMean, alone.TextureMean);
+    });
   }
 }
 
