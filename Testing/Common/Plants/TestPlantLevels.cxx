@@ -131,36 +131,26 @@ TEST(PlantLevels, TheEnvelopeIsClosedAndWithinItsVolumeHoweverItIsJittered)
 
 TEST(PlantLevels, ProcessesSharePicturesFromAfar)
 {
-  const auto grow = [](int seed) {
-    ReevesTreeParameters parameters = PresetParameters(TreePreset::Shrub);
-    parameters.NumberOfLeaves = 40;
-    parameters.Seed = seed;
-    return GrowReevesTree(parameters);
-  };
-  const Plant plant = grow(1);
-  std::uint64_t keys[2];
+  ReevesTreeParameters parameters = PresetParameters(TreePreset::Shrub);
+  parameters.NumberOfLeaves = 40;
+  std::uint64_t ofPlant = 0;
   PlantLevelOptions options;
   options.ShareOf = [&](std::uint64_t key) {
-    keys[1] = key;
+    ofPlant = key;
     return WorkShare();
   };
-  LevelsOf(grow(2), options);
-  options.ShareOf = [&](std::uint64_t key) {
-    keys[0] = key;
-    return WorkShare();
-  };
-  const PlantImpostor alone = LevelsOf(plant, options).Impostor;
-  EXPECT_NE(keys[0], keys[1]);
+  const PlantPrototype plant = LevelsOf(GrowReevesTree(parameters), options);
+  const PlantImpostor& alone = plant.Impostor;
   EXPECT_GT(std::set<Texel>(alone.Pictures.Texels.begin(), alone.Pictures.Texels.end()).size(), 50u);
-  for (const std::size_t ranks : { 2, 3, 30 }) // more than views too
+  const std::vector<DrawnMesh> meshes{ { plant.Skin }, { plant.Leaves, &plant.LeafTexture } };
+  EXPECT_EQ(KeyOf(meshes), ofPlant);
+  PlantMesh other = plant.Leaves;
+  other.Colors.back()[0] ^= 1;
+  EXPECT_NE(KeyOf({ { plant.Skin }, { other, &plant.LeafTexture } }), ofPlant);
+  for (const std::size_t ranks : { 3, 30 }) // more than views too
   {
     littoral::testing::ProcessTeam(ranks).Run([&](const WorkShare& share) {
-      PlantLevelOptions shared;
-      shared.ShareOf = [&](std::uint64_t key) {
-        EXPECT_EQ(key, keys[0]);
-        return share;
-      };
-      const PlantImpostor impostor = LevelsOf(plant, shared).Impostor;
+      const PlantImpostor impostor = ImpostorOf(meshes, alone.Shape.Extent, SerialFor, share);
       EXPECT_EQ(impostor.Pictures.Texels, alone.Pictures.Texels) << share.Rank << " of " << ranks;
       EXPECT_EQ(impostor.Normals, alone.Normals);
       EXPECT_EQ(impostor.Shape.Areas, alone.Shape.Areas);
