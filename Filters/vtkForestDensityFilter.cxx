@@ -9,11 +9,14 @@
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Pipeline.h"
+#include "Pipeline/RankTeam.h"
+#include "Pipeline/SharedParts.h"
 #include "Plants/GapFraction.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -28,6 +31,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
+#include "vtkTimeStamp.h"
 
 #include <algorithm>
 #include <array>
@@ -52,6 +56,8 @@ constexpr int SmallestAngle = 0;
 constexpr int LargestAngle = 85;
 constexpr int StepOfAngles = 5;
 constexpr std::size_t RowsAtOnce = 64;
+constexpr std::size_t CellsAtOnce = 65536;
+constexpr int PortOfCrowns = 3;
 constexpr double MostCellsAlong = 100000.0;
 
 /// Leaf and plant area [m2] and leaf mass [kg] of a layer, or of all of them.
@@ -106,30 +112,61 @@ void AddDensity(vtkImageData* output, const int first[3], const littoral::Canopy
   output->GetCellData()->AddArray(density);
 }
 
-/// Layers of a grid, the highest first, and the leaf area density of all cells.
+/// Layers of a grid, the highest first; ranks that have the same grid share them.
 std::vector<Layer> LayersOf(
-  const littoral::CanopyDensity& density, std::vector<float>& leaves, const littoral::ParallelFor& parallel)
+  const littoral::CanopyDensity& density, const littoral::ParallelFor& parallel, const littoral::WorkShare& share)
 {
   const littoral::CanopyGrid& grid = density.GetGrid();
   const std::size_t cells = static_cast<std::size_t>(grid.Count[0]) * grid.Count[1];
-  std::vector<Layer> layers(static_cast<std::size_t>(grid.Count[2]));
-  parallel(layers.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n)
+  const auto count = static_cast<std::size_t>(grid.Count[2]);
+  littoral::NumberRows sums(count);
+  parallel(share.OwnOf(count), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t own = begin; own < end; ++own)
     {
-      const std::size_t k = layers.size() - 1 - n;
-      Layer& layer = layers[n];
-      layer.Height = grid.Origin.z + (static_cast<double>(k) + 0.5) * grid.Spacing.z;
+      const std::size_t k = share.RowOf(own);
+      std::vector<double>& layer = sums[k] = { 0.0, 0.0, 0.0 };
       for (std::size_t cell = k * cells; cell < (k + 1) * cells; ++cell)
       {
         const double leaf = density.LeafArea(cell);
-        layer.Leaf += leaf;
-        layer.Plant += leaf + density.WoodArea(cell);
-        layer.Mass += density.LeafMass(cell);
-        leaves[cell] = static_cast<float>(leaf / grid.CellVolume());
+        layer[0] += leaf;
+        layer[1] += leaf + density.WoodArea(cell);
+        layer[2] += density.LeafMass(cell);
       }
     }
   });
+  share.Complete(sums);
+  std::vector<Layer> layers;
+  for (std::size_t k = count; k-- > 0;)
+  {
+    const double height = grid.Origin.z + (static_cast<double>(k) + 0.5) * grid.Spacing.z;
+    layers.push_back({ height, sums[k][0], sums[k][1], sums[k][2] });
+  }
   return layers;
+}
+
+/// Rows of the table of angles; ranks that have the same grid share the lines.
+std::vector<Gap> GapsOf(const littoral::CanopyDensity& density, const littoral::LeafInclination& inclination,
+  double leafArea, const littoral::ParallelFor& parallel, const littoral::WorkShare& share)
+{
+  const littoral::CanopyGrid& grid = density.GetGrid();
+  std::vector<float> leaves(grid.NumberOfCells());
+  littoral::ForRanges(parallel, leaves.size(), CellsAtOnce, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t cell = begin; cell < end; ++cell)
+    {
+      leaves[cell] = static_cast<float>(density.LeafArea(cell) / grid.CellVolume());
+    }
+  });
+  std::vector<Gap> gaps;
+  for (int angle = SmallestAngle; angle <= LargestAngle; angle += StepOfAngles)
+  {
+    const double zenith = angle * Degree;
+    const double projection = inclination.Projection(zenith);
+    // P = exp(-G LAI / cos t)
+    const double random = std::exp(-projection * leafArea / grid.FootArea() / std::cos(zenith));
+    const double fraction = littoral::GapFraction(grid, leaves.data(), zenith, projection, parallel, share);
+    gaps.push_back({ static_cast<double>(angle), projection, fraction, random });
+  }
+  return gaps;
 }
 
 void WriteProfile(const littoral::CanopyGrid& grid, const std::vector<Layer>& layers, vtkTable* table)
@@ -184,9 +221,33 @@ void WriteCrowns(const std::vector<littoral::StandCrown>& crowns, vtkPolyData* o
     return foot > 0.0 ? crown.LeafArea / foot : 0.0;
   });
   add("MaximumHeight", [](const Crown& crown) { return crown.MaximumHeight; });
-  auto species = littoral::NewArray<vtkIntArray>("Species", 1, count);
-  std::transform(crowns.begin(), crowns.end(), species->GetPointer(0), [](const Crown& crown) { return crown.Kind; });
-  output->GetPointData()->AddArray(species);
+  const auto addNumbers = [&](const char* name, int Crown::*number) {
+    auto array = littoral::NewArray<vtkIntArray>(name, 1, count);
+    std::transform(
+      crowns.begin(), crowns.end(), array->GetPointer(0), [number](const Crown& crown) { return crown.*number; });
+    output->GetPointData()->AddArray(array);
+  };
+  addNumbers("Species", &Crown::Kind);
+  addNumbers("PlantId", &Crown::Plant);
+}
+
+int PortOf(vtkInformation* request)
+{
+  return std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+}
+
+/// The piece that is asked of an output, and their number.
+std::array<int, 2> PieceOf(vtkInformation* output)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  return { output->Get(Pipeline::UPDATE_PIECE_NUMBER()), output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) };
+}
+
+/// Whether ranks that are asked for a piece each can have a part of the plants each.
+bool MayShare(vtkInformation* request, vtkInformation* stand, vtkInformationVector* outputs)
+{
+  return !littoral::RankTeam(request, outputs, true).IsAlone() &&
+    littoral::ComesInParts(stand, littoral::PartForm::Instances);
 }
 
 /// Names of the species and their leaves.
@@ -222,6 +283,25 @@ struct vtkForestDensityFilter::Frame
   {
     return Grid.Origin - Grid.Spacing * littoral::Vector3(First[0], First[1], First[2]);
   }
+};
+
+//----------------------------------------------------------------------------
+/// A stand in cells, and its tables. Ranks that have shared it keep it, so that one that is asked for another part
+/// later needs no other.
+class vtkForestDensityFilter::vtkInternals
+{
+public:
+  Frame Cells;
+  std::vector<littoral::StandKind> Kinds;
+  std::unique_ptr<littoral::CanopyDensity> Density;
+  std::vector<Layer> Layers;
+  Layer Totals;
+  std::vector<Gap> Gaps;
+  vtkNew<vtkPolyData> Crowns;
+
+  std::array<int, 2> Piece{ 0, 1 }; ///< whose plants the crowns are, and the number of pieces
+  double Time = 0.0;
+  vtkTimeStamp Made;
 };
 
 //----------------------------------------------------------------------------
@@ -352,41 +432,61 @@ int vtkForestDensityFilter::RequestInformation(
 }
 
 //----------------------------------------------------------------------------
-int vtkForestDensityFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+/// Whether what ranks have made together, after the last change, answers a request.
+bool vtkForestDensityFilter::Keeps(vtkInformation* request, vtkInformationVector* outputs)
+{
+  const vtkMTimeType made = this->Shared ? this->Shared->Made.GetMTime() : 0;
+  const int port = PortOf(request);
+  vtkInformation* output = outputs->GetInformationObject(port);
+  return made > this->GetMTime() && made > littoral::PipelineTime(this, StandPort, 0) &&
+    made > littoral::PipelineTime(this, GridPort, 0) && this->Shared->Time == littoral::RequestedTime(output) &&
+    (port != PortOfCrowns || this->Shared->Piece == PieceOf(output));
+}
+
+//----------------------------------------------------------------------------
+int vtkForestDensityFilter::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   for (const int port : { StandPort, GridPort })
   {
     littoral::RequestAll(inputs[port]->GetInformationObject(0));
   }
+  vtkInformation* stand = inputs[StandPort]->GetInformationObject(0);
+  if (this->Keeps(request, outputs))
+  {
+    littoral::RequestNoOtherPart(stand);
+  }
+  else if (MayShare(request, stand, outputs))
+  {
+    littoral::RequestSamePart(stand, outputs->GetInformationObject(PortOf(request)));
+  }
   return 1;
 }
 
 //----------------------------------------------------------------------------
-int vtkForestDensityFilter::RequestData(
-  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+/// Counts the plants of the input, and on ranks that share them those of the others.
+std::unique_ptr<vtkForestDensityFilter::vtkInternals> vtkForestDensityFilter::Measure(
+  vtkInformationVector** inputs, const littoral::WorkShare& share, bool hasTables)
 {
-  vtkInformation* info = outputs->GetInformationObject(0);
-  littoral::ForgetExtent(info);
-  if (littoral::IsAnnouncedEmpty(info))
-  {
-    return littoral::FailedRequest(this);
-  }
   if (auto* image = littoral::OptionalInputOf<vtkImageData>(inputs[GridPort], GridInput))
   {
     littoral::RequireUpright(image, GridInput);
   }
-  const Frame frame = this->FrameOf(inputs[GridPort]);
-  const littoral::CanopyGrid& grid = frame.Grid;
+  auto result = std::make_unique<vtkInternals>();
+  vtkInternals& made = *result;
+  made.Cells = this->FrameOf(inputs[GridPort]);
+  const littoral::CanopyGrid& grid = made.Cells.Grid;
   const littoral::StandOptions options{ this->SpeciesNames ? this->SpeciesNames : "", this->LeafMassPerArea,
     static_cast<littoral::FoliageDetail>(this->Detail), this->LeafAreaIndex, this->MaximumHeight,
     this->HeightsAboveGround };
   this->SetProgressText("Reading leaves");
   const std::unique_ptr<littoral::StandFoliage> stand =
-    littoral::ReadStand(vtkDataObject::GetData(inputs[StandPort]), StandInput, options);
+    littoral::ReadStand(vtkDataObject::GetData(inputs[StandPort]), StandInput, options, share);
   this->UpdateProgress(0.2);
 
+  made.Kinds = stand->Kinds();
   std::vector<double> masses;
-  for (const littoral::StandKind& kind : stand->Kinds())
+  for (const littoral::StandKind& kind : made.Kinds)
   {
     masses.push_back(kind.Traits.MassPerArea);
   }
@@ -394,44 +494,82 @@ int vtkForestDensityFilter::RequestData(
   littoral::RequireMemory(littoral::CanopyDensity::BytesOf(grid, masses, this->BySpecies) +
       arrays * BytesOfOutput * static_cast<double>(grid.NumberOfCells()),
     "a density of " + littoral::TextOf(static_cast<double>(grid.NumberOfCells())) + " cells", "take a larger CellSize");
-  littoral::CanopyDensity density(grid, masses, this->BySpecies);
+  made.Density = std::make_unique<littoral::CanopyDensity>(grid, masses, this->BySpecies);
   littoral::LeafInclination inclination;
   this->SetProgressText("Counting leaves");
-  stand->AddTo(density, inclination, littoral::AbortableFor(this, 0.2, 0.8));
+  stand->AddTo(*made.Density, inclination, littoral::AbortableFor(this, 0.2, 0.8));
 
   const littoral::ParallelFor parallel = littoral::AbortableFor(this);
-  std::vector<float> leaves(grid.NumberOfCells());
-  const std::vector<Layer> layers = LayersOf(density, leaves, parallel);
-  Layer totals;
-  for (const Layer& layer : layers)
+  made.Layers = LayersOf(*made.Density, parallel, share);
+  for (const Layer& layer : made.Layers)
   {
-    totals.Leaf += layer.Leaf;
-    totals.Mass += layer.Mass;
+    made.Totals.Leaf += layer.Leaf;
+    made.Totals.Mass += layer.Mass;
   }
-  littoral::Require(totals.Leaf > 0.0 ? "" : "all of the stand is outside of the image; set Bounds.");
+  littoral::Require(made.Totals.Leaf > 0.0 ? "" : "all of the stand is outside of the image; set Bounds.");
+  if (hasTables)
+  {
+    made.Gaps = GapsOf(*made.Density, inclination, made.Totals.Leaf, parallel, share);
+    WriteCrowns(stand->Crowns(), made.Crowns);
+  }
+  this->UpdateProgress(0.85);
+  return result;
+}
 
+//----------------------------------------------------------------------------
+/// The same on ranks that each have a part of the plants, or all of them where something else upstream needs them all.
+std::unique_ptr<vtkForestDensityFilter::vtkInternals> vtkForestDensityFilter::MeasureShared(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  std::unique_ptr<vtkInternals> made;
+  littoral::RankTeam team(request, outputs, true);
+  team.Run([&] {
+    const bool isPart = littoral::IsPart(inputs[StandPort]->GetInformationObject(0), littoral::PartForm::Instances);
+    team.Agree(isPart ? 1 : 0);
+    littoral::Require(
+      isPart && !team.IsSharing() ? "not all ranks have a part of the plants; update all of them." : "");
+    made = this->Measure(inputs, team.Share(), team.IsSharing() || team.IsFirst());
+  });
+  if (team.IsSharing())
+  {
+    vtkInformation* output = outputs->GetInformationObject(PortOf(request));
+    made->Piece = PieceOf(output);
+    made->Time = littoral::RequestedTime(output);
+    made->Made.Modified();
+    this->Shared = std::move(made);
+  }
+  return made;
+}
+
+//----------------------------------------------------------------------------
+void vtkForestDensityFilter::Write(const vtkInternals& made, vtkInformationVector* outputs, bool hasTables)
+{
+  const littoral::CanopyDensity& density = *made.Density;
+  const littoral::CanopyGrid& grid = made.Cells.Grid;
+  const int* first = made.Cells.First;
+  const littoral::ParallelFor parallel = littoral::AbortableFor(this);
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
     // without that of the stand, which has a value a plant
     vtkDataObject::GetData(outputs->GetInformationObject(port))->GetFieldData()->Initialize();
   }
+  vtkInformation* info = outputs->GetInformationObject(0);
   vtkImageData* output = vtkImageData::GetData(info);
   const std::array<int, 6> extent = littoral::RequestedExtent(info);
   output->SetExtent(extent[0], extent[1], extent[2], extent[3], extent[4], extent[5]);
-  const littoral::Vector3 origin = frame.Origin();
+  const littoral::Vector3 origin = made.Cells.Origin();
   output->SetOrigin(&origin.x);
   output->SetSpacing(&grid.Spacing.x);
   if (output->GetNumberOfPoints() > 0)
   {
     AddDensity(
-      output, frame.First, grid, "LeafAreaDensity", parallel, [&](std::size_t cell) { return density.LeafArea(cell); });
-    AddDensity(output, frame.First, grid, "PlantAreaDensity", parallel,
+      output, first, grid, "LeafAreaDensity", parallel, [&](std::size_t cell) { return density.LeafArea(cell); });
+    AddDensity(output, first, grid, "PlantAreaDensity", parallel,
       [&](std::size_t cell) { return density.LeafArea(cell) + density.WoodArea(cell); });
-    AddDensity(
-      output, frame.First, grid, "BulkDensity", parallel, [&](std::size_t cell) { return density.LeafMass(cell); });
-    for (int kind = 0; this->BySpecies && kind < static_cast<int>(masses.size()); ++kind)
+    AddDensity(output, first, grid, "BulkDensity", parallel, [&](std::size_t cell) { return density.LeafMass(cell); });
+    for (int kind = 0; this->BySpecies && kind < static_cast<int>(made.Kinds.size()); ++kind)
     {
-      AddDensity(output, frame.First, grid, "LeafAreaDensity " + stand->Kinds()[kind].Name, parallel,
+      AddDensity(output, first, grid, "LeafAreaDensity " + made.Kinds[kind].Name, parallel,
         [&](std::size_t cell) { return density.LeafAreaOf(kind, cell); });
     }
     output->GetCellData()->SetActiveScalars("LeafAreaDensity");
@@ -440,29 +578,44 @@ int vtkForestDensityFilter::RequestData(
   {
     littoral::AddField(output, "HeightsAboveGround", { 1.0 });
   }
-  littoral::AddField(output, "LeafArea", { totals.Leaf });
+  littoral::AddField(output, "LeafArea", { made.Totals.Leaf });
   littoral::AddField(output, "LeafAreaOutside", { density.LeafOutside() });
-  littoral::AddField(output, "LeafMass", { totals.Mass });
-  littoral::AddField(output, "LeafAreaIndex", { totals.Leaf / grid.FootArea() });
-  WriteKinds(stand->Kinds(), output);
-  this->UpdateProgress(0.85);
-  if (littoral::AsksForLaterPiece(request, outputs))
+  littoral::AddField(output, "LeafMass", { made.Totals.Mass });
+  littoral::AddField(output, "LeafAreaIndex", { made.Totals.Leaf / grid.FootArea() });
+  WriteKinds(made.Kinds, output);
+  vtkInformation* crowns = outputs->GetInformationObject(PortOfCrowns);
+  if (!crowns->Get(vtkDemandDrivenPipeline::DATA_NOT_GENERATED()))
   {
+    vtkPolyData::GetData(crowns)->ShallowCopy(made.Crowns);
+  }
+  if (hasTables)
+  {
+    WriteProfile(grid, made.Layers, vtkTable::GetData(outputs->GetInformationObject(1)));
+    WriteGaps(made.Gaps, vtkTable::GetData(outputs->GetInformationObject(2)));
+  }
+}
+
+//----------------------------------------------------------------------------
+int vtkForestDensityFilter::RequestData(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInformation* info = outputs->GetInformationObject(0);
+  littoral::ForgetExtent(info);
+  vtkImageData::GetData(info)->Initialize();
+  if (littoral::IsAnnouncedEmpty(info))
+  {
+    return littoral::FailedRequest(this);
+  }
+  const bool hasTables = !littoral::AsksForLaterPiece(request, outputs);
+  if (this->Keeps(request, outputs))
+  {
+    this->Write(*this->Shared, outputs, hasTables);
     return 1;
   }
-  WriteProfile(grid, layers, vtkTable::GetData(outputs->GetInformationObject(1)));
-  std::vector<Gap> gaps;
-  for (int angle = SmallestAngle; angle <= LargestAngle; angle += StepOfAngles)
-  {
-    const double zenith = angle * Degree;
-    const double projection = inclination.Projection(zenith);
-    // P = exp(-G LAI / cos t)
-    const double random = std::exp(-projection * totals.Leaf / grid.FootArea() / std::cos(zenith));
-    const double fraction = littoral::GapFraction(grid, leaves.data(), zenith, projection, parallel);
-    gaps.push_back({ static_cast<double>(angle), projection, fraction, random });
-  }
-  WriteGaps(gaps, vtkTable::GetData(outputs->GetInformationObject(2)));
-  WriteCrowns(stand->Crowns(), vtkPolyData::GetData(outputs->GetInformationObject(3)));
+  const auto made = MayShare(request, inputs[StandPort]->GetInformationObject(0), outputs)
+    ? this->MeasureShared(request, inputs, outputs)
+    : this->Measure(inputs, littoral::WorkShare(), hasTables);
+  this->Write(made ? *made : *this->Shared, outputs, hasTables);
   this->UpdateProgress(1.0);
   return 1;
 }
@@ -471,6 +624,12 @@ int vtkForestDensityFilter::RequestData(
 int vtkForestDensityFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED()) && this->Keeps(request, outputs) &&
+    this->Shared->Piece != PieceOf(outputs->GetInformationObject(PortOf(request))))
+  {
+    // The plants of another piece are not kept.
+    outputs->GetInformationObject(PortOfCrowns)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+  }
   return littoral::WithoutExceptions(this, request, outputs,
     "Cannot measure the stand: ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }

@@ -34,11 +34,16 @@
  *
  * Output 3: vtkPolyData, a vertex for each plant, at its foot, with `Height` and `CrownDiameter` [m], `LeafArea` [m2],
  * `LeafAreaIndex` of the crown, `MaximumHeight`, z_m over the height of the profile of Lalic and Mihailovic whose
- * leaves have the mean height of its own, and `Species`. The diameter is that of the cylinder around its leaves.
+ * leaves have the mean height of its own, `Species`, and `PlantId`, its number in the stand. The diameter is that of
+ * the cylinder around its leaves.
  *
  * Leaves beyond the image are left out. A stand none of whose leaves is in the image, a stand without leaf area, plants
  * out of view or without their leaves, a number that is not finite, and a property out of range are reported as one
  * error. Numbers are those of the whole stand, whatever part is asked for, and the same on any number of threads.
+ *
+ * Ranks of the global controller that are asked for a piece each share a stand of instances: each counts its own
+ * plants, and they exchange the sums of the cells that have any, 16 bytes a sum; output 3 has the own plants on each
+ * rank. Of other stands each rank counts all, and the first one has output 3. Tables are on the first.
  *
  * Leaf mass per area follows the names of SpeciesNames, see LeafMassPerArea.
  */
@@ -48,8 +53,12 @@
 #include "LittoralFiltersModule.h" // for export macro
 #include "vtkImageAlgorithm.h"
 
-class vtkPolyData;
-class vtkTable;
+#include <memory> // for std::unique_ptr
+
+namespace littoral
+{
+struct WorkShare;
+}
 
 class LITTORALFILTERS_EXPORT vtkForestDensityFilter : public vtkImageAlgorithm
 {
@@ -186,9 +195,18 @@ private:
   void operator=(const vtkForestDensityFilter&) = delete;
 
   struct Frame;
+  class vtkInternals;
 
   void CheckProperties() const;
   Frame FrameOf(vtkInformationVector* grids) const;
+  bool Keeps(vtkInformation* request, vtkInformationVector* outputs);
+  std::unique_ptr<vtkInternals> Measure(
+    vtkInformationVector** inputs, const littoral::WorkShare& share, bool hasTables);
+  std::unique_ptr<vtkInternals> MeasureShared(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs);
+  void Write(const vtkInternals& made, vtkInformationVector* outputs, bool hasTables);
+
+  std::unique_ptr<vtkInternals> Shared;
 };
 
 #endif

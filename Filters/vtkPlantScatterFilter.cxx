@@ -18,9 +18,9 @@
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/DataStamp.h"
 #include "Pipeline/Pipeline.h"
-#include "Pipeline/PointRuns.h"
 #include "Pipeline/Ranges.h"
 #include "Pipeline/RankTeam.h"
+#include "Pipeline/SharedParts.h"
 #include "Plants/PlantScatter.h"
 #include "vtkPlantSource.h"
 
@@ -107,7 +107,7 @@ void WriteTexture(const littoral::TextureImage& texture, vtkInformation* output)
 bool MayShareSites(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   return request->Get(vtkExecutive::FROM_OUTPUT_PORT()) <= 0 && !littoral::RankTeam(request, outputs).IsAlone() &&
-    littoral::ComesInRuns(inputs[SitesPort]->GetInformationObject(0));
+    littoral::ComesInParts(inputs[SitesPort]->GetInformationObject(0), littoral::PartForm::Runs);
 }
 
 /// The prototypes, and the data that they are of.
@@ -294,7 +294,13 @@ int vtkPlantScatterFilter::FillOutputPortInformation(int port, vtkInformation* i
 int vtkPlantScatterFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  vtkInformation* plants = outputs->GetInformationObject(0);
+  plants->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  littoral::ForgetPartForm(plants);
+  if (this->OutputForm == Instances)
+  {
+    littoral::AnnouncePartForm(plants, littoral::PartForm::Instances);
+  }
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
     littoral::AnnounceTimesOf(this, inputs, outputs->GetInformationObject(port));
@@ -327,6 +333,7 @@ int vtkPlantScatterFilter::RequestUpdateExtent(
   if (MayShareSites(request, inputs, outputs))
   {
     littoral::RequestSamePart(inputs[SitesPort]->GetInformationObject(0), outputs->GetInformationObject(0));
+    littoral::RequestTogether(inputs[PrototypesPort]);
   }
   return 1;
 }
@@ -455,7 +462,7 @@ void vtkPlantScatterFilter::RememberPlaces(
 void vtkPlantScatterFilter::RememberShared(
   vtkInformationVector** inputs, vtkInformation* output, littoral::RankTeam& team)
 {
-  const bool isPart = littoral::IsRun(inputs[SitesPort]->GetInformationObject(0));
+  const bool isPart = littoral::IsPart(inputs[SitesPort]->GetInformationObject(0), littoral::PartForm::Runs);
   team.Agree(isPart ? 1 : 0);
   littoral::Require(isPart && !team.IsSharing() ? "Not all ranks have a part of the sites; update all of them." : "");
   this->RememberPrototypes(inputs[PrototypesPort]);

@@ -87,6 +87,10 @@ vtkSmartPointer<vtkPolyData> InOrder(vtkPolyData* points, const char* name)
   const auto isBefore = [&](vtkIdType a, vtkIdType b) {
     return numbers->GetComponent(a, 0) < numbers->GetComponent(b, 0);
   };
+  if (std::is_sorted(order.begin(), order.end(), isBefore))
+  {
+    return points;
+  }
   std::stable_sort(order.begin(), order.end(), isBefore);
   const auto sorted = [&](vtkDataArray* array) {
     auto copy = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());

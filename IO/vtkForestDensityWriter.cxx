@@ -4,6 +4,7 @@
 
 #include "Data/ArrayReader.h"
 #include "Data/Inputs.h"
+#include "GatheredPoints.h"
 #include "Numerics/ParameterCheck.h"
 #include "PalmFile.h"
 #include "Pipeline/Pipeline.h"
@@ -15,6 +16,7 @@
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
+#include "vtkPolyData.h"
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
@@ -187,15 +189,19 @@ void vtkForestDensityWriter::WritePalm(vtkImageData* image)
 }
 
 //----------------------------------------------------------------------------
-void vtkForestDensityWriter::WriteTrees(vtkPointSet* trees)
+void vtkForestDensityWriter::WriteTrees(vtkPointSet* input)
 {
-  littoral::RequireFit(trees, "the trees");
-  const littoral::ArrayReader points = littoral::ArrayReader::OfPoints(trees, "the trees");
-  vtkDataArray* heights = points.Need("Height", 1);
-  vtkDataArray* diameters = points.Need("CrownDiameter", 1);
-  vtkDataArray* indices = points.Need("LeafAreaIndex", 1);
-  vtkDataArray* maxima = points.Find("MaximumHeight", 1);
-  points.NeedFinite(trees->GetPoints() ? trees->GetPoints()->GetData() : nullptr);
+  littoral::RequireFit(input, "the trees");
+  // Ranks have the trees of their cells.
+  auto* points = vtkPolyData::SafeDownCast(input);
+  const vtkSmartPointer<vtkPolyData> sorted = points ? littoral::InOrder(points, "PlantId") : nullptr;
+  vtkPointSet* trees = sorted ? sorted.GetPointer() : input;
+  const littoral::ArrayReader arrays = littoral::ArrayReader::OfPoints(trees, "the trees");
+  vtkDataArray* heights = arrays.Need("Height", 1);
+  vtkDataArray* diameters = arrays.Need("CrownDiameter", 1);
+  vtkDataArray* indices = arrays.Need("LeafAreaIndex", 1);
+  vtkDataArray* maxima = arrays.Find("MaximumHeight", 1);
+  arrays.NeedFinite(trees->GetPoints() ? trees->GetPoints()->GetData() : nullptr);
   littoral::RequireMemory(
     BytesOfRow * static_cast<double>(trees->GetNumberOfPoints()), "the text of the trees", "take fewer");
   std::string text;

@@ -92,7 +92,7 @@ private:
 
   void WriteImage(vtkImageData* image, const std::string& extension);
   void WritePalm(vtkImageData* image);
-  void WriteTrees(vtkPointSet* trees);
+  void WriteTrees(vtkPointSet* input);
   void WriteWhole(const FillFile& fill);
 
   double DragCoefficient = 0.2;

@@ -5,6 +5,8 @@
 #include "Data/PlantBlocks.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
+#include "Pipeline/RankTeam.h"
+#include "Pipeline/SharedParts.h"
 #include "Plants/LeafCards.h"
 #include "Plants/PlantLevels.h"
 
@@ -65,7 +67,7 @@ int vtkPlantSource::FillOutputPortInformation(int port, vtkInformation* info)
 //----------------------------------------------------------------------------
 int vtkPlantSource::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  littoral::AnnouncePartForm(outputVector->GetInformationObject(0), littoral::PartForm::Whole);
   const int picture[6] = { 0, this->TextureSize[0] - 1, 0, this->TextureSize[1] - 1, 0, 0 };
   outputVector->GetInformationObject(1)->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), picture, 6);
   const std::array<int, 2> size = this->LeafTextureSize();
@@ -104,7 +106,31 @@ littoral::PlantLevelOptions vtkPlantSource::MakeOptions()
 //----------------------------------------------------------------------------
 int vtkPlantSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  const littoral::PlantPrototype prototype = this->Grow(this->MakeOptions());
+  littoral::PlantPrototype prototype;
+  if (littoral::IsAskedTogether(outputVector->GetInformationObject(0)))
+  {
+    littoral::RankTeam team;
+    const auto grow = [&] {
+      littoral::PlantLevelOptions options = this->MakeOptions();
+      options.ShareOf = [&team](std::uint64_t key) {
+        team.Agree(key);
+        return team.Share();
+      };
+      prototype = this->Grow(options);
+    };
+    try
+    {
+      team.RunAll(grow);
+    }
+    catch (const littoral::Aborted&)
+    {
+      return littoral::FailedRequest(this); // on each rank, so that none goes on alone
+    }
+  }
+  else
+  {
+    prototype = this->Grow(this->MakeOptions());
+  }
   auto* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
   littoral::CopyToBlocks(prototype, output);
   if (outputVector->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)

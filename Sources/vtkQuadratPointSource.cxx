@@ -9,7 +9,7 @@
 #include "Patterns/QuadratPattern.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
-#include "Pipeline/PointRuns.h"
+#include "Pipeline/SharedParts.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -151,7 +151,7 @@ int vtkQuadratPointSource::FillInputPortInformation(int, vtkInformation* info)
 int vtkQuadratPointSource::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  littoral::AnnounceRuns(outputVector->GetInformationObject(0));
+  littoral::AnnouncePartForm(outputVector->GetInformationObject(0), littoral::PartForm::Runs);
   return 1;
 }
 

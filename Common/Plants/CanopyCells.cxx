@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace littoral
 {
@@ -98,6 +99,37 @@ void CutAlong(
   }
 }
 
+}
+
+void OrderFreeSums::AddUp(const WorkShare& share)
+{
+  if (share.Ranks < 2)
+  {
+    return;
+  }
+  std::vector<double> own; // what is not 0, by places
+  const auto add = [&own](std::size_t place, std::int64_t units) {
+    if (units != 0)
+    {
+      own.insert(own.end(), { static_cast<double>(place), static_cast<double>(units) });
+    }
+  };
+  for (std::size_t place = 0; place < this->Size(); ++place)
+  {
+    // two numbers for one that a double does not hold
+    const std::int64_t units = this->Units[place];
+    const std::int64_t rest = units % LargestInDouble;
+    add(place, units - rest);
+    add(place, rest);
+  }
+  const NumberRows rows = share.Gather(std::move(own));
+  for (std::size_t rank = 0; rank < rows.size(); ++rank)
+  {
+    for (std::size_t n = 0; rank != share.Rank && n < rows[rank].size(); n += 2)
+    {
+      this->Units[static_cast<std::size_t>(rows[rank][n])] += static_cast<std::int64_t>(rows[rank][n + 1]);
+    }
+  }
 }
 
 double CutPolygon::Area() const

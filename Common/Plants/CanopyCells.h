@@ -4,6 +4,7 @@
 #define LittoralCanopyCells_h
 
 #include "Numerics/Vector3.h"
+#include "Numerics/WorkShare.h"
 
 #include <array>
 #include <atomic>
@@ -32,8 +33,8 @@ struct CanopyGrid
   }
 };
 
-/// Sums of amounts [m2, kg] that are added by any threads in any order, and come out with the same bits: they are kept
-/// as whole numbers of 2^-34. A sum is at most 5e8.
+/// Sums of amounts [m2, kg] that are added by any threads and processes in any order, and come out with the same bits:
+/// they are kept as whole numbers of 2^-34. A sum is at most 5e8.
 class OrderFreeSums
 {
 public:
@@ -55,8 +56,12 @@ public:
   }
   std::size_t Size() const { return this->Units.size(); }
 
+  /// Sums over all processes, each of which then has them.
+  void AddUp(const WorkShare& share);
+
 private:
   static constexpr double PerUnit = 17179869184.0; // 2^34
+  static constexpr std::int64_t LargestInDouble = std::int64_t{ 1 } << 53;
   std::vector<std::atomic<std::int64_t>> Units;
 };
 

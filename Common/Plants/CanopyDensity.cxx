@@ -53,4 +53,16 @@ CanopyDensity::CanopyDensity(const CanopyGrid& grid, const std::vector<double>& 
   }
 }
 
+void CanopyDensity::AddUp(const WorkShare& share)
+{
+  for (OrderFreeSums* sums : { &this->Leaf, &this->Wood, &this->Mass })
+  {
+    sums->AddUp(share);
+  }
+  for (OrderFreeSums& sums : this->OfKind)
+  {
+    sums.AddUp(share);
+  }
+}
+
 }

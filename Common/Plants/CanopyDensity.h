@@ -46,6 +46,9 @@ public:
   /// Half the surface of wood [m2].
   void AddWood(std::size_t cell, double area) { this->Wood.Add(std::min(cell, this->Cells), area); }
 
+  /// Takes in what other processes count of the same grid.
+  void AddUp(const WorkShare& share);
+
   double LeafArea(std::size_t cell) const { return this->Leaf.At(cell); }
   double LeafAreaOf(int kind, std::size_t cell) const { return this->OfKind[kind].At(cell); }
   double WoodArea(std::size_t cell) const { return this->Wood.At(cell); }

@@ -50,14 +50,15 @@ double IntegralAlong(const CanopyGrid& grid, const float* density, std::array<in
 
 }
 
-double GapFraction(
-  const CanopyGrid& grid, const float* density, double zenith, double projection, const ParallelFor& parallel)
+double GapFraction(const CanopyGrid& grid, const float* density, double zenith, double projection,
+  const ParallelFor& parallel, const WorkShare& share)
 {
   const int along[2] = { std::min(grid.Count[0], MostAlong), std::min(grid.Count[1], MostAlong) };
-  std::vector<double> ofRow(static_cast<std::size_t>(along[1]), 0.0);
-  parallel(ofRow.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row)
+  NumberRows sums(static_cast<std::size_t>(along[1]), { 0.0 });
+  parallel(share.OwnOf(sums.size()), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t own = begin; own < end; ++own)
     {
+      const std::size_t row = share.RowOf(own);
       const auto j = static_cast<int>((2 * static_cast<long long>(row) + 1) * grid.Count[1] / (2 * along[1]));
       for (int n = 0; n < along[0]; ++n)
       {
@@ -68,12 +69,14 @@ double GapFraction(
           const Vector3 direction(
             std::sin(zenith) * std::cos(azimuth), std::sin(zenith) * std::sin(azimuth), std::cos(zenith));
           // P = exp(-G integral of a ds)
-          ofRow[row] += std::exp(-projection * IntegralAlong(grid, density, { i, j, 0 }, direction));
+          sums[row][0] += std::exp(-projection * IntegralAlong(grid, density, { i, j, 0 }, direction));
         }
       }
     }
   });
-  return std::accumulate(ofRow.begin(), ofRow.end(), 0.0) / (static_cast<double>(along[0]) * along[1] * Azimuths);
+  share.Complete(sums);
+  const auto add = [](double sum, const std::vector<double>& row) { return sum + row[0]; };
+  return std::accumulate(sums.begin(), sums.end(), 0.0, add) / (static_cast<double>(along[0]) * along[1] * Azimuths);
 }
 
 }

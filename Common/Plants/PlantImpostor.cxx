@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 
 namespace littoral
@@ -125,73 +126,160 @@ float ThresholdOf(const std::vector<SeenTexel>& picture, std::vector<float> smoo
   return std::max(1e-3f, 0.5f * (above + *next));
 }
 
+/// Bytes in numbers that doubles hold, six each.
+class PackedBytes
+{
+public:
+  explicit PackedBytes(std::vector<double>& numbers)
+    : Numbers(numbers)
+  {
+  }
+
+  void Add(unsigned char byte)
+  {
+    if (this->Count++ % BytesOfNumber == 0)
+    {
+      this->Numbers.push_back(0.0);
+      this->Place = 1.0;
+    }
+    this->Numbers.back() += this->Place * byte;
+    this->Place *= 256.0;
+  }
+
+  unsigned char Next()
+  {
+    const auto number = static_cast<std::uint64_t>(this->Numbers[this->Count / BytesOfNumber]);
+    return static_cast<unsigned char>(number >> (8 * (this->Count++ % BytesOfNumber)));
+  }
+
+private:
+  static constexpr std::size_t BytesOfNumber = 6;
+  std::vector<double>& Numbers;
+  std::size_t Count = 0;
+  double Place = 1.0;
+};
+
 /// Draws all views into an atlas.
 class ImpostorMaker
 {
 public:
-  ImpostorMaker(const std::vector<DrawnMesh>& meshes, const PlantExtent& extent, const ParallelFor& parallel)
+  ImpostorMaker(const std::vector<DrawnMesh>& meshes, const PlantExtent& extent, const ParallelFor& parallel,
+    const WorkShare& share)
     : Pictures(ImpostorViews)
   {
     this->Result.Shape.Extent = extent;
-    parallel(ImpostorViews, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t view = begin; view < end; ++view)
+    NumberRows sums(ImpostorViews); // coverage, colors, and the largest of these
+    parallel(share.OwnOf(ImpostorViews), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t own = begin; own < end; ++own)
       {
+        const std::size_t view = share.RowOf(own);
         this->Pictures[view] = PictureOf(meshes, this->FrameOfView(view), ImpostorSize, ImpostorSize);
+        sums[view] = SumsOf(this->Pictures[view]);
       }
     });
-    PictureSum sum;
-    for (int view = 0; view < ImpostorViews; ++view)
+    share.Complete(sums);
+    double coverage = 0.0;
+    for (std::size_t view = 0; view < ImpostorViews; ++view)
     {
       const PictureFrame frame = this->FrameOfView(view);
-      const double before = sum.Coverage;
-      sum.Add(this->Pictures[view]);
+      coverage += sums[view][0];
       this->Result.Shape.Areas[view] =
-        (sum.Coverage - before) * 4.0 * frame.HalfWidth * frame.HalfHeight / (ImpostorSize * ImpostorSize);
+        sums[view][0] * 4.0 * frame.HalfWidth * frame.HalfHeight / (ImpostorSize * ImpostorSize);
     }
-    for (int channel = 0; channel < 3; ++channel)
+    for (std::size_t channel = 0; channel < 3; ++channel)
     {
-      const double mean = sum.Coverage > 0.0 ? sum.Color[channel] / sum.Coverage : 0.0;
+      double sum = 0.0;
+      double brightest = 1.0f / 255.0f;
+      for (const std::vector<double>& ofView : sums)
+      {
+        sum += ofView[1 + channel];
+        brightest = std::max(brightest, ofView[4 + channel]);
+      }
+      const double mean = coverage > 0.0 ? sum / coverage : 0.0;
       this->Result.Mean[channel] = static_cast<unsigned char>(std::clamp(std::lround(255.0 * mean), 1L, 255L));
       this->Result.TextureMean[channel] =
-        static_cast<float>(std::min(LargestMean, this->Result.Mean[channel] / (255.0 * this->Brightest(channel))));
+        static_cast<float>(std::min(LargestMean, this->Result.Mean[channel] / (255.0 * brightest)));
     }
   }
 
-  PlantImpostor Run(const ParallelFor& parallel)
+  PlantImpostor Run(const ParallelFor& parallel, const WorkShare& share)
   {
     const int side = ImpostorSide * ImpostorSize;
     this->Result.Pictures = TextureImage(side, side);
     this->Result.Normals.resize(this->Result.Pictures.Texels.size());
-    parallel(ImpostorViews, [this](std::size_t begin, std::size_t end) {
-      for (std::size_t view = begin; view < end; ++view)
+    parallel(share.OwnOf(ImpostorViews), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t own = begin; own < end; ++own)
       {
-        this->Write(static_cast<int>(view));
+        this->Write(static_cast<int>(share.RowOf(own)));
       }
     });
+    if (share.Ranks > 1)
+    {
+      this->Exchange(share);
+    }
     return std::move(this->Result);
   }
 
 private:
-  std::vector<std::vector<SeenTexel>> Pictures;
+  std::vector<std::vector<SeenTexel>> Pictures; ///< the own ones
   PlantImpostor Result;
+
+  static std::vector<double> SumsOf(const std::vector<SeenTexel>& picture)
+  {
+    PictureSum sum;
+    sum.Add(picture);
+    std::vector<double> sums{ sum.Coverage, sum.Color[0], sum.Color[1], sum.Color[2], 0.0, 0.0, 0.0 };
+    for (const SeenTexel& texel : picture)
+    {
+      for (std::size_t channel = 0; channel < 3; ++channel)
+      {
+        sums[4 + channel] = std::max(sums[4 + channel], static_cast<double>(texel.Color[channel]));
+      }
+    }
+    return sums;
+  }
+
+  /// Calls a task with the texels of a view and their normals.
+  template <typename Task>
+  void ForTexels(std::size_t view, const Task& task)
+  {
+    const std::size_t columns = ImpostorSide * ImpostorSize;
+    const std::size_t first = view / ImpostorSide * ImpostorSize * columns + view % ImpostorSide * ImpostorSize;
+    for (std::size_t row = 0; row < ImpostorSize; ++row)
+    {
+      for (std::size_t at = first + row * columns; at < first + row * columns + ImpostorSize; ++at)
+      {
+        task(this->Result.Pictures.Texels[at], this->Result.Normals[at]);
+      }
+    }
+  }
+
+  /// Gets the views of the other processes.
+  void Exchange(const WorkShare& share)
+  {
+    NumberRows rows(ImpostorViews);
+    for (std::size_t own = 0; own < share.OwnOf(ImpostorViews); ++own)
+    {
+      PackedBytes bytes(rows[share.RowOf(own)]);
+      this->ForTexels(share.RowOf(own), [&bytes](const Texel& texel, const Color& normal) {
+        std::for_each(texel.begin(), texel.end(), [&bytes](unsigned char part) { bytes.Add(part); });
+        std::for_each(normal.begin(), normal.end(), [&bytes](unsigned char part) { bytes.Add(part); });
+      });
+    }
+    share.Complete(rows);
+    for (std::size_t view = 0; view < ImpostorViews; ++view)
+    {
+      PackedBytes bytes(rows[view]);
+      this->ForTexels(view, [&bytes](Texel& texel, Color& normal) {
+        std::generate(texel.begin(), texel.end(), [&bytes] { return bytes.Next(); });
+        std::generate(normal.begin(), normal.end(), [&bytes] { return bytes.Next(); });
+      });
+    }
+  }
 
   PictureFrame FrameOfView(std::size_t view) const
   {
     return FrameOf(this->Result.Shape.Extent, AzimuthOf(static_cast<int>(view)), ElevationOf(static_cast<int>(view)));
-  }
-
-  /// The largest color of a texel, 0 to 1.
-  double Brightest(int channel) const
-  {
-    float brightest = 1.0f / 255.0f;
-    for (const std::vector<SeenTexel>& picture : this->Pictures)
-    {
-      for (const SeenTexel& texel : picture)
-      {
-        brightest = std::max(brightest, texel.Color[channel]);
-      }
-    }
-    return brightest;
   }
 
   /// Colors and normals of what is covered reach into what is not, so that interpolation finds no rim. Texels that no
@@ -361,9 +449,10 @@ void AddCard(const ImpostorCard& card, const Color& color, PlantMesh& mesh)
 
 }
 
-PlantImpostor ImpostorOf(const std::vector<DrawnMesh>& meshes, const PlantExtent& extent, const ParallelFor& parallel)
+PlantImpostor ImpostorOf(
+  const std::vector<DrawnMesh>& meshes, const PlantExtent& extent, const ParallelFor& parallel, const WorkShare& share)
 {
-  return ImpostorMaker(meshes, extent, parallel).Run(parallel);
+  return ImpostorMaker(meshes, extent, parallel, share).Run(parallel, share);
 }
 
 ImpostorCard CardTowards(const ImpostorShape& shape, const Vector3& towards)

@@ -4,6 +4,7 @@
 #define LittoralPlantImpostor_h
 
 #include "Numerics/Parallel.h"
+#include "Numerics/WorkShare.h"
 #include "Plants/PlantPicture.h"
 
 #include <array>
@@ -42,9 +43,9 @@ struct PlantImpostor
   ColorSum TextureMean{ 1.0f, 1.0f, 1.0f };
 };
 
-/// The impostor of what the meshes show.
-PlantImpostor ImpostorOf(
-  const std::vector<DrawnMesh>& meshes, const PlantExtent& extent, const ParallelFor& parallel = SerialFor);
+/// The impostor of what the meshes show; processes that have the same meshes share the views.
+PlantImpostor ImpostorOf(const std::vector<DrawnMesh>& meshes, const PlantExtent& extent,
+  const ParallelFor& parallel = SerialFor, const WorkShare& share = {});
 
 /// A rectangle that shows a picture of an impostor.
 struct ImpostorCard

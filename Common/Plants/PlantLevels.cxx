@@ -205,7 +205,8 @@ void AddLowerLevels(PlantPrototype& prototype, const PlantOutline& outline, cons
     prototype.CrownTextureMean.fill(CardTextureMean);
   }
   options.OnStep();
-  prototype.Impostor = ImpostorOf(full, extent, options.Parallel);
+  prototype.Impostor =
+    ImpostorOf(full, extent, options.Parallel, options.ShareOf ? options.ShareOf(KeyOf(full)) : WorkShare());
   prototype.Low = CrossedCards(prototype.Impostor);
 }
 

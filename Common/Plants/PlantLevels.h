@@ -3,9 +3,11 @@
 #ifndef LittoralPlantLevels_h
 #define LittoralPlantLevels_h
 
+#include "Numerics/WorkShare.h"
 #include "Plants/CrownCards.h"
 #include "Plants/PlantPrototype.h"
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -31,6 +33,8 @@ struct PlantLevelOptions
   int Seed = 1;             ///< of the jitter and the cards
   ParallelFor Parallel = SerialFor;
   Poll OnStep = NoPoll;
+  /// Share in the pictures of a plant of this key, of processes that each grow one; null: alone.
+  std::function<WorkShare(std::uint64_t key)> ShareOf;
 };
 
 /// Why there are no such levels, with the name of the property; empty when there are.

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <string_view>
 
 // Before the loop over lanes, which GCC would else take apart before it makes vectors of it.
 #if defined(__GNUC__) && !defined(__clang__)
@@ -374,6 +376,28 @@ private:
   }
 };
 
+}
+
+std::uint64_t KeyOf(const std::vector<DrawnMesh>& meshes)
+{
+  std::uint64_t key = 0;
+  const auto add = [&key](const auto& list) {
+    const std::string_view bytes(reinterpret_cast<const char*>(list.data()), list.size() * sizeof(list[0]));
+    key = key * 31 + std::hash<std::string_view>()(bytes);
+  };
+  for (const DrawnMesh& drawn : meshes)
+  {
+    add(drawn.Mesh.Points);
+    add(drawn.Mesh.Normals);
+    add(drawn.Mesh.TCoords);
+    add(drawn.Mesh.Colors);
+    add(drawn.Mesh.Corners);
+    if (drawn.Texture)
+    {
+      add(drawn.Texture->Texels);
+    }
+  }
+  return key | 1u;
 }
 
 PictureFrame FrameTowards(const Vector3& center, double azimuth, double elevation)

@@ -7,6 +7,7 @@
 #include "Plants/PlantMesh.h"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace littoral
@@ -23,6 +24,9 @@ struct DrawnMesh
   const TextureImage* Texture = nullptr;
   ColorSum TextureMean{ 1.0f, 1.0f, 1.0f };
 };
+
+/// A number other than 0 that tells what is drawn apart.
+std::uint64_t KeyOf(const std::vector<DrawnMesh>& meshes);
 
 /// An orthographic camera: a rectangle about a center, at right angles to the direction towards the eye. The three
 /// directions are of unit length and right-handed.

@@ -11,6 +11,8 @@
 #include "Data/PlantForm.h"
 #include "Plants/FoliageParcels.h"
 
+#include "vtkIntArray.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,10 +31,12 @@ constexpr int LevelsOfPlant = 3;
 class InstancedStand : public StandFoliage
 {
 public:
-  InstancedStand(vtkMultiBlockDataSet* blocks, vtkPolyData* instances, const StandOptions& options)
+  InstancedStand(
+    vtkMultiBlockDataSet* blocks, vtkPolyData* instances, const StandOptions& options, const WorkShare& share)
     : Detail(options.Detail)
+    , Share(share)
   {
-    RequireWhole(blocks);
+    RequireWhole(blocks, share);
     this->ReadKinds(blocks, options);
     this->ReadPlaces(instances, options.HeightsAboveGround);
     std::vector<double> triangles;
@@ -50,17 +54,20 @@ public:
         measure.Add(bark, Vector3(0.0), false);
       }
     }
-    double all = 0.0;
+    std::vector<double> sums(3, 0.0); // triangles, leaves and wood
     for (const FoliagePlace& place : this->Places)
     {
-      all += triangles[place.Kind];
       const double leaf = this->AreaOf(place, &ParcelledPlant::Leaves);
-      this->AreaOfLeaves += leaf;
-      this->AreaOfWood += this->AreaOf(place, &ParcelledPlant::Wood);
+      sums[0] += triangles[place.Kind];
+      sums[1] += leaf;
+      sums[2] += this->AreaOf(place, &ParcelledPlant::Wood);
       this->LeafAreas.push_back(leaf);
     }
+    share.AddUp(sums);
     this->IsParcelled =
-      this->Detail == FoliageDetail::Parcels || (this->Detail == FoliageDetail::Automatic && all > MostTriangles);
+      this->Detail == FoliageDetail::Parcels || (this->Detail == FoliageDetail::Automatic && sums[0] > MostTriangles);
+    this->AreaOfLeaves = sums[1];
+    this->AreaOfWood = sums[2];
   }
 
   double LeafArea() const override { return this->AreaOfLeaves; }
@@ -71,7 +78,7 @@ public:
     std::vector<StandCrown> ofKind;
     for (const CrownMeasure& measure : this->Measures)
     {
-      ofKind.push_back(measure.Crown(Vector3(0.0), 0));
+      ofKind.push_back(measure.Crown(Vector3(0.0), 0, 0));
     }
     std::vector<StandCrown> crowns;
     for (std::size_t plant = 0; plant < this->Places.size(); ++plant)
@@ -79,8 +86,8 @@ public:
       const FoliagePlace& place = this->Places[plant];
       const StandCrown& own = ofKind[place.Kind];
       const double width = std::sqrt(place.Scale.x * place.Scale.y);
-      crowns.push_back({ place.Foot, place.Kind, place.Scale.z * own.Height, width * own.Diameter,
-        this->LeafAreas[plant], own.MaximumHeight });
+      crowns.push_back({ place.Foot, this->Ids.empty() ? static_cast<int>(plant) : this->Ids[plant], place.Kind,
+        place.Scale.z * own.Height, width * own.Diameter, this->LeafAreas[plant], own.MaximumHeight });
     }
     return crowns;
   }
@@ -107,6 +114,7 @@ public:
                           : AddPlant(this->Plants[place.Kind], place, density);
       }
     });
+    density.AddUp(this->Share);
     this->AddAngles(inclination);
   }
 
@@ -155,6 +163,11 @@ private:
     points.NeedFinite(scales);
     points.NeedFinite(instances->GetPoints() ? instances->GetPoints()->GetData() : nullptr);
     SetSize(this->Places, instances->GetNumberOfPoints());
+    if (auto* ids = vtkIntArray::SafeDownCast(points.Seek(plant::PlantId, 1)))
+    {
+      SetSize(this->Ids, ids->GetNumberOfTuples());
+      std::copy_n(ids->GetPointer(0), this->Ids.size(), this->Ids.begin());
+    }
     for (vtkIdType point = 0; point < instances->GetNumberOfPoints(); ++point)
     {
       FoliagePlace& place = this->Places[static_cast<std::size_t>(point)];
@@ -188,28 +201,31 @@ private:
 
   void AddAngles(LeafInclination& inclination) const
   {
-    std::vector<double> ofKind(this->Plants.size(), 0.0);
+    OrderFreeSums ofKind(this->Plants.size());
     for (std::size_t plant = 0; plant < this->Places.size(); ++plant)
     {
-      ofKind[this->Places[plant].Kind] += this->LeafAreas[plant];
+      ofKind.Add(static_cast<std::size_t>(this->Places[plant].Kind), this->LeafAreas[plant]);
     }
+    ofKind.AddUp(this->Share);
     for (std::size_t kind = 0; kind < this->Plants.size(); ++kind)
     {
       LeafInclination own;
       AddInclination(this->Plants[kind].Leaves, own);
       const double area = CountedArea(this->Plants[kind].Leaves);
-      inclination.Add(own, area > 0.0 ? ofKind[kind] / area : 0.0);
+      inclination.Add(own, area > 0.0 ? ofKind.At(kind) / area : 0.0);
     }
   }
 
   FoliageDetail Detail;
+  WorkShare Share;
   bool IsParcelled = false;
   std::vector<PlantFoliage> Plants;
   std::vector<ParcelledPlant> Own;
   std::vector<CrownMeasure> Measures;
   std::vector<FoliagePlace> Places;
+  std::vector<int> Ids; ///< empty: by their order
   std::vector<double> LeafAreas;
-  double AreaOfLeaves = 0.0;
+  double AreaOfLeaves = 0.0; ///< of all processes, as the next
   double AreaOfWood = 0.0;
 };
 
@@ -217,9 +233,9 @@ private:
 
 //----------------------------------------------------------------------------
 std::unique_ptr<StandFoliage> InstancedFoliage(
-  vtkMultiBlockDataSet* blocks, vtkPolyData* instances, const StandOptions& options)
+  vtkMultiBlockDataSet* blocks, vtkPolyData* instances, const StandOptions& options, const WorkShare& share)
 {
-  return std::make_unique<InstancedStand>(blocks, instances, options);
+  return std::make_unique<InstancedStand>(blocks, instances, options, share);
 }
 
 }

@@ -54,7 +54,8 @@ public:
     std::vector<StandCrown> crowns;
     for (std::size_t plant = 0; plant < this->Feet.size(); ++plant)
     {
-      crowns.push_back(this->Measures[plant].Crown(this->Feet[plant], this->KindOfPlant[plant]));
+      crowns.push_back(
+        this->Measures[plant].Crown(this->Feet[plant], this->IdOfPlant[plant], this->KindOfPlant[plant]));
     }
     return crowns;
   }
@@ -146,6 +147,7 @@ private:
       this->RowOfPlant[static_cast<int>(ids->GetComponent(row, 0))] = static_cast<std::size_t>(row);
       const int kind = static_cast<int>(species->GetComponent(row, 0));
       this->KindOfPlant.push_back(kind);
+      this->IdOfPlant.push_back(static_cast<int>(ids->GetComponent(row, 0)));
       kinds = std::max(kinds, static_cast<std::size_t>(kind) + 1);
       Vector3& foot = this->Feet.emplace_back(0.0);
       for (int axis = 0; feet && axis < 3; ++axis)
@@ -157,6 +159,7 @@ private:
     if (this->KindOfPlant.empty())
     {
       this->KindOfPlant.push_back(0);
+      this->IdOfPlant.push_back(0);
       this->Feet.emplace_back(0.0);
     }
     this->KindList = KindsOf(blocks, kinds, options);
@@ -193,6 +196,7 @@ private:
   TextureImage Picture;
   std::map<int, std::size_t> RowOfPlant;
   std::vector<int> KindOfPlant;
+  std::vector<int> IdOfPlant;
   std::vector<Vector3> Feet;
   bool HasFeet = false;
   std::vector<double> Lowering; ///< of each plant [m]; empty: none

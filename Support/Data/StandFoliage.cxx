@@ -64,10 +64,13 @@ double FieldOf(vtkDataObject* data, const char* name, double otherwise)
 }
 
 //----------------------------------------------------------------------------
-void RequireWhole(vtkDataObject* data)
+void RequireWhole(vtkDataObject* data, const WorkShare& share)
 {
-  const double all = FieldOf(data, "PlantsInAll", 0.0);
-  const double shown = FieldOf(data, "PlantsShown", all);
+  const double own = FieldOf(data, "PlantsInAll", 0.0);
+  std::vector<double> numbers{ FieldOf(data, "PlantsShown", own), own };
+  share.AddUp(numbers);
+  const double shown = numbers[0];
+  const double all = numbers[1];
   if (shown < all)
   {
     Refuse("only ", shown, " of ", all, " plants are in view; switch UseCulling of the scattered plants off.");
@@ -91,14 +94,15 @@ void CrownMeasure::Add(const FoliageTriangle& triangle, const Vector3& foot, boo
 }
 
 //----------------------------------------------------------------------------
-StandCrown CrownMeasure::Crown(const Vector3& foot, int kind) const
+StandCrown CrownMeasure::Crown(const Vector3& foot, int plant, int kind) const
 {
   const double mean = this->Area > 0.0 && this->Top > 0.0 ? this->Moment / this->Area / this->Top : 0.5;
-  return { foot, kind, this->Top, 2.0 * this->Reach, this->Area, MaximumOfMean(mean) };
+  return { foot, plant, kind, this->Top, 2.0 * this->Reach, this->Area, MaximumOfMean(mean) };
 }
 
 //----------------------------------------------------------------------------
-std::unique_ptr<StandFoliage> ReadStand(vtkDataObject* data, const char* input, const StandOptions& options)
+std::unique_ptr<StandFoliage> ReadStand(
+  vtkDataObject* data, const char* input, const StandOptions& options, const WorkShare& share)
 {
   std::unique_ptr<StandFoliage> stand;
   if (auto* trees = vtkPointSet::SafeDownCast(data))
@@ -110,7 +114,7 @@ std::unique_ptr<StandFoliage> ReadStand(vtkDataObject* data, const char* input, 
   {
     const vtkSmartPointer<vtkMultiBlockDataSet> blocks = BlocksOf(data, input);
     auto* instances = vtkPolyData::SafeDownCast(FindBlock(blocks, "Instances"));
-    stand = instances ? InstancedFoliage(blocks, instances, options) : MergedFoliage(blocks, options);
+    stand = instances ? InstancedFoliage(blocks, instances, options, share) : MergedFoliage(blocks, options);
   }
   Require(stand->LeafArea() > 0.0 ? "" : "it has no leaf area.");
   const bool isSmall = stand->LeafArea() + stand->WoodArea() < OrderFreeSums::Largest;

@@ -7,6 +7,7 @@
 // Private: never installed, never wrapped.
 
 #include "Numerics/Parallel.h"
+#include "Numerics/WorkShare.h"
 #include "Plants/CanopyDensity.h"
 #include "Plants/LeafInclination.h"
 #include "Plants/LeafTraits.h"
@@ -51,6 +52,7 @@ struct StandKind
 struct StandCrown
 {
   Vector3 Foot;
+  int Plant; ///< its number in the stand
   int Kind;
   double Height;        ///< [m]
   double Diameter;      ///< of the crown [m]
@@ -58,7 +60,7 @@ struct StandCrown
   double MaximumHeight; ///< z_m / h of the profile with the mean height of its leaves
 };
 
-/// A stand of any form.
+/// A stand of any form. Processes that share one have a part of the plants each.
 class StandFoliage
 {
 public:
@@ -66,24 +68,26 @@ public:
 
   const std::vector<StandKind>& Kinds() const { return this->KindList; }
 
-  /// One-sided leaf area of all plants [m2].
+  /// One-sided leaf area of all plants, of all processes [m2].
   virtual double LeafArea() const = 0;
 
-  /// Half the surface of the wood of all plants [m2].
+  /// Half the surface of the wood of all plants, of all processes [m2].
   virtual double WoodArea() const = 0;
 
-  /// The plants as cylinders.
+  /// The own plants as cylinders.
   virtual std::vector<StandCrown> Crowns() const = 0;
 
-  /// Adds all plants to the cells, and the angles of their leaves.
+  /// Adds all plants to the cells, and the angles of their leaves. Called by all processes.
   virtual void AddTo(CanopyDensity& density, LeafInclination& inclination, const ParallelFor& parallel) const = 0;
 
 protected:
   std::vector<StandKind> KindList;
 };
 
-/// Reads a stand, checking all of it. Throws InvalidInput, which names the input as in the panel.
-std::unique_ptr<StandFoliage> ReadStand(vtkDataObject* data, const char* input, const StandOptions& options);
+/// Reads a stand, checking all of it. Throws InvalidInput, which names the input as in the panel. Only instances can be
+/// shared; the share must live as long as they are used.
+std::unique_ptr<StandFoliage> ReadStand(
+  vtkDataObject* data, const char* input, const StandOptions& options, const WorkShare& share = {});
 
 }
 

@@ -27,8 +27,8 @@ std::vector<StandKind> KindsOf(vtkDataObject* data, std::size_t count, const Sta
 /// A number of the field data; another one where there is none.
 double FieldOf(vtkDataObject* data, const char* name, double otherwise);
 
-/// All plants must be there. Throws InvalidInput.
-void RequireWhole(vtkDataObject* data);
+/// All plants must be there, each at one of the processes. Throws InvalidInput.
+void RequireWhole(vtkDataObject* data, const WorkShare& share = {});
 
 /// Height, reach and mean height of the leaves of a plant from its foot.
 struct CrownMeasure
@@ -39,12 +39,12 @@ struct CrownMeasure
   double Area = 0.0;
 
   void Add(const FoliageTriangle& triangle, const Vector3& foot, bool isLeaf);
-  StandCrown Crown(const Vector3& foot, int kind) const;
+  StandCrown Crown(const Vector3& foot, int plant, int kind) const;
 };
 
 /// Instances of plants, as vtkPlantScatterFilter makes them. Throws InvalidInput, as do the next two.
 std::unique_ptr<StandFoliage> InstancedFoliage(
-  vtkMultiBlockDataSet* blocks, vtkPolyData* instances, const StandOptions& options);
+  vtkMultiBlockDataSet* blocks, vtkPolyData* instances, const StandOptions& options, const WorkShare& share);
 
 /// One plant, or many merged, with all their leaves.
 std::unique_ptr<StandFoliage> MergedFoliage(vtkMultiBlockDataSet* blocks, const StandOptions& options);

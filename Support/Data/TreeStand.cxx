@@ -53,7 +53,8 @@ public:
     {
       const std::string ofTree = " of tree " + std::to_string(tree);
       const int kind = species ? static_cast<int>(species->GetComponent(tree, 0)) : 0;
-      StandCrown crown{ {}, kind, heights->GetComponent(tree, 0), 0.0, 0.0, options.MaximumHeight };
+      StandCrown crown{ {}, static_cast<int>(tree), kind, heights->GetComponent(tree, 0), 0.0, 0.0,
+        options.MaximumHeight };
       trees->GetPoint(tree, &crown.Foot.x);
       crown.Foot.z = options.HeightsAboveGround ? 0.0 : crown.Foot.z;
       ParameterCheck check;

@@ -56,7 +56,17 @@ bool AsksForPiece(vtkInformation* output)
 
 }
 
-RankTeam::RankTeam(vtkInformation* request, vtkInformationVector* outputs)
+RankTeam::RankTeam()
+  : Controller(vtkMultiProcessController::GetGlobalController())
+{
+  if (this->Controller)
+  {
+    this->Ranks = static_cast<std::size_t>(this->Controller->GetNumberOfProcesses());
+    this->Rank = static_cast<std::size_t>(this->Controller->GetLocalProcessId());
+  }
+}
+
+RankTeam::RankTeam(vtkInformation* request, vtkInformationVector* outputs, bool hasAnyPart)
   : Controller(vtkMultiProcessController::GetGlobalController())
 {
   const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
@@ -64,7 +74,7 @@ RankTeam::RankTeam(vtkInformation* request, vtkInformationVector* outputs)
   const int ranks = this->Controller ? this->Controller->GetNumberOfProcesses() : 1;
   const int rank = this->Controller ? this->Controller->GetLocalProcessId() : 0;
   if (output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) == ranks &&
-    output->Get(Pipeline::UPDATE_PIECE_NUMBER()) == rank && AsksForPiece(output))
+    output->Get(Pipeline::UPDATE_PIECE_NUMBER()) == rank && (hasAnyPart || AsksForPiece(output)))
   {
     this->Ranks = static_cast<std::size_t>(ranks);
     this->Rank = static_cast<std::size_t>(rank);
@@ -147,6 +157,53 @@ void RankTeam::Run(const std::function<void()>& work)
   {
     this->GoOn();
   }
+}
+
+void RankTeam::RunAll(const std::function<void()>& work)
+{
+  if (this->IsAlone())
+  {
+    work();
+    return;
+  }
+  std::string reason;
+  try
+  {
+    work();
+  }
+  catch (const Aborted&)
+  {
+    reason = WordOfAbort;
+  }
+  catch (const std::exception& error)
+  {
+    reason = error.what();
+  }
+  if (!this->HasAgreed)
+  {
+    this->Agree(0);
+  }
+  if (this->IsShared)
+  {
+    this->FirstReason(reason); // for those that wait in an exchange
+  }
+  const std::string first = this->FirstReason(reason);
+  if (!first.empty() && (!this->IsFirst() || first == WordOfAbort))
+  {
+    throw Aborted{};
+  }
+  Require(first);
+}
+
+bool RankTeam::HoldsOnAll(bool own) const
+{
+  const char sent = own ? 1 : 0;
+  std::vector<char> all(this->Ranks, sent);
+  if (this->Ranks > 1)
+  {
+    this->Controller->AllGather(&sent, all.data(), 1);
+  }
+  return std::count(all.begin(), all.end(), 1) == static_cast<std::ptrdiff_t>(this->Ranks);
 }
 
 bool RankTeam::Agree(std::uint64_t input)

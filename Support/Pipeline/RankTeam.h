@@ -26,8 +26,11 @@ namespace littoral
 class RankTeam
 {
 public:
-  /// The ranks that are asked for the output of a request.
-  RankTeam(vtkInformation* request, vtkInformationVector* outputs);
+  /// All ranks, for what each of them is asked for as a whole.
+  RankTeam();
+  /// The ranks that are asked for the output of a request; also for parts that a consumer has chosen of an image, where
+  /// each rank has what any part needs. Until data are asked for, VTK does not tell the part that it makes of a piece.
+  RankTeam(vtkInformation* request, vtkInformationVector* outputs, bool hasAnyPart = false);
 
   bool IsAlone() const { return this->Ranks < 2; }
   bool IsFirst() const { return this->Rank == 0; }
@@ -37,6 +40,12 @@ public:
   /// Does the work of an update, which reads the input, agrees on it, once, and takes its share. Exceptions are thrown
   /// on, on the first rank those of the others, too, and there alone; the others end as by an abort.
   void Run(const std::function<void()>& work);
+
+  /// The same for work that each rank would do where they do not agree: what one of them cannot do ends on all.
+  void RunAll(const std::function<void()>& work);
+
+  /// Whether something holds on all ranks, all of which ask.
+  bool HoldsOnAll(bool own) const;
 
   /// Whether this rank has work to do: on a team whether all have the same input, by a number other than 0 that tells
   /// inputs apart, or it is the first.

@@ -91,7 +91,7 @@ CASES = {"terrain": terrain, "wind": wind, "sections of a wind": sections, "poin
          "scatter to instances": instances, "its prototype": shrub, "sea surface": sea_surface,
          "suspended particles": particles, "orbits": orbits, "fog": fog, "K and g": statistics, "kriging": kriging,
          "leaf area in cells": canopy, "drainage": drainage}
-TOGETHER = ("wind", "sections of a wind", "K and g", "scatter to instances")
+TOGETHER = ("wind", "sections of a wind", "K and g", "scatter to instances", "leaf area in cells")
 
 
 def build_waiting(folder):

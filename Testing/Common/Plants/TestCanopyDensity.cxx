@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../ProcessTeam.h"
 #include "Numerics/Constants.h"
 #include "Plants/CanopyDensity.h"
 #include "Plants/CanopyProfile.h"
@@ -13,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -318,6 +320,52 @@ TEST(GapFraction, RandomLeaves)
     const double gap = GapFraction(grid, values.data(), zenith, projection);
     EXPECT_NEAR(gap / std::exp(-projection * 2.0 / std::cos(zenith)), 1.0, 0.02);
     EXPECT_NEAR(gap / seen, 1.0, 0.02) << zenith;
+  }
+}
+
+TEST(CanopyDensity, SharedByProcesses)
+{
+  Numbers numbers;
+  const CanopyGrid grid = GridOf({ -3.0, -2.0, -3.0 }, { 3.0, 3.0, 3.0 }, 0.5);
+  const std::vector<FoliageTriangle> leaves = Cloud(numbers, 400, 0.6);
+  const auto count = [&](const WorkShare& share, CanopyDensity& density) {
+    for (std::size_t own = 0; own < share.OwnOf(leaves.size()); ++own)
+    {
+      const std::size_t leaf = share.RowOf(own);
+      AddLeaf(leaves[leaf], static_cast<int>(leaf % 2), density);
+      AddWood(leaves[leaf], density);
+    }
+    // more than a double has of the unit of the sums
+    density.AddLeaf(0, share.Rank % grid.NumberOfCells(), 3e6 + 1.0 / 1024.0);
+    density.AddUp(share);
+  };
+  const auto numbersOf = [&](const CanopyDensity& density) {
+    std::vector<double> all{ density.LeafOutside() };
+    for (std::size_t cell = 0; cell < grid.NumberOfCells(); ++cell)
+    {
+      all.insert(all.end(),
+        { density.LeafArea(cell), density.LeafAreaOf(1, cell), density.WoodArea(cell), density.LeafMass(cell) });
+    }
+    return all;
+  };
+  std::vector<float> ofCells(grid.NumberOfCells());
+  std::generate(ofCells.begin(), ofCells.end(), [&] { return static_cast<float>(numbers(0.0, 0.4)); });
+  for (const std::size_t ranks : { 2, 3, 7 })
+  {
+    CanopyDensity alone(grid, { 0.08, 0.1 }, true);
+    count({}, alone);
+    for (std::size_t rank = 1; rank < ranks; ++rank)
+    {
+      alone.AddLeaf(0, rank, 3e6 + 1.0 / 1024.0);
+    }
+    ASSERT_GT(alone.LeafOutside(), 0.0);
+    const double gap = GapFraction(grid, ofCells.data(), 0.9, 0.5);
+    littoral::testing::ProcessTeam(ranks).Run([&](const WorkShare& share) {
+      CanopyDensity density(grid, { 0.08, 0.1 }, true);
+      count(share, density);
+      EXPECT_EQ(numbersOf(density), numbersOf(alone)) << share.Rank << " of " << ranks;
+      EXPECT_EQ(GapFraction(grid, ofCells.data(), 0.9, 0.5, SerialFor, share), gap) << share.Rank << " of " << ranks;
+    });
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../ProcessTeam.h"
 #include "Numerics/Constants.h"
 #include "Plants/CylindricalProjection.h"
 #include "Plants/PlantLevels.h"
@@ -125,6 +126,37 @@ TEST(PlantLevels, TheEnvelopeIsClosedAndWithinItsVolumeHoweverItIsJittered)
         EXPECT_NEAR(mesh.TCoords[i][1], up, 1e-12);
       }
     }
+  }
+}
+
+TEST(PlantLevels, ProcessesSharePicturesFromAfar)
+{
+  ReevesTreeParameters parameters = PresetParameters(TreePreset::Shrub);
+  parameters.NumberOfLeaves = 40;
+  std::uint64_t ofPlant = 0;
+  PlantLevelOptions options;
+  options.ShareOf = [&](std::uint64_t key) {
+    ofPlant = key;
+    return WorkShare();
+  };
+  const PlantPrototype plant = LevelsOf(GrowReevesTree(parameters), options);
+  const PlantImpostor& alone = plant.Impostor;
+  EXPECT_GT(std::set<Texel>(alone.Pictures.Texels.begin(), alone.Pictures.Texels.end()).size(), 50u);
+  const std::vector<DrawnMesh> meshes{ { plant.Skin }, { plant.Leaves, &plant.LeafTexture } };
+  EXPECT_EQ(KeyOf(meshes), ofPlant);
+  PlantMesh other = plant.Leaves;
+  other.Colors.back()[0] ^= 1;
+  EXPECT_NE(KeyOf({ { plant.Skin }, { other, &plant.LeafTexture } }), ofPlant);
+  for (const std::size_t ranks : { 3, 30 }) // more than views too
+  {
+    littoral::testing::ProcessTeam(ranks).Run([&](const WorkShare& share) {
+      const PlantImpostor impostor = ImpostorOf(meshes, alone.Shape.Extent, SerialFor, share);
+      EXPECT_EQ(impostor.Pictures.Texels, alone.Pictures.Texels) << share.Rank << " of " << ranks;
+      EXPECT_EQ(impostor.Normals, alone.Normals);
+      EXPECT_EQ(impostor.Shape.Areas, alone.Shape.Areas);
+      EXPECT_EQ(impostor.Mean, alone.Mean);
+      EXPECT_EQ(impostor.TextureMean, alone.TextureMean);
+    });
   }
 }
 
