@@ -24,6 +24,12 @@ namespace
 {
 
 constexpr double SideFactor = 3.0;
+
+/// Deviation of the guide's smoothing over the side of a piece, and the largest one over the place's shorter side:
+/// longer waves alone do not correct the semivariances of a small place.
+constexpr double SmoothingFactor = 0.35;
+constexpr double LargestSmoothing = 1.0 / 9.0;
+
 constexpr double SlopeWeight = 0.5;
 constexpr float GuideWeight = 3.0F;
 constexpr float CostTolerance = 1.3F;
@@ -46,16 +52,24 @@ constexpr std::size_t SamplesOfPart = 64;
 /// Draw of the shifts of rows and columns, by their numbers.
 constexpr std::uint64_t ShiftDraw = 2;
 
-/// Heights, and differences to the next cell along x and y, each over a scale.
+/// Values by which pieces are compared: heights, and differences of soft ones to the next cell along x and y, each over
+/// a scale.
 constexpr int Channels = 3;
-struct Relief
-{
-  int Width = 0;
-  int Height = 0;
-  std::array<std::vector<float>, Channels> Values;
 
-  std::size_t Index(int x, int y) const { return static_cast<std::size_t>(y) * this->Width + x; }
-};
+/// Standard deviation of the Gauss function by which these heights are soft [cells]. The roughness of no piece is that
+/// of another: it would hide how valleys and slopes fit.
+constexpr double SoftDeviation = 1.0;
+
+/// Source of a cell that is not laid.
+constexpr std::int64_t NoSource = -1;
+
+/// Differences to the next cell along x and y; 0 at the far edges.
+std::array<double, 2> Rises(const GridSamples& ground, int i, int j)
+{
+  const double height = ground.At(i, j);
+  return { ground.At(std::min(i + 1, ground.Width - 1), j) - height,
+    ground.At(i, std::min(j + 1, ground.Height - 1)) - height };
+}
 
 /// A value that pieces are to have in a cell of a square, and where the first piece of the place has its own.
 struct Sample
@@ -156,21 +170,20 @@ class Quilter
 {
 public:
   Quilter(const GridSamples& place, const GridSamples& guide, int side, int seed, const ParallelFor& parallel)
-    : Guide(guide)
+    : Place(place)
+    , Guide(guide)
     , Side(side)
-    , Overlap(3 * side / 8)
+    , Overlap(3 * side / 10)
     , Margin(Overlap / 2)
     , Columns(PiecesAlong(guide.Width + Margin))
     , Rows(PiecesAlong(guide.Height + Margin))
+    , Width(Columns * Step() + Overlap + Margin)
     , Random(seed, RandomPurpose::LandscapePieces)
     , Parallel(parallel)
   {
-    this->SetPlace(place);
-    this->Ground.Width = this->Columns * this->Step() + this->Overlap + this->Margin;
-    this->Ground.Height = this->Rows * this->Step() + this->Overlap + this->Margin;
-    const std::size_t cells = static_cast<std::size_t>(this->Ground.Width) * this->Ground.Height;
-    this->Ground.Values.fill(std::vector<float>(cells, 0.0F));
-    this->IsLaid.assign(cells, 0);
+    this->SetPlace();
+    const int height = this->Rows * this->Step() + this->Overlap + this->Margin;
+    this->Sources.assign(static_cast<std::size_t>(this->Width) * height, NoSource);
     this->Uses.assign(static_cast<std::size_t>(this->CountX) * this->CountY, 0.0F);
     this->Costs = this->Uses;
     this->OfGuide = this->Uses;
@@ -195,40 +208,49 @@ private:
 
   int PiecesAlong(int count) const { return std::max(1, (count - this->Overlap + this->Step() - 1) / this->Step()); }
 
-  void SetPlace(const GridSamples& place)
+  void SetPlace()
   {
-    const SampleMoments moments = Moments(place);
+    const SampleMoments moments = Moments(this->Place);
     this->Mean = moments.Mean;
-    this->Scales[0] = std::sqrt(moments.Variance);
-    std::array<std::vector<double>, 2> differences;
+    this->Deviation = std::sqrt(moments.Variance);
+    const GridSamples soft = this->Smooth(SoftDeviation);
+    std::array<std::vector<double>, 2> rises;
     double squares = 0.0;
-    for (int j = 0; j < place.Height; ++j)
+    for (int j = 0; j < soft.Height; ++j)
     {
-      for (int i = 0; i < place.Width; ++i)
+      for (int i = 0; i < soft.Width; ++i)
       {
-        const double height = place.At(i, j);
-        differences[0].push_back(place.At(std::min(i + 1, place.Width - 1), j) - height);
-        differences[1].push_back(place.At(i, std::min(j + 1, place.Height - 1)) - height);
-        squares += differences[0].back() * differences[0].back() + differences[1].back() * differences[1].back();
+        const std::array<double, 2> rise = Rises(soft, i, j);
+        rises[0].push_back(rise[0]);
+        rises[1].push_back(rise[1]);
+        squares += rise[0] * rise[0] + rise[1] * rise[1];
       }
     }
-    this->Scales[1] = this->Scales[2] = std::sqrt(squares / static_cast<double>(place.Values.size())) / SlopeWeight;
-    this->Place.Width = place.Width;
-    this->Place.Height = place.Height;
-    GridSamples smooth = place;
-    SmoothGrid(smooth.Values, place.Width, place.Height, GuideSmoothing(this->Side), this->Parallel);
-    for (std::size_t n = 0; n < place.Values.size(); ++n)
+    const double scale = std::sqrt(squares / static_cast<double>(soft.Values.size())) / SlopeWeight;
+    const GridSamples smooth = this->Smooth(GuideSmoothing(this->Place));
+    for (std::size_t n = 0; n < smooth.Values.size(); ++n)
     {
-      this->Place.Values[0].push_back(this->Scaled(place.Values[n]));
-      this->Place.Values[1].push_back(static_cast<float>(differences[0][n] / this->Scales[1]));
-      this->Place.Values[2].push_back(static_cast<float>(differences[1][n] / this->Scales[2]));
+      this->Values[0].push_back(this->Scaled(this->Place.Values[n]));
+      this->Values[1].push_back(static_cast<float>(rises[0][n] / scale));
+      this->Values[2].push_back(static_cast<float>(rises[1][n] / scale));
       this->SmoothPlace.push_back(this->Scaled(smooth.Values[n]));
     }
-    this->CountX = place.Width - this->Side + 1;
-    this->CountY = place.Height - this->Side + 1;
+    this->CountX = this->Place.Width - this->Side + 1;
+    this->CountY = this->Place.Height - this->Side + 1;
   }
 
-  float Scaled(double height) const { return static_cast<float>((height - this->Mean) / this->Scales[0]); }
+  GridSamples Smooth(double deviation) const
+  {
+    GridSamples smooth = this->Place;
+    SmoothGrid(smooth.Values, smooth.Width, smooth.Height, deviation, this->Parallel);
+    return smooth;
+  }
+
+  std::size_t InPlace(int x, int y) const { return static_cast<std::size_t>(y) * this->Place.Width + x; }
+
+  std::size_t OnGround(int x, int y) const { return static_cast<std::size_t>(y) * this->Width + x; }
+
+  float Scaled(double height) const { return static_cast<float>((height - this->Mean) / this->Deviation); }
 
   void LayOne(int row, int column)
   {
@@ -261,11 +283,11 @@ private:
     {
       for (int x = 0; x < this->Side; x += step)
       {
-        const std::size_t cell = this->Ground.Index(to.X + x, to.Y + y);
-        for (int channel = 0; channel < Channels && this->IsLaid[cell]; ++channel)
+        const std::int64_t source = this->Sources[this->OnGround(to.X + x, to.Y + y)];
+        for (int channel = 0; channel < Channels && source != NoSource; ++channel)
         {
-          samples.push_back(
-            { this->Place.Values[channel].data() + this->Place.Index(x, y), this->Ground.Values[channel][cell] });
+          const std::vector<float>& values = this->Values[channel];
+          samples.push_back({ values.data() + this->InPlace(x, y), values[source] });
         }
       }
     }
@@ -287,7 +309,7 @@ private:
         if (column >= 0 && column < this->Guide.Width && row >= 0 && row < this->Guide.Height)
         {
           samples.push_back(
-            { this->SmoothPlace.data() + this->Place.Index(x, y), this->Scaled(this->Guide.At(column, row)) });
+            { this->SmoothPlace.data() + this->InPlace(x, y), this->Scaled(this->Guide.At(column, row)) });
         }
       }
     }
@@ -350,7 +372,7 @@ private:
     const std::size_t first = static_cast<std::size_t>(y) * count;
     std::fill_n(&this->OfGuide[first], count, 0.0F);
     std::fill_n(&this->OfOverlap[first], count, 0.0F);
-    const std::size_t shift = this->Place.Index(0, y);
+    const std::size_t shift = this->InPlace(0, y);
     AddSquares(square.Guide.data(), square.Guide.size(), shift, count, &this->OfGuide[first]);
     const std::size_t part = std::min(SamplesOfPart, square.Overlap.size());
     AddSquares(square.Overlap.data(), part, shift, count, &this->OfOverlap[first]);
@@ -371,7 +393,7 @@ private:
     for (std::size_t done = SamplesOfPart; done < all; done += SamplesOfPart)
     {
       AddSquares(square.Overlap.data() + done, std::min(SamplesOfPart, all - done),
-        this->Place.Index(static_cast<int>(x), y), count, &this->OfOverlap[first]);
+        this->InPlace(static_cast<int>(x), y), count, &this->OfOverlap[first]);
       least = this->LeastOfBlock(square, first, count);
       if (least > limit)
       {
@@ -458,16 +480,16 @@ private:
   /// Squared difference of a piece to what is laid in the cell of a square; 0 where nothing is.
   float Difference(const Corner& from, const Corner& to, int x, int y) const
   {
-    const std::size_t is = this->Ground.Index(to.X + x, to.Y + y);
-    if (!this->IsLaid[is])
+    const std::int64_t is = this->Sources[this->OnGround(to.X + x, to.Y + y)];
+    if (is == NoSource)
     {
       return 0.0F;
     }
-    const std::size_t shall = this->Place.Index(from.X + x, from.Y + y);
+    const std::size_t shall = this->InPlace(from.X + x, from.Y + y);
     float sum = 0.0F;
-    for (int channel = 0; channel < Channels; ++channel)
+    for (const std::vector<float>& values : this->Values)
     {
-      const float difference = this->Place.Values[channel][shall] - this->Ground.Values[channel][is];
+      const float difference = values[shall] - values[is];
       sum += difference * difference;
     }
     return sum;
@@ -495,15 +517,10 @@ private:
     {
       for (int x = 0; x < this->Side; ++x)
       {
-        const std::size_t cell = this->Ground.Index(to.X + x, to.Y + y);
-        if (!this->IsLaid[cell] || (x >= left[y] && y >= below[x]))
+        std::int64_t& source = this->Sources[this->OnGround(to.X + x, to.Y + y)];
+        if (source == NoSource || (x >= left[y] && y >= below[x]))
         {
-          const std::size_t source = this->Place.Index(from.X + x, from.Y + y);
-          for (int channel = 0; channel < Channels; ++channel)
-          {
-            this->Ground.Values[channel][cell] = this->Place.Values[channel][source];
-          }
-          this->IsLaid[cell] = 1;
+          source = static_cast<std::int64_t>(this->InPlace(from.X + x, from.Y + y));
         }
       }
     }
@@ -531,15 +548,17 @@ private:
     {
       for (int i = 0; i < width; ++i)
       {
-        const std::size_t cell = this->Ground.Index(i + this->Margin, j + this->Margin);
-        const auto link = [&](int channel, bool isThere, int x, int y) {
-          const double difference = isThere ? this->Scales[channel] * this->Ground.Values[channel][cell] : 0.0;
+        const std::int64_t source = this->Sources[this->OnGround(i + this->Margin, j + this->Margin)];
+        const std::array<double, 2> rises = Rises(
+          this->Place, static_cast<int>(source % this->Place.Width), static_cast<int>(source / this->Place.Width));
+        const auto link = [&](double rise, bool isThere, int x, int y) {
+          const double difference = isThere ? rise : 0.0;
           heights.At(i, j) -= difference;
           heights.At(isThere ? x : i, isThere ? y : j) += difference;
         };
-        link(1, i + 1 < width, i + 1, j);
-        link(2, j + 1 < height, i, j + 1);
-        heights.At(i, j) += HeightWeight * (this->Mean + this->Scales[0] * this->Ground.Values[0][cell]);
+        link(rises[0], i + 1 < width, i + 1, j);
+        link(rises[1], j + 1 < height, i, j + 1);
+        heights.At(i, j) += HeightWeight * this->Place.Values[source];
       }
     }
     CosineTransform(heights, this->Parallel);
@@ -555,25 +574,26 @@ private:
     return heights;
   }
 
+  const GridSamples& Place;
   const GridSamples& Guide;
   int Side;
   int Overlap;
   int Margin; ///< of the ground about the guide, and the largest shift
   int Columns;
   int Rows;
+  int Width; ///< of the ground with its margin
   RandomStream Random;
   const ParallelFor& Parallel;
-  Relief Place;
+  std::array<std::vector<float>, Channels> Values; ///< of the place
   std::vector<float> SmoothPlace;
   double Mean = 0.0;
-  std::array<double, Channels> Scales{ 1.0, 1.0, 1.0 };
+  double Deviation = 1.0;
   int CountX = 0; ///< pieces of the place by the corner
   int CountY = 0;
-  Relief Ground;
-  std::vector<char> IsLaid;
-  std::vector<float> Uses;      ///< by piece
-  std::vector<float> OfGuide;   ///< sums of squares by the piece
-  std::vector<float> OfOverlap; ///< the same, as far as they are taken
+  std::vector<std::int64_t> Sources; ///< cell of the place that a cell of the ground has its differences of
+  std::vector<float> Uses;           ///< by piece
+  std::vector<float> OfGuide;        ///< sums of squares by the piece
+  std::vector<float> OfOverlap;      ///< the same, as far as they are taken
   std::vector<float> Costs;
   std::vector<Corner> Shifts; ///< corner in the place less that on the ground, of the squares so far
 };
@@ -585,9 +605,9 @@ int PieceSideFor(const GridSamples& place)
   return 2 * static_cast<int>(0.5 * SideFactor * std::sqrt(std::min(place.Width, place.Height)));
 }
 
-double GuideSmoothing(int side)
+double GuideSmoothing(const GridSamples& place)
 {
-  return 0.25 * side;
+  return std::min(SmoothingFactor * PieceSideFor(place), LargestSmoothing * std::min(place.Width, place.Height));
 }
 
 GridSamples QuiltGround(const GridSamples& place, const GridSamples& guide, int side, int seed,

@@ -215,7 +215,7 @@ CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& measured, 
   const CarvingTarget target = TargetOf(place, {}, parallel);
   const PlaceMatching matching(place, target);
   const int side = PieceSideFor(place);
-  const double smoothing = GuideSmoothing(side);
+  const double smoothing = GuideSmoothing(place);
   const double shortest = 1.0 / (4.0 * smoothing * std::max(terrain.Spacing[0], terrain.Spacing[1]));
   LongWaves waves(terrain, target, shortest, seed, parallel);
   GridSamples guide = Smooth(waves.Heights(parallel), smoothing, parallel);

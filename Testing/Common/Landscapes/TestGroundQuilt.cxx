@@ -129,13 +129,13 @@ TEST(GroundQuilt, PiecesAreThePlaceInAnotherOrder)
   const GridSamples place = Hills(100, 100, 1);
   const int side = PieceSideFor(place);
   ASSERT_EQ(side, 30);
-  const GridSamples guide = Smooth(Hills(80, 80, 2), GuideSmoothing(side));
+  const GridSamples guide = Smooth(Hills(80, 80, 2), GuideSmoothing(place));
   const GridSamples quilt = QuiltGround(place, guide, side, 1);
   EXPECT_NEAR(Steepness(quilt) / Steepness(place), 1.0, 0.05);
-  // squares begin each 19 cells and up to 5 before, and are under no other from the 11th on
-  constexpr int step = 19;
-  constexpr int first = 11;
-  constexpr int margin = 5;
+  // squares begin each 21 cells and up to 4 before, and are under no other from the 9th on
+  constexpr int step = 21;
+  constexpr int first = 9;
+  constexpr int margin = 4;
   std::vector<Source> shifts;
   for (int row = 0; row < 3; ++row)
   {
@@ -179,7 +179,7 @@ TEST(GroundQuilt, DrawsAmongPiecesOfNearlyTheLeastCost)
     return x < period ? height : factor * height;
   });
   constexpr int side = 30;
-  const GridSamples smooth = Smooth(place, GuideSmoothing(side));
+  const GridSamples smooth = Smooth(place, GuideSmoothing(place));
   const auto part = [](const GridSamples& ground) {
     return Ground(20, 20, { 1.0, 1.0 },
       [&](double x, double y) { return ground.At(40 + static_cast<int>(x), 20 + static_cast<int>(y)); });
@@ -199,8 +199,8 @@ TEST(GroundQuilt, FollowsItsGuide)
 {
   const GridSamples place = Hills(100, 90, 1);
   const int side = PieceSideFor(place);
-  const GridSamples guide = Smooth(Hills(110, 70, 2), GuideSmoothing(side));
-  const GridSamples quilt = Smooth(QuiltGround(place, guide, side, 1), GuideSmoothing(side));
+  const GridSamples guide = Smooth(Hills(110, 70, 2), GuideSmoothing(place));
+  const GridSamples quilt = Smooth(QuiltGround(place, guide, side, 1), GuideSmoothing(place));
   EXPECT_GT(Correlation(quilt, guide), 0.8);
 }
 
