@@ -5,6 +5,9 @@
 #include "vtkLandscapePass.h"
 
 #include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -13,6 +16,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectCache.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -136,7 +140,9 @@ void BlockMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
   }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   std::vector<vtkSmartPointer<vtkOpenGLVertexBufferObject>> pinned; // until the mapper has those that it needs
-  if (PinnedArray::IsPossible(window))
+  this->CanPin = PinnedArray::IsPossible(window);
+  this->PointsInPlace = this->CanPin && this->TakePoints(renderer, actor);
+  if (this->CanPin)
   {
     for (const Read& read : this->ReadInPlace())
     {
@@ -164,13 +170,59 @@ void BlockMapper::BuildIBO(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* 
 {
   this->TempState.Clear();
   this->Superclass::BuildIBO(renderer, actor, block);
+  this->PinCorners(actor, block);
 }
 
 //----------------------------------------------------------------------------
-std::array<BlockMapper::Read, 2> BlockMapper::ReadInPlace()
+/// Where VTK has sent the numbers of triangles as they are, has them read in place.
+void BlockMapper::PinCorners(vtkActor* actor, vtkPolyData* block)
+{
+  this->Corners = nullptr;
+  vtkCellArray* triangles = block->GetPolys();
+  vtkOpenGLIndexBufferObject* sent = this->Primitives[PrimitiveTris].IBO;
+  vtkDataArray* corners = triangles->GetConnectivityArray();
+  const bool isSame = actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
+    corners->GetDataTypeSize() == sizeof(GLuint) && corners->GetNumberOfValues() > 0 &&
+    corners->GetNumberOfValues() == 3 * triangles->GetNumberOfCells() &&
+    static_cast<vtkIdType>(sent->IndexCount) == corners->GetNumberOfValues(); // there is no triangle without an area
+  if (this->CanPin && isSame && PinnedArray::ReadBy(sent, corners))
+  {
+    this->Corners = corners;
+    this->PinnedCorners = corners->GetVoidPointer(0);
+  }
+}
+
+//----------------------------------------------------------------------------
+/// Whether VTK would send the points as they are; their buffer takes what the mapper will set, so that VTK finds
+/// nothing changed.
+bool BlockMapper::TakePoints(vtkRenderer* renderer, vtkActor* actor)
+{
+  auto* points = vtkFloatArray::SafeDownCast(this->CurrentInput->GetPoints()->GetData());
+  if (!points || points->GetNumberOfTuples() == 0 ||
+    this->ShiftScaleMethod != vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE)
+  {
+    return false;
+  }
+  vtkOpenGLVertexBufferObjectCache* cache =
+    vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow())->GetVBOCache();
+  const auto buffer = vtkSmartPointer<vtkOpenGLVertexBufferObject>::Take(cache->GetVBO(points, VTK_FLOAT));
+  if (buffer->GetCoordShiftAndScaleEnabled())
+  {
+    return false; // another mapper shifts them
+  }
+  buffer->SetCoordShiftAndScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+  buffer->SetProp3D(actor);
+  buffer->SetCamera(renderer->GetActiveCamera());
+  return true;
+}
+
+//----------------------------------------------------------------------------
+std::array<BlockMapper::Read, 3> BlockMapper::ReadInPlace()
 {
   vtkPointData* arrays = this->CurrentInput->GetPointData();
-  return { Read{ "normalMC", arrays->GetNormals(), this->PinnedNormals },
+  return { Read{ "vertexMC", this->PointsInPlace ? this->CurrentInput->GetPoints()->GetData() : nullptr,
+             this->PinnedPoints },
+    Read{ "normalMC", arrays->GetNormals(), this->PinnedNormals },
     Read{ "tcoord", arrays->GetTCoords(), this->PinnedTCoords } };
 }
 
@@ -178,6 +230,11 @@ std::array<BlockMapper::Read, 2> BlockMapper::ReadInPlace()
 /// Reads no memory that an array has left, also where nobody has told that the array has changed.
 void BlockMapper::FollowMemory(vtkRenderer* renderer)
 {
+  if (this->Corners && this->Corners->GetVoidPointer(0) != this->PinnedCorners)
+  {
+    PinnedArray::ReadBy(this->Primitives[PrimitiveTris].IBO, this->Corners);
+    this->PinnedCorners = this->Corners->GetVoidPointer(0);
+  }
   for (const Read& read : this->ReadInPlace())
   {
     if (read.Pinned.HasMoved(read.Array, this->VBOs->GetVBO(read.Attribute)))
@@ -214,6 +271,7 @@ void BlockMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   }
   vtkOpenGLHelper& triangles = this->Primitives[PrimitiveTris];
   this->DrawingVertices = false;
+  this->DrawingSelection = false;
   this->UpdateShaders(triangles, renderer, actor);
   if (triangles.Program)
   {

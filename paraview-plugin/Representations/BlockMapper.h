@@ -19,8 +19,9 @@ namespace littoral
  *
  * The mapper of a tree builds vertices and indices of all blocks anew when anything has changed; this one sends the
  * arrays that have changed, such as points and normals of what moves, and keeps the others in the graphics' memory.
- * Where a processor draws, normals and texture coordinates are read from the arrays themselves, and many triangles are
- * drawn by parts, since all of them would be kept until they are drawn.
+ * Where a processor draws, normals, texture coordinates, points that are not shifted and numbers of triangles' corners
+ * are read from the arrays themselves, and many triangles are drawn by parts, since all of them would be kept until
+ * they are drawn.
  */
 class BlockMapper : public vtkOpenGLPolyDataMapper
 {
@@ -60,7 +61,9 @@ private:
     vtkDataArray* Array;
     PinnedArray& Pinned;
   };
-  std::array<Read, 2> ReadInPlace();
+  std::array<Read, 3> ReadInPlace();
+  bool TakePoints(vtkRenderer* renderer, vtkActor* actor);
+  void PinCorners(vtkActor* actor, vtkPolyData* block);
   bool IsDrawnByParts(vtkRenderer* renderer, vtkActor* actor) const;
   void FollowMemory(vtkRenderer* renderer);
 
@@ -73,8 +76,13 @@ private:
     vtkIdType Tuples = 0;
   };
   Source Colored;
+  bool CanPin = false;        ///< whether the window draws from the memory of arrays
+  bool PointsInPlace = false; ///< whether the points are read so
+  PinnedArray PinnedPoints;
   PinnedArray PinnedNormals;
   PinnedArray PinnedTCoords;
+  vtkSmartPointer<vtkDataArray> Corners; ///< numbers of points, where they are read in place
+  const void* PinnedCorners = nullptr;
   unsigned int BlockIndex = 0;
   bool IsDrawing = false;
 };
