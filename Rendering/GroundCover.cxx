@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GroundCover.h"
 
+#include "CoverShapes.h"
 #include "DepthMaps.h"
 #include "GroundCoverDec.h"
 #include "GroundCoverImpl.h"
@@ -153,6 +154,7 @@ void GroundCover::Prepare(int layer, const DepthMaps& maps)
   const CoverTile& tile = Tiles[layer];
   vtkActor* actor = this->Elements[layer];
   GroundCoverMapper* mapper = this->Mappers[layer];
+  mapper->SetMaker([this, &tile, layer] { return CoverShapes(tile, this->Ends[layer]); });
   mapper->MapDataArrayToVertexAttribute("coverFoot", "Foot", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
   vtkNew<UniformCommand> uniforms;
   uniforms->Set = [this, &tile, &maps](vtkShaderProgram* program) { this->SetUniforms(program, tile, maps); };
@@ -164,27 +166,6 @@ void GroundCover::Prepare(int layer, const DepthMaps& maps)
   shader->AddVertexShaderReplacement("//VTK::Normal::Dec", true,
     std::string(LandscapeNoise) + LandscapeGround + GroundCoverDec + "//VTK::Normal::Dec\n", false);
   shader->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true, GroundCoverImpl, false);
-}
-
-//----------------------------------------------------------------------------
-/// Has the mapper make cells, or all of them, beside those that it has.
-void GroundCover::Make(int layer, const std::vector<int>& cells, bool areAll)
-{
-  CoverCells& made = this->Made[layer];
-  const CoverCells before = made;
-  for (const int cell : cells)
-  {
-    made[cell] = true;
-  }
-  if (areAll)
-  {
-    made.fill(true);
-  }
-  if (made != before)
-  {
-    this->Mappers[layer]->SetMaker(
-      [this, layer] { return CoverShapes(Tiles[layer], this->Made[layer], this->Ends[layer]); });
-  }
 }
 
 //----------------------------------------------------------------------------
@@ -273,7 +254,6 @@ void GroundCover::Draw(vtkRenderer* renderer, const DepthMaps& maps)
     {
       this->Prepare(k, maps);
     }
-    this->Make(k, cells, !vtkLandscapePass::IsDrawnBySoftware(renderer->GetRenderWindow()));
     // Blades are relative to a corner of the tiles near the eye, so that single precision holds them.
     const double side = tile.Side * this->Radius;
     const auto corner = [&](double x) { return side * std::floor(x / side); };
