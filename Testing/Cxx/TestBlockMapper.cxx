@@ -16,6 +16,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -40,6 +41,7 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -335,7 +337,7 @@ bool CheckSame(Shown& blocks, Shown& plain, const std::string& when)
 bool CheckTrianglesInPlace()
 {
   vtkNew<vtkPolyData> triangles;
-  FillTriangles(triangles, 300);
+  FillTriangles(triangles, 150);
   vtkNew<vtkPolyData> copy;
   FillCopy(triangles, copy);
   vtkNew<vtkCellArray> cells;
@@ -385,7 +387,66 @@ bool CheckTrianglesInPlace()
   ids->SetValue(1, ids->GetValue(0));
   triangles->GetPolys()->Modified();
   triangles->Modified();
-  return CheckSame(blocks, plain, "with a triangle of no area") && good;
+  good &= CheckSame(blocks, plain, "with a triangle of no area");
+  inPlace->ReleaseGraphicsResources(blocks.Window);
+  return CheckSame(blocks, plain, "triangles after a release") && good;
+}
+
+/// A sheet of quadrangles, each of which has its own points, the next ones; or the first and the last one changed.
+void FillQuadrangles(vtkPolyData* quadrangles, int side, bool areInOrder)
+{
+  vtkNew<vtkPolyData> sheet;
+  FillSheet(sheet, side);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  vtkNew<vtkCellArray> cells;
+  const vtkIdType count = sheet->GetNumberOfPolys();
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType n = 0; n < count; ++n)
+  {
+    sheet->GetPolys()->GetCellAtId(n, corners);
+    cells->InsertNextCell(4);
+    const vtkIdType own = n == 0 ? count - 1 : n == count - 1 ? 0 : n;
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      points->InsertNextPoint(sheet->GetPoint(corners->GetId(corner)));
+      normals->InsertNextTuple(sheet->GetPointData()->GetNormals()->GetTuple(corners->GetId(corner)));
+      cells->InsertCellPoint(4 * (areInOrder ? n : own) + corner);
+    }
+  }
+  quadrangles->SetPoints(points);
+  quadrangles->GetPointData()->SetNormals(normals);
+  quadrangles->SetPolys(cells);
+}
+
+/// Quadrangles in order are drawn by the numbers of some corners, others by those of all.
+bool CheckQuadrangles()
+{
+  constexpr int side = 200;
+  std::array<double, 2> memory{};
+  bool good = true;
+  bool isTold = true;
+  for (const bool areInOrder : { true, false })
+  {
+    vtkNew<vtkPolyData> quadrangles;
+    FillQuadrangles(quadrangles, side, areInOrder);
+    vtkNew<littoral::BlockMapper> mapper;
+    vtkNew<vtkOpenGLPolyDataMapper> ofVtk;
+    Shown blocks(mapper, quadrangles, Near, Near);
+    Shown plain(ofVtk, quadrangles, Near, Near);
+    std::vector<unsigned char> picture;
+    memory[areInOrder] = MemoryOf(blocks, picture);
+    isTold &=
+      memory[areInOrder] > 0.0 && littoral::PinnedArray::IsPossible(vtkOpenGLRenderWindow::SafeDownCast(blocks.Window));
+    good &= CheckSame(blocks, plain, areInOrder ? "quadrangles in order" : "other quadrangles");
+    quadrangles->GetPoints()->Modified();
+    good &= CheckSame(blocks, plain, areInOrder ? "quadrangles in order, again" : "other quadrangles, again");
+  }
+  std::cout << memory[1] << " MB of quadrangles in order, " << memory[0] << " MB of others\n";
+  const double corners = 4.0 * (6.0 * side * side - (3 << 15));
+  return Check(!isTold || memory[1] < memory[0] - 0.9e-6 * corners, "corners of all quadrangles in order are sent") &&
+    good;
 }
 
 /// A point that no cell uses, 20 m east of the ball, is within the bounds of the mapper, which are those of the points.
@@ -451,5 +512,6 @@ int TestBlockMapper(int, char*[])
   good &= CheckParts();
   good &= CheckReadInPlace();
   good &= CheckTrianglesInPlace();
+  good &= CheckQuadrangles();
   return good ? 0 : 1;
 }

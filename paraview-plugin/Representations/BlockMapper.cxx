@@ -37,7 +37,7 @@ namespace
 
 /// Corners of the triangles that are drawn before a processor is waited for. llvmpipe keeps all triangles that are
 /// still to be drawn, at up to a kilobyte each.
-constexpr GLsizei CornersOfPart = 3 << 15;
+constexpr std::size_t CornersOfPart = 3 << 15;
 
 /// Waits until the commands before a fence are done, and deletes it.
 void Pass(GLsync fence)
@@ -49,15 +49,16 @@ void Pass(GLsync fence)
   glDeleteSync(fence);
 }
 
-/// Draws triangles by parts, each of them while the one before is still drawn, but not more at a time.
-void DrawTrianglesByParts(GLsizei corners)
+/// Draws triangles by parts, each of them while the one before is still drawn, but not more at a time. Numbers of
+/// corners go on from part to part, or each part has the first ones and its points after those of the part before.
+void DrawTrianglesByParts(std::size_t corners, int pointsOfPart)
 {
   GLsync before = nullptr;
-  for (GLsizei begin = 0; begin < corners; begin += CornersOfPart)
+  for (std::size_t begin = 0, part = 0; begin < corners; begin += CornersOfPart, ++part)
   {
-    const auto offset = static_cast<std::uintptr_t>(begin) * sizeof(GLuint);
-    glDrawElements(
-      GL_TRIANGLES, std::min(CornersOfPart, corners - begin), GL_UNSIGNED_INT, reinterpret_cast<const GLvoid*>(offset));
+    const std::uintptr_t offset = pointsOfPart > 0 ? 0 : begin * sizeof(GLuint);
+    glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(std::min(CornersOfPart, corners - begin)),
+      GL_UNSIGNED_INT, reinterpret_cast<const GLvoid*>(offset), static_cast<GLint>(part) * pointsOfPart);
     GLsync drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     if (before)
     {
@@ -68,6 +69,28 @@ void DrawTrianglesByParts(GLsizei corners)
   Pass(before);
 }
 
+/// Whether each cell has the next points, as many as any other one.
+template <typename Number>
+bool AreInOrder(const Number* corners, vtkIdType count)
+{
+  vtkIdType next = 0;
+  return std::all_of(corners, corners + count, [&next](Number corner) { return corner == next++; });
+}
+
+/// The corners of triangles of a part of cells with so many points each, the next ones.
+std::vector<GLuint> CornersOfFirst(int pointsOfCell)
+{
+  std::vector<GLuint> corners;
+  for (GLuint first = 0; corners.size() < CornersOfPart; first += static_cast<GLuint>(pointsOfCell))
+  {
+    for (GLuint n = 2; n < static_cast<GLuint>(pointsOfCell); ++n)
+    {
+      corners.insert(corners.end(), { first, first + n - 1, first + n });
+    }
+  }
+  return corners;
+}
+
 }
 
 vtkStandardNewMacro(BlockMapper);
@@ -75,7 +98,7 @@ vtkStandardNewMacro(BlockMapper);
 //----------------------------------------------------------------------------
 bool BlockMapper::HasManyCells(vtkPolyData* surface)
 {
-  return 3 * surface->GetNumberOfPolys() > CornersOfPart;
+  return 3 * surface->GetNumberOfPolys() > static_cast<vtkIdType>(CornersOfPart);
 }
 
 //----------------------------------------------------------------------------
@@ -128,6 +151,13 @@ void BlockMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 }
 
 //----------------------------------------------------------------------------
+void BlockMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Own = Corners();
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//----------------------------------------------------------------------------
 /// Lets go of the vertices of the last picture before others are sent: what draws them holds them until it has the
 /// others. Drops those that were sent, and their colors, since the graphics' memory has them too: VTK would keep them.
 /// What is read where it is is not sent.
@@ -170,26 +200,58 @@ void BlockMapper::BuildIBO(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* 
 {
   this->TempState.Clear();
   this->Superclass::BuildIBO(renderer, actor, block);
-  this->PinCorners(actor, block);
+  this->TakeCorners(actor, block);
 }
 
 //----------------------------------------------------------------------------
-/// Where VTK has sent the numbers of triangles as they are, has them read in place.
-void BlockMapper::PinCorners(vtkActor* actor, vtkPolyData* block)
+/// Drops what VTK has sent for many triangles, where they can be drawn without it.
+void BlockMapper::TakeCorners(vtkActor* actor, vtkPolyData* block)
 {
-  this->Corners = nullptr;
-  vtkCellArray* triangles = block->GetPolys();
   vtkOpenGLIndexBufferObject* sent = this->Primitives[PrimitiveTris].IBO;
-  vtkDataArray* corners = triangles->GetConnectivityArray();
-  const bool isSame = actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
-    corners->GetDataTypeSize() == sizeof(GLuint) && corners->GetNumberOfValues() > 0 &&
-    corners->GetNumberOfValues() == 3 * triangles->GetNumberOfCells() &&
-    static_cast<vtkIdType>(sent->IndexCount) == corners->GetNumberOfValues(); // there is no triangle without an area
-  if (this->CanPin && isSame && PinnedArray::ReadBy(sent, corners))
+  vtkCellArray* cells = block->GetPolys();
+  const bool areMany =
+    this->CanPin && sent->IndexCount > CornersOfPart && actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+  const bool areSame = areMany && this->Own.Time > 0 && this->Own.Time == cells->GetMTime();
+  if (!areMany || (!areSame && !this->FillCorners(cells)))
   {
-    this->Corners = corners;
-    this->PinnedCorners = corners->GetVoidPointer(0);
+    this->Own = Corners();
+    return;
   }
+  this->Own.Time = cells->GetMTime();
+  sent->ReleaseGraphicsResources();
+}
+
+//----------------------------------------------------------------------------
+/// Sends what cells are drawn by, or has it read in place. VTK leaves out triangles without an area, which draw
+/// nothing.
+bool BlockMapper::FillCorners(vtkCellArray* cells)
+{
+  vtkDataArray* array = cells->GetConnectivityArray();
+  const vtkIdType count = array->GetNumberOfValues();
+  const vtkIdType pointsOfCell = cells->IsHomogeneous();
+  const bool areTriangles = pointsOfCell == 3 && array->GetDataTypeSize() == sizeof(GLuint);
+  const auto trianglesOfPart = static_cast<vtkIdType>(CornersOfPart / 3);
+  this->Own = Corners();
+  this->Own.Sent = vtkSmartPointer<vtkOpenGLIndexBufferObject>::New();
+  if (areTriangles)
+  {
+    this->Own.Array = array;
+    this->Own.Memory = array->GetVoidPointer(0);
+    this->Own.Count = static_cast<std::size_t>(count);
+    this->Own.Sent->GenerateBuffer(vtkOpenGLBufferObject::ElementArrayBuffer);
+    return PinnedArray::ReadBy(this->Own.Sent, array);
+  }
+  const bool areInOrder = pointsOfCell >= 3 && trianglesOfPart % (pointsOfCell - 2) == 0 &&
+    (cells->IsStorage64Bit() ? AreInOrder(static_cast<const vtkTypeInt64*>(array->GetVoidPointer(0)), count)
+                             : AreInOrder(static_cast<const vtkTypeInt32*>(array->GetVoidPointer(0)), count));
+  if (!areInOrder)
+  {
+    return false;
+  }
+  this->Own.Count = static_cast<std::size_t>(3 * (pointsOfCell - 2) * cells->GetNumberOfCells());
+  this->Own.PointsOfPart = static_cast<int>(trianglesOfPart / (pointsOfCell - 2) * pointsOfCell);
+  return this->Own.Sent->Upload(
+    CornersOfFirst(static_cast<int>(pointsOfCell)), vtkOpenGLBufferObject::ElementArrayBuffer);
 }
 
 //----------------------------------------------------------------------------
@@ -230,10 +292,10 @@ std::array<BlockMapper::Read, 3> BlockMapper::ReadInPlace()
 /// Reads no memory that an array has left, also where nobody has told that the array has changed.
 void BlockMapper::FollowMemory(vtkRenderer* renderer)
 {
-  if (this->Corners && this->Corners->GetVoidPointer(0) != this->PinnedCorners)
+  if (this->Own.Array && this->Own.Array->GetVoidPointer(0) != this->Own.Memory)
   {
-    PinnedArray::ReadBy(this->Primitives[PrimitiveTris].IBO, this->Corners);
-    this->PinnedCorners = this->Corners->GetVoidPointer(0);
+    this->Own.Memory = this->Own.Array->GetVoidPointer(0);
+    PinnedArray::ReadBy(this->Own.Sent, this->Own.Array);
   }
   for (const Read& read : this->ReadInPlace())
   {
@@ -264,21 +326,36 @@ void BlockMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
     selector->RenderCompositeIndex(this->BlockIndex);
   }
   this->FollowMemory(renderer);
-  if (!this->IsDrawnByParts(renderer, actor))
+  if (this->IsDrawnByParts(renderer, actor))
   {
-    this->Superclass::RenderPieceDraw(renderer, actor);
+    this->DrawingVertices = false;
+    this->DrawingSelection = false;
+    this->UpdateShaders(this->Primitives[PrimitiveTris], renderer, actor);
+    this->DrawByParts();
     return;
   }
-  vtkOpenGLHelper& triangles = this->Primitives[PrimitiveTris];
-  this->DrawingVertices = false;
-  this->DrawingSelection = false;
-  this->UpdateShaders(triangles, renderer, actor);
-  if (triangles.Program)
+  if (this->Own.Sent)
   {
-    triangles.IBO->Bind();
-    DrawTrianglesByParts(static_cast<GLsizei>(triangles.IBO->IndexCount));
-    triangles.IBO->Release();
+    this->Own = Corners();
+    this->IBOBuildState.Clear();
+    this->TempState.Clear();
+    this->Superclass::BuildIBO(renderer, actor, this->CurrentInput);
   }
+  this->Superclass::RenderPieceDraw(renderer, actor);
+}
+
+//----------------------------------------------------------------------------
+void BlockMapper::DrawByParts()
+{
+  vtkOpenGLHelper& triangles = this->Primitives[PrimitiveTris];
+  if (!triangles.Program)
+  {
+    return;
+  }
+  vtkOpenGLIndexBufferObject* corners = this->Own.Sent ? this->Own.Sent.Get() : triangles.IBO;
+  corners->Bind();
+  DrawTrianglesByParts(this->Own.Sent ? this->Own.Count : corners->IndexCount, this->Own.PointsOfPart);
+  corners->Release();
 }
 
 }

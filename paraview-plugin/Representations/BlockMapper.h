@@ -8,8 +8,11 @@
 #include "vtkOpenGLPolyDataMapper.h"
 
 #include <array>
+#include <cstddef>
 
+class vtkCellArray;
 class vtkDataArray;
+class vtkOpenGLIndexBufferObject;
 
 namespace littoral
 {
@@ -40,6 +43,7 @@ public:
   using Superclass::MapScalars;
 
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
   BlockMapper() = default;
@@ -63,7 +67,9 @@ private:
   };
   std::array<Read, 3> ReadInPlace();
   bool TakePoints(vtkRenderer* renderer, vtkActor* actor);
-  void PinCorners(vtkActor* actor, vtkPolyData* block);
+  void TakeCorners(vtkActor* actor, vtkPolyData* block);
+  bool FillCorners(vtkCellArray* cells);
+  void DrawByParts();
   bool IsDrawnByParts(vtkRenderer* renderer, vtkActor* actor) const;
   void FollowMemory(vtkRenderer* renderer);
 
@@ -81,8 +87,17 @@ private:
   PinnedArray PinnedPoints;
   PinnedArray PinnedNormals;
   PinnedArray PinnedTCoords;
-  vtkSmartPointer<vtkDataArray> Corners; ///< numbers of points, where they are read in place
-  const void* PinnedCorners = nullptr;
+  /// What triangles are drawn by, where VTK's numbers of their corners have been dropped.
+  struct Corners
+  {
+    vtkSmartPointer<vtkOpenGLIndexBufferObject> Sent;
+    vtkSmartPointer<vtkDataArray> Array; ///< that Sent reads in place; null if it has the numbers of a part
+    const void* Memory = nullptr;        ///< of the array
+    std::size_t Count = 0;
+    int PointsOfPart = 0;
+    vtkMTimeType Time = 0; ///< of the cells, if they have such corners
+  };
+  Corners Own;
   unsigned int BlockIndex = 0;
   bool IsDrawing = false;
 };
