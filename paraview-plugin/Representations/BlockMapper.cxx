@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockMapper.h"
 #include "OpenGL.h"
+#include "PartsInTurn.h"
 #include "vtkLandscapePass.h"
 
 #include "vtkActor.h"
@@ -35,38 +36,21 @@ namespace littoral
 namespace
 {
 
-/// Corners of the triangles that are drawn before a processor is waited for. llvmpipe keeps all triangles that are
-/// still to be drawn, at up to a kilobyte each.
+/// Corners of the triangles of a part.
 constexpr std::size_t CornersOfPart = 3 << 15;
 
-/// Waits until the commands before a fence are done, and deletes it.
-void Pass(GLsync fence)
-{
-  constexpr GLuint64 second = 1000000000; // ns
-  while (glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, second) == GL_TIMEOUT_EXPIRED)
-  {
-  }
-  glDeleteSync(fence);
-}
-
-/// Draws triangles by parts, each of them while the one before is still drawn, but not more at a time. Numbers of
-/// corners go on from part to part, or each part has the first ones and its points after those of the part before.
+/// Draws triangles by parts in turn. Numbers of corners go on from part to part, or each part has the first ones and
+/// its points after those of the part before.
 void DrawTrianglesByParts(std::size_t corners, int pointsOfPart)
 {
-  GLsync before = nullptr;
+  PartsInTurn parts;
   for (std::size_t begin = 0, part = 0; begin < corners; begin += CornersOfPart, ++part)
   {
     const std::uintptr_t offset = pointsOfPart > 0 ? 0 : begin * sizeof(GLuint);
     glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(std::min(CornersOfPart, corners - begin)),
       GL_UNSIGNED_INT, reinterpret_cast<const GLvoid*>(offset), static_cast<GLint>(part) * pointsOfPart);
-    GLsync drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-    if (before)
-    {
-      Pass(before);
-    }
-    before = drawn;
+    parts.End();
   }
-  Pass(before);
 }
 
 /// Whether each cell has the next points, as many as any other one.
