@@ -87,7 +87,7 @@ private:
   PinnedArray PinnedPoints;
   PinnedArray PinnedNormals;
   PinnedArray PinnedTCoords;
-  /// What triangles are drawn by, where VTK's numbers of their corners have been dropped.
+  /// The numbers by which triangles are drawn where those that VTK sent have been dropped.
   struct Corners
   {
     vtkSmartPointer<vtkOpenGLIndexBufferObject> Sent;
