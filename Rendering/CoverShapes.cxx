@@ -242,16 +242,20 @@ void AddElement(const CoverTile& tile, const RandomStream& random, int element, 
   }
 }
 
-/// The elements of a tile by cells, with the ends of these among them.
-std::vector<int> ByCells(const CoverTile& tile, const RandomStream& random, std::vector<int>& ends)
+/// The elements of a tile by the cells that are made, with the ends of all cells among them.
+std::vector<int> ByCells(
+  const CoverTile& tile, const CoverCells& made, const RandomStream& random, std::vector<int>& ends)
 {
   constexpr int Cells = CoverTile::Cells;
-  std::vector<std::vector<int>> cells(static_cast<std::size_t>(Cells) * Cells);
+  std::array<std::vector<int>, Cells * Cells> cells;
   for (int element = 0; element < tile.Count; ++element)
   {
     const std::array<double, 2> foot = FootOf(random, element - element % tile.Group());
     const int cell = static_cast<int>(Cells * foot[0]) + Cells * static_cast<int>(Cells * foot[1]);
-    cells[static_cast<std::size_t>(cell)].push_back(element);
+    if (made[static_cast<std::size_t>(cell)])
+    {
+      cells[static_cast<std::size_t>(cell)].push_back(element);
+    }
   }
   std::vector<int> elements;
   ends = { 0 };
@@ -265,11 +269,12 @@ std::vector<int> ByCells(const CoverTile& tile, const RandomStream& random, std:
 
 }
 
-vtkSmartPointer<vtkPolyData> CoverShapes(const CoverTile& tile, std::vector<int>& ends)
+vtkSmartPointer<vtkPolyData> CoverShapes(const CoverTile& tile, const CoverCells& made, std::vector<int>& ends)
 {
-  Strips strips(tile.Count);
   const RandomStream random(tile.Count, RandomPurpose::GrassBlades);
-  for (const int element : ByCells(tile, random, ends))
+  const std::vector<int> elements = ByCells(tile, made, random, ends);
+  Strips strips(static_cast<int>(elements.size()));
+  for (const int element : elements)
   {
     AddElement(tile, random, element, strips);
   }

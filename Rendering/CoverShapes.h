@@ -6,6 +6,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <vector>
 
 namespace littoral
@@ -41,9 +42,13 @@ struct CoverTile
   bool HasOwnColor() const { return this->HasOwnSize() || this->Kind == CoverKind::Flower; }
 };
 
-/// The elements of a tile, cell by cell, with the ends of these among them and a 0 before the first. Points are
-/// relative to the array Foot, from 0 to 1 in the tile. The first elements alone are cells, as GroundCoverMapper asks.
-vtkSmartPointer<vtkPolyData> CoverShapes(const CoverTile& tile, std::vector<int>& ends);
+/// Cells of a tile, row by row, that are made or are not.
+using CoverCells = std::array<bool, CoverTile::Cells * CoverTile::Cells>;
+
+/// The elements of a tile in some cells, cell by cell, with the ends of all cells among them and a 0 before the first;
+/// the same in a cell whatever other cells are made. Points are relative to the array Foot, from 0 to 1 in the tile.
+/// The first elements alone are cells, as GroundCoverMapper asks.
+vtkSmartPointer<vtkPolyData> CoverShapes(const CoverTile& tile, const CoverCells& made, std::vector<int>& ends);
 
 }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GroundCover.h"
 
-#include "CoverShapes.h"
 #include "DepthMaps.h"
 #include "GroundCoverDec.h"
 #include "GroundCoverImpl.h"
@@ -14,7 +13,9 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
+#include "vtkMatrix4x4.h"
 #include "vtkProperty.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
@@ -22,6 +23,9 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 #include <algorithm>
 #include <array>
@@ -99,8 +103,34 @@ struct GroundCover::Sight
   double Planes[24]; ///< of the view's frustum: a x + b y + c z + d is not negative in it
   double Lowest;     ///< heights of all that is shown [m]
   double Highest;
+  glm::dvec3 Eye;
+  glm::dvec3 Ahead;               ///< of unit length
+  std::array<glm::dvec3, 4> Near; ///< corners of the frustum, by the same edges
+  std::array<glm::dvec3, 4> Far;
 
-  /// Whether some of a box is seen.
+  Sight(vtkRenderer* renderer, const DepthMaps& maps)
+    : Lowest(maps.GetLowest())
+    , Highest(maps.GetHighest())
+  {
+    vtkCamera* camera = renderer->GetActiveCamera();
+    const double aspect = renderer->GetTiledAspectRatio();
+    camera->GetFrustumPlanes(aspect, this->Planes);
+    camera->GetPosition(&this->Eye.x);
+    camera->GetDirectionOfProjection(&this->Ahead.x);
+    glm::dmat4 toWorld; // VTK's matrices are by rows
+    vtkMatrix4x4::Invert(*camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0)->Element, &toWorld[0][0]);
+    for (int edge = 0; edge < 4; ++edge)
+    {
+      const auto corner = [&](double z) {
+        const glm::dvec4 at = glm::dvec4(edge % 2 * 2.0 - 1.0, edge / 2 * 2.0 - 1.0, z, 1.0) * toWorld;
+        return glm::dvec3(at) / at.w;
+      };
+      this->Near[edge] = corner(-1.0);
+      this->Far[edge] = corner(1.0);
+    }
+  }
+
+  /// Whether some of a box is in the frustum, as far as its planes tell.
   bool Sees(const glm::dvec3& low, const glm::dvec3& high) const
   {
     for (const double* plane = this->Planes; plane < this->Planes + 24; plane += 4)
@@ -118,6 +148,54 @@ struct GroundCover::Sight
     }
     return true;
   }
+};
+
+/// What is under the part of a frustum up to a distance from the eye on the plane, within the heights of all that is
+/// shown: boxes between these heights are far taller than wide, and planes alone tell little of them.
+class GroundCover::Footprint
+{
+public:
+  Footprint(const Sight& sight, double distance)
+  {
+    const double rise =
+      std::max(sight.Ahead.z * (sight.Lowest - sight.Eye.z), sight.Ahead.z * (sight.Highest - sight.Eye.z));
+    const double depth = distance * glm::length(glm::dvec2(sight.Ahead)) + rise;
+    for (int edge = 0; edge < 4; ++edge)
+    {
+      const double near = glm::dot(sight.Near[edge] - sight.Eye, sight.Ahead);
+      const double far = glm::dot(sight.Far[edge] - sight.Eye, sight.Ahead);
+      const double part = std::clamp((depth - near) / (far - near), 0.0, 1.0);
+      this->Corners[2 * edge] = glm::dvec2(sight.Near[edge]);
+      this->Corners[2 * edge + 1] = glm::dvec2(glm::mix(sight.Near[edge], sight.Far[edge], part));
+    }
+  }
+
+  /// Whether a rectangle meets it: no line between two of its corners has the rectangle on one side and all corners on
+  /// the other.
+  bool Meets(const glm::dvec2& low, const glm::dvec2& high) const
+  {
+    for (std::size_t a = 0; a < this->Corners.size(); ++a)
+    {
+      for (std::size_t b = 0; b < this->Corners.size(); ++b)
+      {
+        const glm::dvec2 along = this->Corners[b] - this->Corners[a];
+        const glm::dvec2 out(along.y, -along.x);
+        const auto outside = [&](const glm::dvec2& point) { return glm::dot(out, point - this->Corners[a]); };
+        const double nearest = std::min(out.x * low.x, out.x * high.x) + std::min(out.y * low.y, out.y * high.y) -
+          glm::dot(out, this->Corners[a]);
+        if (nearest > 0.0 && std::all_of(this->Corners.begin(), this->Corners.end(), [&](const glm::dvec2& corner) {
+              return outside(corner) < nearest;
+            }))
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+private:
+  std::array<glm::dvec2, 8> Corners;
 };
 
 //----------------------------------------------------------------------------
@@ -154,7 +232,6 @@ void GroundCover::Prepare(int layer, const DepthMaps& maps)
   const CoverTile& tile = Tiles[layer];
   vtkActor* actor = this->Elements[layer];
   GroundCoverMapper* mapper = this->Mappers[layer];
-  mapper->SetMaker([this, &tile, layer] { return CoverShapes(tile, this->Ends[layer]); });
   mapper->MapDataArrayToVertexAttribute("coverFoot", "Foot", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
   vtkNew<UniformCommand> uniforms;
   uniforms->Set = [this, &tile, &maps](vtkShaderProgram* program) { this->SetUniforms(program, tile, maps); };
@@ -169,11 +246,43 @@ void GroundCover::Prepare(int layer, const DepthMaps& maps)
 }
 
 //----------------------------------------------------------------------------
-bool GroundCover::IsCellSeen(const CoverTile& tile, int column, int row, const Sight& sight) const
+/// Has the mapper make cells beside those that it has, of which the graphics' memory is freed before; all of them where
+/// this memory is not that of the processor.
+void GroundCover::Make(int layer, const std::vector<int>& cells, vtkRenderWindow* window)
+{
+  CoverCells& made = this->Made[layer];
+  const CoverCells before = made;
+  for (const int cell : cells)
+  {
+    made[cell] = true;
+  }
+  if (made == before)
+  {
+    return;
+  }
+  if (!vtkLandscapePass::IsDrawnBySoftware(window))
+  {
+    made.fill(true);
+  }
+  this->Elements[layer]->ReleaseGraphicsResources(window);
+  this->Mappers[layer]->SetMaker(
+    [this, layer] { return CoverShapes(Tiles[layer], this->Made[layer], this->Ends[layer]); });
+}
+
+//----------------------------------------------------------------------------
+/// How far elements reach from their feet [m]: blades are up to 1.2 times as high, and bend as far aside; stones are
+/// 0.26 m wide.
+double GroundCover::Margin() const
+{
+  return std::max(1.3 * this->Height, 0.26);
+}
+
+//----------------------------------------------------------------------------
+bool GroundCover::IsCellSeen(
+  const CoverTile& tile, int column, int row, const Sight& sight, const Footprint& footprint) const
 {
   const double side = tile.Side * this->Radius;
-  // Blades are up to 1.2 times as high, and bend as far aside; stones are 0.26 m wide
-  const double margin = std::max(1.3 * this->Height, 0.26);
+  const double margin = this->Margin();
   const std::array<double, 2> columns = CopiesOf(column, this->Eye.x / side);
   const std::array<double, 2> rows = CopiesOf(row, this->Eye.y / side);
   for (double x = columns[0]; x <= columns[1]; ++x)
@@ -186,7 +295,8 @@ bool GroundCover::IsCellSeen(const CoverTile& tile, int column, int row, const S
       const double near = glm::distance(eye, glm::clamp(eye, low, high));
       const double far = glm::length(glm::max(glm::abs(low - eye), glm::abs(high - eye)));
       if (near < tile.Reach * this->Radius && far > tile.From * this->Radius &&
-        sight.Sees({ low - margin, sight.Lowest }, { high + margin, sight.Highest + margin }))
+        sight.Sees({ low - margin, sight.Lowest }, { high + margin, sight.Highest }) &&
+        footprint.Meets(low - margin, high + margin))
       {
         return true;
       }
@@ -198,10 +308,11 @@ bool GroundCover::IsCellSeen(const CoverTile& tile, int column, int row, const S
 //----------------------------------------------------------------------------
 std::vector<int> GroundCover::SeenCells(const CoverTile& tile, const Sight& sight) const
 {
+  const Footprint footprint(sight, tile.Reach * this->Radius + this->Margin());
   std::vector<int> seen;
   for (int cell = 0; cell < Cells * Cells; ++cell)
   {
-    if (this->IsCellSeen(tile, cell % Cells, cell / Cells, sight))
+    if (this->IsCellSeen(tile, cell % Cells, cell / Cells, sight, footprint))
     {
       seen.push_back(cell);
     }
@@ -231,16 +342,13 @@ std::vector<GroundCoverMapper::Run> GroundCover::RunsOf(int layer, const std::ve
 //----------------------------------------------------------------------------
 void GroundCover::Draw(vtkRenderer* renderer, const DepthMaps& maps)
 {
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->GetPosition(&this->Eye.x);
-  Sight sight;
-  camera->GetFrustumPlanes(renderer->GetTiledAspectRatio(), sight.Planes);
-  sight.Lowest = maps.GetLowest();
-  sight.Highest = maps.GetHighest();
+  Sight sight(renderer, maps);
+  this->Eye = sight.Eye;
   if (this->Eye.z - sight.Highest > 2.0 * this->Radius)
   {
     return; // blades fade with the height of the eye
   }
+  sight.Highest += this->Margin();
   for (int k = 0; k < Layers; ++k)
   {
     const CoverTile& tile = Tiles[k];
@@ -254,6 +362,7 @@ void GroundCover::Draw(vtkRenderer* renderer, const DepthMaps& maps)
     {
       this->Prepare(k, maps);
     }
+    this->Make(k, cells, renderer->GetRenderWindow());
     // Blades are relative to a corner of the tiles near the eye, so that single precision holds them.
     const double side = tile.Side * this->Radius;
     const auto corner = [&](double x) { return side * std::floor(x / side); };

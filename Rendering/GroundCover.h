@@ -3,6 +3,7 @@
 #ifndef LittoralGroundCover_h
 #define LittoralGroundCover_h
 
+#include "CoverShapes.h"
 #include "GroundCoverMapper.h"
 
 #include "vtkNew.h"
@@ -14,6 +15,7 @@
 
 class vtkActor;
 class vtkProp;
+class vtkRenderWindow;
 class vtkRenderer;
 class vtkShaderProgram;
 class vtkWindow;
@@ -22,14 +24,13 @@ namespace littoral
 {
 
 class DepthMaps;
-struct CoverTile;
 
 /**
  * Grass around the eye, and herbs, flowers, litter and stones in it. They are in square tiles that are repeated over
  * the plane, of dense blades near the eye and of sparser and broader ones farther off; the vertex shader moves each
  * element to the copy that is nearest to the eye and onto the ground, whose height it reads from a map of depths seen
  * from the zenith. So they cost the same on any ground. Tiles have square cells; those that the picture does not show
- * are not drawn.
+ * are not drawn, nor made where a processor draws until one shows them.
  */
 class GroundCover
 {
@@ -53,17 +54,21 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
   struct Sight;
+  class Footprint;
   static constexpr int Layers = 7;
 
 private:
   void Prepare(int layer, const DepthMaps& maps);
-  bool IsCellSeen(const CoverTile& tile, int column, int row, const Sight& sight) const;
+  void Make(int layer, const std::vector<int>& cells, vtkRenderWindow* window);
+  double Margin() const;
+  bool IsCellSeen(const CoverTile& tile, int column, int row, const Sight& sight, const Footprint& footprint) const;
   std::vector<int> SeenCells(const CoverTile& tile, const Sight& sight) const;
   std::vector<GroundCoverMapper::Run> RunsOf(int layer, const std::vector<int>& cells) const;
   void SetUniforms(vtkShaderProgram* program, const CoverTile& tile, const DepthMaps& maps) const;
 
   std::array<vtkNew<vtkActor>, Layers> Elements;
   std::array<vtkNew<GroundCoverMapper>, Layers> Mappers;
+  std::array<CoverCells, Layers> Made{};     ///< cells that the mapper has
   std::array<std::vector<int>, Layers> Ends; ///< of the elements of each cell, and a 0 before the first
   std::array<double, Layers> Shares{};       ///< of the elements that are drawn
   double Height = 0.0;

@@ -3,6 +3,8 @@
 #include "GroundCoverMapper.h"
 
 #include "OpenGL.h"
+#include "PartsInTurn.h"
+#include "vtkLandscapePass.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -15,6 +17,8 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -103,6 +107,8 @@ void GroundCoverMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
+  const bool areInTurn = vtkLandscapePass::IsDrawnBySoftware(renderer->GetRenderWindow());
+  PartsInTurn parts;
   strips.IBO->Bind();
   for (const Run& run : this->Runs)
   {
@@ -110,6 +116,10 @@ void GroundCoverMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
     {
       const int corners = this->CornersOfStrip * std::min(this->Indexed, run.To - from);
       glDrawElementsBaseVertex(GL_TRIANGLES, corners, GL_UNSIGNED_INT, nullptr, this->PointsOfStrip * from);
+      if (areInTurn)
+      {
+        parts.End();
+      }
     }
   }
   strips.IBO->Release();

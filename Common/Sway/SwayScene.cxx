@@ -62,7 +62,7 @@ SwayOptions SwayScene::OptionsOf(int row) const
 
 double SwayScene::BytesOf(std::size_t nodes, std::size_t leaves)
 {
-  return static_cast<double>(nodes) * (sizeof(SkeletonNode) + sizeof(JointPose) + sizeof(JointChange)) +
+  return static_cast<double>(nodes) * (sizeof(SkeletonNode) + sizeof(Vector3) + sizeof(JointChange)) +
     static_cast<double>(leaves) * sizeof(FlutteringLeaf);
 }
 
@@ -185,29 +185,32 @@ void SwayScene::MoveTo(double time, const ParallelFor& parallel)
 {
   this->Time = time;
   this->Rest.Nodes.shrink_to_fit(); // no work unless plants were added
-  this->Poses.resize(this->Rest.Nodes.size());
+  this->Shifts.resize(this->Rest.Nodes.size());
   this->Changes.resize(this->Rest.Nodes.size());
   this->Winds.resize(this->Plants.size());
   parallel(this->Plants.size(), [&](std::size_t begin, std::size_t end) {
     std::vector<Vector3> amplitudes;
+    std::vector<JointPose> poses;
     for (std::size_t plant = begin; plant < end; ++plant)
     {
-      this->Pose(plant, amplitudes);
+      this->Pose(plant, amplitudes, poses);
     }
   });
 }
 
-void SwayScene::Pose(std::size_t index, std::vector<Vector3>& amplitudes)
+void SwayScene::Pose(std::size_t index, std::vector<Vector3>& amplitudes, std::vector<JointPose>& poses)
 {
   SwayingPlant& plant = this->Plants[index];
   amplitudes.resize(plant.Branches * static_cast<std::size_t>(this->Settings.Options.NumberOfModes));
+  poses.resize(plant.Motion->GetNumberOfJoints());
   plant.Sway->Amplitudes(this->Time, amplitudes.data());
-  plant.Motion->Pose(amplitudes.data(), &this->Poses[plant.FirstJoint]);
+  plant.Motion->Pose(amplitudes.data(), poses.data());
   this->Winds[index] = LeafWindOf(plant.Sway->Wind(this->Time), this->Settings.Leaves);
-  const std::size_t last = plant.FirstJoint + plant.Motion->GetNumberOfJoints();
-  for (std::size_t node = plant.FirstJoint; node < last; ++node)
+  for (std::size_t joint = 0; joint < poses.size(); ++joint)
   {
-    this->Changes[node] = ChangeOf(this->Poses[node], this->Rest.Nodes[node].Position);
+    const std::size_t node = plant.FirstJoint + joint;
+    this->Shifts[node] = poses[joint].Shift;
+    this->Changes[node] = ChangeOf(poses[joint], this->Rest.Nodes[node].Position);
   }
 }
 

@@ -86,7 +86,7 @@ public:
   std::vector<int> GetParents() const;
 
   /// The position of a joint [m] at the time of MoveTo.
-  Vector3 JointPosition(std::size_t node) const { return this->Rest.Nodes[node].Position + this->Poses[node].Shift; }
+  Vector3 JointPosition(std::size_t node) const { return this->Rest.Nodes[node].Position + this->Shifts[node]; }
 
   /// Whether each leaf's corners come behind those of the leaf before.
   bool AreLeavesInOrder() const { return this->LeavesInOrder; }
@@ -134,13 +134,13 @@ private:
   std::vector<Crown> Crowns;
   std::vector<AtlasArea> Areas;
   double Time = 0.0;
-  std::vector<JointPose> Poses;
+  std::vector<Vector3> Shifts; // of joints [m]
   std::vector<JointChange> Changes;
   std::vector<LeafWind> Winds; // at each plant
 
   const SwaySpecies* SpeciesOf(int row) const;
   SwayOptions OptionsOf(int row) const;
-  void Pose(std::size_t plant, std::vector<Vector3>& amplitudes);
+  void Pose(std::size_t plant, std::vector<Vector3>& amplitudes, std::vector<JointPose>& poses);
 };
 
 }

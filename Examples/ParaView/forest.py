@@ -75,6 +75,7 @@ def build(folder, view, quick=False):
     woods = wood_sites(drainage.GetOutput(), *(80.0, near_trees(4)) if quick else (9.0, near_trees()))
 
     terrain = views.reader("Country", drainage.GetOutput(), data)
+    terrain.PointArrayStatus = [name for name in terrain.PointArrayStatus if name != "DepressionDepth"]  # of no use here
     sites = views.reader("Sites", woods, data)
     brooks = simple.RiverSurface(registrationName="Brooks", Input=views.reader(
         "Courses", drainage.GetOutputDataObject(1), data), Terrain=terrain)

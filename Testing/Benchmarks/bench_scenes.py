@@ -4,7 +4,8 @@
 
     build/bin/littoral-env --display pvpython Testing/Benchmarks/bench_scenes.py SCENE [FRAMES [FILE.json]]
 
-SCENE: forest or underwater, the examples of Examples/ParaView; or an entry of Sources > Littoral, such as SwayingForest.
+SCENE: forest or underwater, the examples of Examples/ParaView; forest-unlit or forest-plain, the forest without Landscape
+Light, and that shown by ParaView's own Surface; or an entry of Sources > Littoral, such as SwayingForest.
 Each of the FRAMES (default: 12) is a step of 1/12 s, or, where nothing moves, a turn of the camera by 1 degree: first the
 pipeline is updated, then the picture is drawn, then drawn again, of the same scene. Printed, or written as JSON, are means
 of wall and processor time [s] of update and first drawing ("render"); what of the update is spent in Littoral's algorithms,
@@ -109,6 +110,20 @@ def of_forest(functions, folder):
     return view, step
 
 
+def of_unlit_forest(functions, folder):
+    view, step = of_forest(functions, folder)
+    hide_light(view)
+    return view, step
+
+
+def of_plain_forest(functions, folder):
+    view, step = of_unlit_forest(functions, folder)
+    for shown in view.Representations:
+        if shown.Visibility and "Surface" in shown.GetProperty("Representation").Available:
+            shown.Representation = "Surface"
+    return view, step
+
+
 def of_underwater(functions, folder):
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = EXAMPLE_SIZE
@@ -120,14 +135,16 @@ def of_underwater(functions, folder):
     return view, step
 
 
-#: Each example, and what shows it: returns its view and what makes a step.
-EXAMPLES = {"forest": of_forest, "underwater": of_underwater}
+#: Each scene of an example: the example, and what shows it: returns its view and what makes a step.
+EXAMPLES = {"forest": ("forest", of_forest), "forest-unlit": ("forest", of_unlit_forest),
+            "forest-plain": ("forest", of_plain_forest), "underwater": ("underwater", of_underwater)}
 
 
 def of_example(name, folder):
-    """Builds an example, with files in a folder."""
+    """Builds a scene of an example, with files in a folder."""
     simple._DisableFirstRenderCameraReset()
-    return EXAMPLES[name](runpy.run_path(os.path.join(FOLDER, f"{name}.py"), run_name=name), folder)
+    example, show = EXAMPLES[name]
+    return show(runpy.run_path(os.path.join(FOLDER, f"{example}.py"), run_name=example), folder)
 
 
 def update(view):

@@ -3,7 +3,8 @@
 // The mapper of a block draws what VTK's draws, also after a move, with other colors and when the graphics are taken
 // from it and given back, and keeps none of the vertices that it has sent. Many triangles, which are drawn by parts,
 // give the same picture and leave less memory taken than VTK's. Arrays that are read where they are do so too, also
-// when they have changed, have got other memory, or are drawn by a mapper of VTK in the same window.
+// when they have changed, have got other memory, or are drawn by a mapper of VTK in the same window; of points that are
+// not shifted and of triangles the picture has the same bytes, and the same cells are picked.
 #include "BlockMapper.h"
 #include "Check.h"
 #include "PinnedArray.h"
@@ -14,8 +15,13 @@
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkHardwareSelector.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLVertexBufferObject.h"
@@ -26,7 +32,12 @@
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+#include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
+#include "vtkTriangleFilter.h"
+#include "vtkTypeInt32Array.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <malloc.h>
@@ -71,7 +82,7 @@ void FillBall(vtkPolyData* ball)
   ball->GetPointData()->SetScalars(colors);
 }
 
-/// Tells of the colors that it keeps.
+/// Tells of the colors that it keeps, and whether the graphics have the corners of all triangles.
 class MapperOfColors : public littoral::BlockMapper
 {
 public:
@@ -79,6 +90,7 @@ public:
   vtkTypeMacro(MapperOfColors, littoral::BlockMapper);
 
   vtkIdType KeptColors() const { return this->Colors->GetNumberOfTuples(); }
+  bool HasCorners() const { return this->Primitives[PrimitiveTris].IBO->GetHandle() != 0; }
 };
 vtkStandardNewMacro(MapperOfColors);
 
@@ -228,6 +240,12 @@ double Difference(const std::vector<unsigned char>& a, const std::vector<unsigne
   return a.empty() || a.size() != b.size() ? 255.0 : sum / static_cast<double>(a.size());
 }
 
+/// Whether a mapper reads arrays where they are.
+bool IsInPlace(Shown& shown)
+{
+  return littoral::PinnedArray::IsPossible(vtkOpenGLRenderWindow::SafeDownCast(shown.Window));
+}
+
 bool CheckReadInPlace()
 {
   constexpr double least = 0.1;
@@ -243,26 +261,23 @@ bool CheckReadInPlace()
   FillCopy(sheet, copy);
   vtkNew<littoral::BlockMapper> ofCopy;
   Shown copied(ofCopy, copy, Near, Near);
-  std::vector<unsigned char> picture;
-  const double ofSheet = MemoryOf(blocks, picture);
-  std::vector<unsigned char> expected;
-  const double ofDoubles = MemoryOf(copied, expected);
-  std::cout << ofSheet << " MB in place, " << ofDoubles << " MB sent\n";
-  bool good = Check(Difference(picture, expected) < least, "in place: another picture than of a copy");
-  expected = plain.Picture();
+  const std::vector<unsigned char> picture = blocks.Picture();
+  bool good = Check(Difference(picture, copied.Picture()) < least, "in place: another picture than of a copy");
+  std::vector<unsigned char> expected = plain.Picture();
   good &= Check(Difference(picture, expected) < least, "in place: another picture than VTK's");
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(blocks.Window);
-  const bool isTold = ofDoubles > 0.0 && littoral::PinnedArray::IsPossible(window);
-  const double bytes = 12.0 * static_cast<double>(sheet->GetNumberOfPoints()); // of normals
-  good &= Check(!isTold || ofSheet < ofDoubles - 0.9e-6 * bytes, "arrays in place have a copy");
+  const bool isInPlace = IsInPlace(blocks);
 
   auto* points = vtkFloatArray::SafeDownCast(sheet->GetPoints()->GetData());
   auto* normals = vtkFloatArray::SafeDownCast(sheet->GetPointData()->GetNormals());
   const std::vector<unsigned char> first = expected;
   for (vtkIdType n = 0; n < points->GetNumberOfTuples(); ++n)
   {
-    points->SetTypedComponent(n, 0, points->GetTypedComponent(n, 0) + 0.7f);
     normals->SetTypedComponent(n, 2, 0.4f);
+  }
+  good &= Check(!isInPlace || blocks.Picture() != first, "normals in place have a copy");
+  for (vtkIdType n = 0; n < points->GetNumberOfTuples(); ++n)
+  {
+    points->SetTypedComponent(n, 0, points->GetTypedComponent(n, 0) + 0.7f);
   }
   points->Modified();
   normals->Modified();
@@ -286,6 +301,139 @@ bool CheckReadInPlace()
   blocks.Actor->VisibilityOff();
   return Check(Difference(blocks.Picture(), expected) < least, "another mapper of the points draws them elsewhere") &&
     good;
+}
+
+/// A sheet of triangles, whose cells have numbers of 32 bits.
+void FillTriangles(vtkPolyData* triangles, int side)
+{
+  vtkNew<vtkPolyData> sheet;
+  FillSheet(sheet, side);
+  vtkNew<vtkTriangleFilter> filter;
+  filter->SetInputData(sheet);
+  filter->Update();
+  triangles->ShallowCopy(filter->GetOutput());
+  triangles->GetPolys()->ConvertTo32BitStorage();
+}
+
+/// Cells that VTK's selector finds in all of a picture.
+std::vector<vtkIdType> PickedCells(Shown& shown)
+{
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(shown.Renderer);
+  selector->SetArea(0, 0, Side - 1, Side - 1);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  const auto picked = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  auto* cells = picked && picked->GetNumberOfNodes() == 1
+    ? vtkIdTypeArray::SafeDownCast(picked->GetNode(0)->GetSelectionList())
+    : nullptr;
+  return cells ? std::vector<vtkIdType>(cells->GetPointer(0), cells->GetPointer(0) + cells->GetNumberOfValues())
+               : std::vector<vtkIdType>();
+}
+
+/// Whether a block shows and picks what VTK's mapper does.
+bool CheckSame(Shown& blocks, Shown& plain, const std::string& when)
+{
+  const bool isSame = Check(blocks.Picture() == plain.Picture(), when + ": another picture than VTK's");
+  const std::vector<vtkIdType> expected = PickedCells(plain);
+  return Check(expected.size() > Side, when + ": VTK picks no cells") &&
+    Check(PickedCells(blocks) == expected, when + ": other cells are picked than by VTK") && isSame;
+}
+
+bool CheckTrianglesInPlace()
+{
+  vtkNew<vtkPolyData> triangles;
+  FillTriangles(triangles, 150);
+  vtkNew<littoral::BlockMapper> inPlace;
+  vtkNew<vtkOpenGLPolyDataMapper> sent;
+  inPlace->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+  sent->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+  Shown blocks(inPlace, triangles, Near, Near);
+  Shown plain(sent, triangles, Near, Near);
+  bool good = CheckSame(blocks, plain, "triangles in place");
+  const bool isInPlace = IsInPlace(blocks);
+  const std::vector<unsigned char> first = blocks.Picture();
+
+  vtkPoints* points = triangles->GetPoints();
+  for (vtkIdType n = 0; n < points->GetNumberOfPoints(); ++n)
+  {
+    const double* point = points->GetPoint(n);
+    points->SetPoint(n, point[0] + 0.7, point[1], point[2]);
+  }
+  good &= Check(!isInPlace || blocks.Picture() != first, "points in place have a copy");
+  points->Modified();
+  triangles->Modified();
+  good &= CheckSame(blocks, plain, "moved triangles in place");
+
+  points->Modified();
+  triangles->Modified();
+  const std::vector<unsigned char> second = blocks.Picture();
+  auto* corners = vtkTypeInt32Array::SafeDownCast(triangles->GetPolys()->GetConnectivityArray());
+  const vtkIdType numbers = corners->GetNumberOfValues();
+  auto* moved = new vtkTypeInt32[numbers]; // becomes the array's
+  std::copy_n(corners->GetPointer(0), numbers, moved);
+  std::fill_n(corners->GetPointer(0), numbers, 0);
+  good &= Check(!isInPlace || blocks.Picture() != second, "triangles in place have a copy");
+  corners->SetArray(moved, numbers, /*save=*/0, vtkAbstractArray::VTK_DATA_ARRAY_DELETE);
+  good &= CheckSame(blocks, plain, "triangles that have got other memory");
+
+  // A triangle without an area, of whose corners VTK may send none.
+  corners->SetValue(1, corners->GetValue(0));
+  triangles->GetPolys()->Modified();
+  triangles->Modified();
+  good &= CheckSame(blocks, plain, "with a triangle of no area");
+  inPlace->ReleaseGraphicsResources(blocks.Window);
+  return CheckSame(blocks, plain, "triangles after a release") && good;
+}
+
+/// A sheet of quadrangles, each of which has its own points, the next ones; or the first and the last one changed.
+void FillQuadrangles(vtkPolyData* quadrangles, int side, bool areInOrder)
+{
+  vtkNew<vtkPolyData> sheet;
+  FillSheet(sheet, side);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  vtkNew<vtkCellArray> cells;
+  const vtkIdType count = sheet->GetNumberOfPolys();
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType n = 0; n < count; ++n)
+  {
+    sheet->GetPolys()->GetCellAtId(n, corners);
+    cells->InsertNextCell(4);
+    const vtkIdType own = n == 0 ? count - 1 : n == count - 1 ? 0 : n;
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      points->InsertNextPoint(sheet->GetPoint(corners->GetId(corner)));
+      normals->InsertNextTuple(sheet->GetPointData()->GetNormals()->GetTuple(corners->GetId(corner)));
+      cells->InsertCellPoint(4 * (areInOrder ? n : own) + corner);
+    }
+  }
+  quadrangles->SetPoints(points);
+  quadrangles->GetPointData()->SetNormals(normals);
+  quadrangles->SetPolys(cells);
+}
+
+/// Quadrangles in order are drawn by the numbers of some corners, others by those of all.
+bool CheckQuadrangles()
+{
+  constexpr int side = 150;
+  bool good = true;
+  for (const bool areInOrder : { true, false })
+  {
+    vtkNew<vtkPolyData> quadrangles;
+    FillQuadrangles(quadrangles, side, areInOrder);
+    vtkNew<MapperOfColors> mapper;
+    vtkNew<vtkOpenGLPolyDataMapper> ofVtk;
+    Shown blocks(mapper, quadrangles, Near, Near);
+    Shown plain(ofVtk, quadrangles, Near, Near);
+    const std::string kind = areInOrder ? "quadrangles in order" : "other quadrangles";
+    good &= CheckSame(blocks, plain, kind);
+    quadrangles->GetPoints()->Modified();
+    good &= Check(blocks.Picture() == plain.Picture(), kind + ", sent again: another picture than VTK's");
+    good &=
+      Check(mapper->HasCorners() != (areInOrder && IsInPlace(blocks)), kind + ": corners of all are sent, or none");
+  }
+  return good;
 }
 
 /// A point that no cell uses, 20 m east of the ball, is within the bounds of the mapper, which are those of the points.
@@ -350,5 +498,7 @@ int TestBlockMapper(int, char*[])
   good &= CheckBounds();
   good &= CheckParts();
   good &= CheckReadInPlace();
+  good &= CheckTrianglesInPlace();
+  good &= CheckQuadrangles();
   return good ? 0 : 1;
 }

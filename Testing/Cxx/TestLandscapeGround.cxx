@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -289,6 +290,30 @@ bool TestGrassAround()
   return good;
 }
 
+/// What a level meadow looks like to an eye at 2 m that has looked in other directions before [rad].
+std::vector<unsigned char> Meadow(const std::vector<double>& directions)
+{
+  Picture picture;
+  picture.Pass->SetCoverHeight(0.5);
+  picture.Pass->SetCoverRadius(30.0);
+  vtkLandscapePass::SetMaterial(picture.Add(Level(60.0), 0.3), vtkLandscapePass::Ground);
+  for (const double direction : directions)
+  {
+    picture.Look({ 0.3, 0.3, 2.0 }, { 0.3 + 10.0 * std::cos(direction), 0.3 + 10.0 * std::sin(direction), 1.0 },
+      { 0.0, 0.0, 1.0 });
+    picture.Draw();
+  }
+  return { picture.Pixels->GetPointer(0), picture.Pixels->GetPointer(0) + picture.Pixels->GetNumberOfValues() };
+}
+
+/// Grass is the same whatever was seen, and so made, before.
+bool TestGrassAfterTurns()
+{
+  const std::vector<unsigned char> seen = Meadow({ 0.5 });
+  return Check(seen == Meadow({ 3.0, 1.2, 0.5 }), "Grass depends on what was seen before.") &&
+    Check(seen != Meadow({ 1.2 }), "A meadow looks alike in all directions.");
+}
+
 /// Bark of a grey, seen across from a distance: its mean, and the squares of its changes across and upward.
 std::array<double, 3> BarkOf(double grey, double distance)
 {
@@ -341,6 +366,7 @@ int TestLandscapeGround(int, char*[])
   good &= TestGrassAtSea();
   good &= TestGrassAtEdges();
   good &= TestGrassAround();
+  good &= TestGrassAfterTurns();
   good &= TestCoverKinds();
   good &= TestTurf();
   good &= TestBark();

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockMapper.h"
 #include "OpenGL.h"
+#include "PartsInTurn.h"
 #include "vtkLandscapePass.h"
 
 #include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -13,6 +17,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectCache.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -31,37 +36,43 @@ namespace littoral
 namespace
 {
 
-/// Corners of the triangles that are drawn before a processor is waited for. llvmpipe keeps all triangles that are
-/// still to be drawn, at up to a kilobyte each.
-constexpr GLsizei CornersOfPart = 3 << 15;
+/// Corners of the triangles of a part.
+constexpr std::size_t CornersOfPart = 3 << 15;
 
-/// Waits until the commands before a fence are done, and deletes it.
-void Pass(GLsync fence)
+/// Draws triangles by parts in turn. Numbers of corners go on from part to part, or each part has the first ones and
+/// its points after those of the part before.
+void DrawTrianglesByParts(std::size_t corners, int pointsOfPart)
 {
-  constexpr GLuint64 second = 1000000000; // ns
-  while (glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, second) == GL_TIMEOUT_EXPIRED)
+  PartsInTurn parts;
+  for (std::size_t begin = 0, part = 0; begin < corners; begin += CornersOfPart, ++part)
   {
+    const std::uintptr_t offset = pointsOfPart > 0 ? 0 : begin * sizeof(GLuint);
+    glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(std::min(CornersOfPart, corners - begin)),
+      GL_UNSIGNED_INT, reinterpret_cast<const GLvoid*>(offset), static_cast<GLint>(part) * pointsOfPart);
+    parts.End();
   }
-  glDeleteSync(fence);
 }
 
-/// Draws triangles by parts, each of them while the one before is still drawn, but not more at a time.
-void DrawTrianglesByParts(GLsizei corners)
+/// Whether each cell has the next points, as many as any other one.
+template <typename Number>
+bool AreInOrder(const Number* corners, vtkIdType count)
 {
-  GLsync before = nullptr;
-  for (GLsizei begin = 0; begin < corners; begin += CornersOfPart)
+  vtkIdType next = 0;
+  return std::all_of(corners, corners + count, [&next](Number corner) { return corner == next++; });
+}
+
+/// The corners of triangles of a part of cells with so many points each, the next ones.
+std::vector<GLuint> CornersOfFirst(int pointsOfCell)
+{
+  std::vector<GLuint> corners;
+  for (GLuint first = 0; corners.size() < CornersOfPart; first += static_cast<GLuint>(pointsOfCell))
   {
-    const auto offset = static_cast<std::uintptr_t>(begin) * sizeof(GLuint);
-    glDrawElements(
-      GL_TRIANGLES, std::min(CornersOfPart, corners - begin), GL_UNSIGNED_INT, reinterpret_cast<const GLvoid*>(offset));
-    GLsync drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-    if (before)
+    for (GLuint n = 2; n < static_cast<GLuint>(pointsOfCell); ++n)
     {
-      Pass(before);
+      corners.insert(corners.end(), { first, first + n - 1, first + n });
     }
-    before = drawn;
   }
-  Pass(before);
+  return corners;
 }
 
 }
@@ -71,7 +82,7 @@ vtkStandardNewMacro(BlockMapper);
 //----------------------------------------------------------------------------
 bool BlockMapper::HasManyCells(vtkPolyData* surface)
 {
-  return 3 * surface->GetNumberOfPolys() > CornersOfPart;
+  return 3 * surface->GetNumberOfPolys() > static_cast<vtkIdType>(CornersOfPart);
 }
 
 //----------------------------------------------------------------------------
@@ -124,6 +135,13 @@ void BlockMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 }
 
 //----------------------------------------------------------------------------
+void BlockMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Own = Corners();
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//----------------------------------------------------------------------------
 /// Lets go of the vertices of the last picture before others are sent: what draws them holds them until it has the
 /// others. Drops those that were sent, and their colors, since the graphics' memory has them too: VTK would keep them.
 /// What is read where it is is not sent.
@@ -136,7 +154,9 @@ void BlockMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
   }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   std::vector<vtkSmartPointer<vtkOpenGLVertexBufferObject>> pinned; // until the mapper has those that it needs
-  if (PinnedArray::IsPossible(window))
+  this->CanPin = PinnedArray::IsPossible(window);
+  this->PointsInPlace = this->CanPin && this->TakePoints(renderer, actor);
+  if (this->CanPin)
   {
     for (const Read& read : this->ReadInPlace())
     {
@@ -164,13 +184,91 @@ void BlockMapper::BuildIBO(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* 
 {
   this->TempState.Clear();
   this->Superclass::BuildIBO(renderer, actor, block);
+  this->TakeCorners(actor, block);
 }
 
 //----------------------------------------------------------------------------
-std::array<BlockMapper::Read, 2> BlockMapper::ReadInPlace()
+/// Drops what VTK has sent for many triangles, where they can be drawn without it.
+void BlockMapper::TakeCorners(vtkActor* actor, vtkPolyData* block)
+{
+  vtkOpenGLIndexBufferObject* sent = this->Primitives[PrimitiveTris].IBO;
+  vtkCellArray* cells = block->GetPolys();
+  const bool areMany =
+    this->CanPin && sent->IndexCount > CornersOfPart && actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+  const bool areSame = areMany && this->Own.Time > 0 && this->Own.Time == cells->GetMTime();
+  if (!areMany || (!areSame && !this->FillCorners(cells)))
+  {
+    this->Own = Corners();
+    return;
+  }
+  this->Own.Time = cells->GetMTime();
+  sent->ReleaseGraphicsResources();
+}
+
+//----------------------------------------------------------------------------
+/// Sends what cells are drawn by, or has it read in place. VTK leaves out triangles without an area, which draw
+/// nothing.
+bool BlockMapper::FillCorners(vtkCellArray* cells)
+{
+  vtkDataArray* array = cells->GetConnectivityArray();
+  const vtkIdType count = array->GetNumberOfValues();
+  const vtkIdType pointsOfCell = cells->IsHomogeneous();
+  const bool areTriangles = pointsOfCell == 3 && array->GetDataTypeSize() == sizeof(GLuint);
+  const auto trianglesOfPart = static_cast<vtkIdType>(CornersOfPart / 3);
+  this->Own = Corners();
+  this->Own.Sent = vtkSmartPointer<vtkOpenGLIndexBufferObject>::New();
+  if (areTriangles)
+  {
+    this->Own.Array = array;
+    this->Own.Memory = array->GetVoidPointer(0);
+    this->Own.Count = static_cast<std::size_t>(count);
+    this->Own.Sent->GenerateBuffer(vtkOpenGLBufferObject::ElementArrayBuffer);
+    return PinnedArray::ReadBy(this->Own.Sent, array);
+  }
+  const bool areInOrder = pointsOfCell >= 3 && trianglesOfPart % (pointsOfCell - 2) == 0 &&
+    (cells->IsStorage64Bit() ? AreInOrder(static_cast<const vtkTypeInt64*>(array->GetVoidPointer(0)), count)
+                             : AreInOrder(static_cast<const vtkTypeInt32*>(array->GetVoidPointer(0)), count));
+  if (!areInOrder)
+  {
+    return false;
+  }
+  this->Own.Count = static_cast<std::size_t>(3 * (pointsOfCell - 2) * cells->GetNumberOfCells());
+  this->Own.PointsOfPart = static_cast<int>(trianglesOfPart / (pointsOfCell - 2) * pointsOfCell);
+  return this->Own.Sent->Upload(
+    CornersOfFirst(static_cast<int>(pointsOfCell)), vtkOpenGLBufferObject::ElementArrayBuffer);
+}
+
+//----------------------------------------------------------------------------
+/// Whether VTK would send the points as they are; their buffer takes what the mapper will set, so that VTK finds
+/// nothing changed.
+bool BlockMapper::TakePoints(vtkRenderer* renderer, vtkActor* actor)
+{
+  auto* points = vtkFloatArray::SafeDownCast(this->CurrentInput->GetPoints()->GetData());
+  if (!points || points->GetNumberOfTuples() == 0 ||
+    this->ShiftScaleMethod != vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE)
+  {
+    return false;
+  }
+  vtkOpenGLVertexBufferObjectCache* cache =
+    vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow())->GetVBOCache();
+  const auto buffer = vtkSmartPointer<vtkOpenGLVertexBufferObject>::Take(cache->GetVBO(points, VTK_FLOAT));
+  if (buffer->GetCoordShiftAndScaleEnabled())
+  {
+    return false; // another mapper shifts them
+  }
+  buffer->SetCoordShiftAndScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+  buffer->SetProp3D(actor);
+  buffer->SetCamera(renderer->GetActiveCamera());
+  return true;
+}
+
+//----------------------------------------------------------------------------
+std::array<BlockMapper::Read, 3> BlockMapper::ReadInPlace()
 {
   vtkPointData* arrays = this->CurrentInput->GetPointData();
-  return { Read{ "normalMC", arrays->GetNormals(), this->PinnedNormals },
+  return { Read{ "vertexMC", this->PointsInPlace ? this->CurrentInput->GetPoints()->GetData() : nullptr,
+             this->PinnedPoints },
+    Read{ "normalMC", arrays->GetNormals(), this->PinnedNormals },
     Read{ "tcoord", arrays->GetTCoords(), this->PinnedTCoords } };
 }
 
@@ -178,6 +276,11 @@ std::array<BlockMapper::Read, 2> BlockMapper::ReadInPlace()
 /// Reads no memory that an array has left, also where nobody has told that the array has changed.
 void BlockMapper::FollowMemory(vtkRenderer* renderer)
 {
+  if (this->Own.Array && this->Own.Array->GetVoidPointer(0) != this->Own.Memory)
+  {
+    this->Own.Memory = this->Own.Array->GetVoidPointer(0);
+    PinnedArray::ReadBy(this->Own.Sent, this->Own.Array);
+  }
   for (const Read& read : this->ReadInPlace())
   {
     if (read.Pinned.HasMoved(read.Array, this->VBOs->GetVBO(read.Attribute)))
@@ -207,20 +310,36 @@ void BlockMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
     selector->RenderCompositeIndex(this->BlockIndex);
   }
   this->FollowMemory(renderer);
-  if (!this->IsDrawnByParts(renderer, actor))
+  if (this->IsDrawnByParts(renderer, actor))
   {
-    this->Superclass::RenderPieceDraw(renderer, actor);
+    this->DrawingVertices = false;
+    this->DrawingSelection = false;
+    this->UpdateShaders(this->Primitives[PrimitiveTris], renderer, actor);
+    this->DrawByParts();
     return;
   }
-  vtkOpenGLHelper& triangles = this->Primitives[PrimitiveTris];
-  this->DrawingVertices = false;
-  this->UpdateShaders(triangles, renderer, actor);
-  if (triangles.Program)
+  if (this->Own.Sent)
   {
-    triangles.IBO->Bind();
-    DrawTrianglesByParts(static_cast<GLsizei>(triangles.IBO->IndexCount));
-    triangles.IBO->Release();
+    this->Own = Corners();
+    this->IBOBuildState.Clear();
+    this->TempState.Clear();
+    this->Superclass::BuildIBO(renderer, actor, this->CurrentInput);
   }
+  this->Superclass::RenderPieceDraw(renderer, actor);
+}
+
+//----------------------------------------------------------------------------
+void BlockMapper::DrawByParts()
+{
+  vtkOpenGLHelper& triangles = this->Primitives[PrimitiveTris];
+  if (!triangles.Program)
+  {
+    return;
+  }
+  vtkOpenGLIndexBufferObject* corners = this->Own.Sent ? this->Own.Sent.Get() : triangles.IBO;
+  corners->Bind();
+  DrawTrianglesByParts(this->Own.Sent ? this->Own.Count : corners->IndexCount, this->Own.PointsOfPart);
+  corners->Release();
 }
 
 }

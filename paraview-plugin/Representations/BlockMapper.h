@@ -8,8 +8,11 @@
 #include "vtkOpenGLPolyDataMapper.h"
 
 #include <array>
+#include <cstddef>
 
+class vtkCellArray;
 class vtkDataArray;
+class vtkOpenGLIndexBufferObject;
 
 namespace littoral
 {
@@ -19,8 +22,9 @@ namespace littoral
  *
  * The mapper of a tree builds vertices and indices of all blocks anew when anything has changed; this one sends the
  * arrays that have changed, such as points and normals of what moves, and keeps the others in the graphics' memory.
- * Where a processor draws, normals and texture coordinates are read from the arrays themselves, and many triangles are
- * drawn by parts, since all of them would be kept until they are drawn.
+ * Where a processor draws, normals, texture coordinates, points that are not shifted and numbers of triangles' corners
+ * are read from the arrays themselves, and many triangles are drawn by parts, since all of them would be kept until
+ * they are drawn.
  */
 class BlockMapper : public vtkOpenGLPolyDataMapper
 {
@@ -39,6 +43,7 @@ public:
   using Superclass::MapScalars;
 
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
   BlockMapper() = default;
@@ -60,7 +65,11 @@ private:
     vtkDataArray* Array;
     PinnedArray& Pinned;
   };
-  std::array<Read, 2> ReadInPlace();
+  std::array<Read, 3> ReadInPlace();
+  bool TakePoints(vtkRenderer* renderer, vtkActor* actor);
+  void TakeCorners(vtkActor* actor, vtkPolyData* block);
+  bool FillCorners(vtkCellArray* cells);
+  void DrawByParts();
   bool IsDrawnByParts(vtkRenderer* renderer, vtkActor* actor) const;
   void FollowMemory(vtkRenderer* renderer);
 
@@ -73,8 +82,22 @@ private:
     vtkIdType Tuples = 0;
   };
   Source Colored;
+  bool CanPin = false;        ///< whether the window draws from the memory of arrays
+  bool PointsInPlace = false; ///< whether the points are read so
+  PinnedArray PinnedPoints;
   PinnedArray PinnedNormals;
   PinnedArray PinnedTCoords;
+  /// The numbers by which triangles are drawn where those that VTK sent have been dropped.
+  struct Corners
+  {
+    vtkSmartPointer<vtkOpenGLIndexBufferObject> Sent;
+    vtkSmartPointer<vtkDataArray> Array; ///< that Sent reads in place; null if it has the numbers of a part
+    const void* Memory = nullptr;        ///< of the array
+    std::size_t Count = 0;
+    int PointsOfPart = 0;
+    vtkMTimeType Time = 0; ///< of the cells, if they have such corners
+  };
+  Corners Own;
   unsigned int BlockIndex = 0;
   bool IsDrawing = false;
 };

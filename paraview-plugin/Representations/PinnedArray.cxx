@@ -35,19 +35,6 @@ public:
   }
 };
 
-/// Has a buffer read memory; false where OpenGL does not.
-bool ReadFrom(void* memory, vtkIdType bytes, vtkOpenGLVertexBufferObject* buffer)
-{
-  while (glGetError() != GL_NO_ERROR) // of others
-  {
-  }
-  buffer->GenerateBuffer(vtkOpenGLBufferObject::ArrayBuffer);
-  glBindBuffer(ExternalMemory, static_cast<GLuint>(buffer->GetHandle()));
-  glBufferData(ExternalMemory, static_cast<GLsizeiptr>(bytes), memory, GL_STATIC_DRAW);
-  glBindBuffer(ExternalMemory, 0);
-  return glGetError() == GL_NO_ERROR;
-}
-
 }
 
 //----------------------------------------------------------------------------
@@ -71,6 +58,19 @@ bool PinnedArray::IsPossible(vtkOpenGLRenderWindow* window)
 }
 
 //----------------------------------------------------------------------------
+bool PinnedArray::ReadBy(vtkOpenGLBufferObject* buffer, vtkDataArray* array)
+{
+  while (glGetError() != GL_NO_ERROR) // of others
+  {
+  }
+  const vtkIdType bytes = array->GetNumberOfValues() * array->GetDataTypeSize();
+  glBindBuffer(ExternalMemory, static_cast<GLuint>(buffer->GetHandle()));
+  glBufferData(ExternalMemory, static_cast<GLsizeiptr>(bytes), array->GetVoidPointer(0), GL_STATIC_DRAW);
+  glBindBuffer(ExternalMemory, 0);
+  return glGetError() == GL_NO_ERROR;
+}
+
+//----------------------------------------------------------------------------
 vtkSmartPointer<vtkOpenGLVertexBufferObject> PinnedArray::Pin(vtkDataArray* array, vtkOpenGLRenderWindow* window)
 {
   auto* numbers = vtkFloatArray::SafeDownCast(array);
@@ -86,7 +86,8 @@ vtkSmartPointer<vtkOpenGLVertexBufferObject> PinnedArray::Pin(vtkDataArray* arra
   }
   this->Memory = numbers->GetPointer(0);
   this->Size = numbers->GetNumberOfValues();
-  if (!ReadFrom(numbers->GetPointer(0), this->Size * static_cast<vtkIdType>(sizeof(float)), buffer))
+  buffer->GenerateBuffer(vtkOpenGLBufferObject::ArrayBuffer);
+  if (!ReadBy(buffer, numbers))
   {
     this->Time = 0;
     return nullptr;

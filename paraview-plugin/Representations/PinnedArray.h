@@ -7,6 +7,7 @@
 #include "vtkType.h"
 
 class vtkDataArray;
+class vtkOpenGLBufferObject;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexBufferObject;
 
@@ -23,6 +24,9 @@ class PinnedArray
 public:
   /// Whether a window draws from the memory of arrays.
   static bool IsPossible(vtkOpenGLRenderWindow* window);
+
+  /// Has a buffer that was filled with an array read the array itself, so that its copy goes; false where it cannot.
+  static bool ReadBy(vtkOpenGLBufferObject* buffer, vtkDataArray* array);
 
   /// The buffer of an array of float in the cache of a window, which reads its memory, so that VTK sends no copy; null
   /// for other arrays. It goes with the last mapper that has it.
