@@ -226,8 +226,9 @@ bool BlockMapper::FillCorners(vtkCellArray* cells)
     return PinnedArray::ReadBy(this->Own.Sent, array);
   }
   const bool areInOrder = pointsOfCell >= 3 && trianglesOfPart % (pointsOfCell - 2) == 0 &&
-    (cells->IsStorage64Bit() ? AreInOrder(static_cast<const vtkTypeInt64*>(array->GetVoidPointer(0)), count)
-                             : AreInOrder(static_cast<const vtkTypeInt32*>(array->GetVoidPointer(0)), count));
+    (array->GetDataTypeSize() == sizeof(vtkTypeInt64)
+        ? AreInOrder(static_cast<const vtkTypeInt64*>(array->GetVoidPointer(0)), count)
+        : AreInOrder(static_cast<const vtkTypeInt32*>(array->GetVoidPointer(0)), count));
   if (!areInOrder)
   {
     return false;
