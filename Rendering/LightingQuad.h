@@ -50,6 +50,9 @@ public:
   /// Draws the shade where things meet of the nearest of the surfaces that all processes have taken, together.
   void ShareContact(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes);
 
+  /// Takes the nearest of the surfaces that all processes have taken for what is seen through water, together.
+  void ShareBed(vtkMultiProcessController* processes);
+
   /// Lights the surfaces, and takes the nearest of all processes for the lens, together.
   void ShareLit(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes);
 
@@ -82,6 +85,7 @@ private:
   Layer Dry;
   Layer Raised; ///< the next dry one; empty if there are no woods
   Layer Wet;    ///< of water; empty if there is none
+  Layer Bed;    ///< below water, of all processes; empty before they share it
   vtkSmartPointer<vtkTextureObject> Lit;
   vtkSmartPointer<vtkTextureObject> Kinds;                           ///< of pixels, as depths
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Parts; ///< by what is defined in their shaders
@@ -91,6 +95,7 @@ private:
   bool IsLinear = false;   ///< whether Lit has luminances and distances, for the lens
   bool HasContact = false; ///< of all processes, for the next picture
   bool HasLit = false;     ///< the same of Lit
+  bool HasBed = false;     ///< the same of Bed
   int Samples = 1;
   double PixelSize = 1.0;
   int Width = 0;

@@ -608,14 +608,16 @@ void vtkLandscapePass::DrawMaps(vtkRenderer* renderer)
 }
 
 //----------------------------------------------------------------------------
-/// Processes have the shade of all surfaces, and for a lens their light; one alone has its own without this.
+/// Processes have the shade of all surfaces, what is below water, and for a lens their light; one alone has its own
+/// without this.
 void vtkLandscapePass::ShareSurfaces(vtkRenderer* renderer)
 {
   Internals& own = *this->Own;
   this->TakeCamera(renderer);
   const bool hasLens = own.Light.HasLens();
   const bool hasContact = own.Light.ContactRadius > 0.0;
-  if ((!hasContact && !hasLens) || !own.Controller || own.Controller->GetNumberOfProcesses() < 2)
+  const bool hasBed = own.Light.HasWater && !own.Light.IsInWater;
+  if ((!hasContact && !hasLens && !hasBed) || !own.Controller || own.Controller->GetNumberOfProcesses() < 2)
   {
     return;
   }
@@ -627,6 +629,10 @@ void vtkLandscapePass::ShareSurfaces(vtkRenderer* renderer)
   if (hasContact)
   {
     own.Quad.ShareContact(renderer, own.Light, own.Controller);
+  }
+  if (hasBed)
+  {
+    own.Quad.ShareBed(own.Controller);
   }
   if (hasLens)
   {
