@@ -270,6 +270,9 @@ void main()
   if (!isNearest) discard;
   gl_FragData[0] = vec4(landscapeBehindLens(), 1.0);
 #else
+#ifdef LandscapeIsShared
+  if (!isThere && !hasSurface && landscapeBackground == 0) discard; // what other processes have
+#endif
   gl_FragData[0] = vec4(drawn.rgb / drawn.a, 1.0);
 #endif
 #if LandscapeHasWater

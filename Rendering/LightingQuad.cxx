@@ -234,7 +234,6 @@ void LightingQuad::Draw(vtkRenderer* renderer, const Lighting& light)
   {
     this->DrawLit(renderer, light);
   }
-  this->HasLit = false;
   this->HasBed = false;
   if (light.HasLens())
   {
@@ -257,6 +256,7 @@ void LightingQuad::Draw(vtkRenderer* renderer, const Lighting& light)
   this->DrawPart("LandscapeShown", 0, renderer, light);
   blurred->Deactivate();
   this->Lit->Deactivate();
+  this->HasLit = false;
 }
 
 //----------------------------------------------------------------------------
@@ -282,11 +282,39 @@ void LightingQuad::DrawLit(vtkRenderer* renderer, const Lighting& light)
 }
 
 //----------------------------------------------------------------------------
+bool LightingQuad::IsMixed(const Lighting& light) const
+{
+  return light.HasLens() || this->Samples != 1 || this->PixelSize != 1.0;
+}
+
+//----------------------------------------------------------------------------
 void LightingQuad::ShareLit(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes)
 {
   this->DrawLit(renderer, light);
-  TakeNearestPixels(this->Lit, processes);
+  if (light.HasLens())
+  {
+    TakeNearestPixels(this->Lit, processes);
+  }
+  else
+  {
+    this->DrawShownDepths(renderer, light);
+    TakeNearestColors(this->Lit, this->Kinds, processes);
+  }
   this->HasLit = true;
+}
+
+//----------------------------------------------------------------------------
+/// Draws the depths that go with the lit surfaces where their kinds were.
+void LightingQuad::DrawShownDepths(vtkRenderer* renderer, const Lighting& light)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkOpenGLState::ScopedglDepthFunc depth(window->GetState());
+  BoundFrame bound(window, this->Frame, {}, this->Kinds);
+  bound.Clear(0.0);
+  window->GetState()->vtkglDepthFunc(GL_ALWAYS);
+  this->Lit->Activate();
+  this->DrawPart("LandscapeShown", 0, renderer, light);
+  this->Lit->Deactivate();
 }
 
 //----------------------------------------------------------------------------
@@ -363,6 +391,7 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   defined += light.FogExtinction > 0.0 ? "" : "#define LandscapeNoFog\n";
   defined += light.ContactRadius > 0.0 ? "#define LandscapeHasContact\n" : "";
   defined += light.HasLens() ? "#define LandscapeHasLens\n" : "";
+  defined += this->HasLit ? "#define LandscapeIsShared\n" : "";
   defined += HasShafts(light) ? "#define LandscapeHasShafts\n" : "";
   defined += light.HasBark ? "#define LandscapeHasBark\n" : "";
   defined += light.Turf.x > 0.0 ? "#define LandscapeHasTurf\n" : "";

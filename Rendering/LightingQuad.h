@@ -53,7 +53,10 @@ public:
   /// Takes the nearest of the surfaces that all processes have taken for what is seen through water, together.
   void ShareBed(vtkMultiProcessController* processes);
 
-  /// Lights the surfaces, and takes the nearest of all processes for the lens, together.
+  /// Whether the picture mixes pixels of the pictures.
+  bool IsMixed(const Lighting& light) const;
+
+  /// Lights the surfaces, and takes the nearest of all processes for what mixes them, together.
   void ShareLit(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes);
 
   /// Draws the lit surfaces, and the sky behind them, with their depths.
@@ -78,6 +81,7 @@ private:
   void Take(vtkOpenGLRenderWindow* window, const Layer& layer, const std::function<void()>& draw);
   void DrawLit(vtkRenderer* renderer, const Lighting& light);
   void DrawContact(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes);
+  void DrawShownDepths(vtkRenderer* renderer, const Lighting& light);
   void DrawKinds(vtkRenderer* renderer, const Lighting& light);
   void DrawPart(const std::string& part, int kind, vtkRenderer* renderer, const Lighting& light);
 

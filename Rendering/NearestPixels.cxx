@@ -9,8 +9,10 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace littoral
@@ -79,6 +81,19 @@ struct SharedPixels
   vtkMultiProcessController* Processes;
 };
 
+/// The least depths that processes have at shared pixels, of which the nearest are told.
+std::vector<float> TakeLeast(SharedPixels& shared, const std::vector<float>& depths)
+{
+  std::vector<float> own;
+  std::transform(shared.Pixels.begin(), shared.Pixels.end(), std::back_inserter(own),
+    [&depths](std::size_t pixel) { return depths[pixel]; });
+  std::vector<float> least(own.size());
+  shared.Processes->AllReduce(own.data(), least.data(), static_cast<vtkIdType>(own.size()), vtkCommunicator::MIN_OP);
+  shared.AreNearest.resize(own.size());
+  std::transform(own.begin(), own.end(), least.begin(), shared.AreNearest.begin(), std::less_equal<>());
+  return least;
+}
+
 /// Writes what the nearest have in a picture to another one.
 template <class Number>
 void WriteNearest(const SharedPixels& shared, vtkTextureObject* from, vtkTextureObject* to, unsigned int type)
@@ -125,6 +140,16 @@ void TakeNearestPixels(vtkTextureObject* picture, vtkMultiProcessController* pro
 }
 
 //----------------------------------------------------------------------------
+void TakeNearestColors(vtkTextureObject* picture, vtkTextureObject* depth, vtkMultiProcessController* processes)
+{
+  const std::vector<float> depths = NumbersOf<float>(depth, GL_DEPTH_COMPONENT, GL_FLOAT, 1);
+  SharedPixels shared{ std::vector<std::size_t>(depths.size()), {}, processes };
+  std::iota(shared.Pixels.begin(), shared.Pixels.end(), std::size_t{ 0 });
+  TakeLeast(shared, depths);
+  WriteNearest<unsigned char>(shared, picture, picture, GL_UNSIGNED_BYTE);
+}
+
+//----------------------------------------------------------------------------
 void TakeNearestBelow(vtkTextureObject* depthOfWater, const SurfacePictures& own, const SurfacePictures& nearest,
   vtkMultiProcessController* processes)
 {
@@ -134,14 +159,9 @@ void TakeNearestBelow(vtkTextureObject* depthOfWater, const SurfacePictures& own
     return;
   }
   std::vector<float> numbers = NumbersOf<float>(own.Depth, GL_DEPTH_COMPONENT, GL_FLOAT, 1);
-  std::vector<float> depths;
-  std::transform(shared.Pixels.begin(), shared.Pixels.end(), std::back_inserter(depths),
-    [&numbers](std::size_t pixel) { return numbers[pixel]; });
-  std::vector<float> least(depths.size());
-  processes->AllReduce(depths.data(), least.data(), static_cast<vtkIdType>(depths.size()), vtkCommunicator::MIN_OP);
-  for (std::size_t k = 0; k < depths.size(); ++k)
+  const std::vector<float> least = TakeLeast(shared, numbers);
+  for (std::size_t k = 0; k < least.size(); ++k)
   {
-    shared.AreNearest.push_back(depths[k] <= least[k]);
     numbers[shared.Pixels[k]] = least[k];
   }
   WriteNumbers(nearest.Depth, GL_DEPTH_COMPONENT, GL_FLOAT, numbers.data());

@@ -13,6 +13,9 @@ namespace littoral
 /// fourth channel its distance, 0 where there is none.
 void TakeNearestPixels(vtkTextureObject* picture, vtkMultiProcessController* processes);
 
+/// Takes the nearest colors of a picture that processes have, by their depths, all together.
+void TakeNearestColors(vtkTextureObject* picture, vtkTextureObject* depth, vtkMultiProcessController* processes);
+
 /// Pictures of surfaces (SurfacePass).
 struct SurfacePictures
 {

@@ -608,8 +608,8 @@ void vtkLandscapePass::DrawMaps(vtkRenderer* renderer)
 }
 
 //----------------------------------------------------------------------------
-/// Processes have the shade of all surfaces, what is below water, and for a lens their light; one alone has its own
-/// without this.
+/// Processes have the shade of all surfaces, what is below water, and their light where pixels are mixed; one alone has
+/// its own without this.
 void vtkLandscapePass::ShareSurfaces(vtkRenderer* renderer)
 {
   Internals& own = *this->Own;
@@ -634,7 +634,7 @@ void vtkLandscapePass::ShareSurfaces(vtkRenderer* renderer)
   {
     own.Quad.ShareBed(own.Controller);
   }
-  if (hasLens)
+  if (own.Quad.IsMixed(own.Light))
   {
     own.Quad.ShareLit(renderer, own.Light, own.Controller);
   }

@@ -120,13 +120,15 @@ def check_water(view, light):
 
 
 def check_beds(view, sea, bed, display):
-    """A sea over a bed of which each rank has a piece, by a lens, and in parallel projection."""
+    """A sea over a bed of which each rank has a piece, by a lens, by four samples a pixel, and in parallel projection."""
     simple.Show(sea, view)
     simple.Show(bed, view)
     look(view, [3.0, -14.0, 2.0])
     display.Aperture, display.FocusDistance = 0.4, 6.0
     compare_with_one("sea behind a lens", picture_of(view))
-    display.Aperture = 0.0
+    display.Aperture, display.Quality = 0.0, "Best"
+    compare_with_one("sea in samples", picture_of(view))
+    display.Quality = "Good"
     view.CameraParallelProjection, view.CameraParallelScale = 1, 8.0
     look(view, [3.0, -14.0, 9.0])
     compare_with_one("sea in parallel", picture_of(view))
