@@ -245,7 +245,8 @@ void main()
   vec4 wet = texture(landscapeWetSurface, texCoord);
   float wetDepth = texture(landscapeWetDepth, texCoord).r;
   bool isRiver = wet.z > 4.5;
-  bool hasSurface = wet.z > -0.5 && (wetDepth < depth ||
+  // Below water the surfaces are those of all processes, of which others may be before it; its kind is told already.
+  bool hasSurface = wet.z > -0.5 && (wetDepth < depth || LandscapePart == LandscapeAbove ||
     (isRiver && landscapeIsParallel == 0 && wet.w < (1.0 + landscapeRiverSlack) * surface.w));
   float shown = hasSurface ? wetDepth : depth;
   float wayOfWater = -landscapePlaceOf(wetDepth, wet.w, landscapePlace(0.5)).z;
@@ -269,6 +270,9 @@ void main()
   if (!isNearest) discard;
   gl_FragData[0] = vec4(landscapeBehindLens(), 1.0);
 #else
+#ifdef LandscapeIsShared
+  if (!isThere && !hasSurface && landscapeBackground == 0) discard; // what other processes have
+#endif
   gl_FragData[0] = vec4(drawn.rgb / drawn.a, 1.0);
 #endif
 #if LandscapeHasWater

@@ -142,9 +142,11 @@ void LightingQuad::Allocate(vtkOpenGLRenderWindow* window, int width, int height
   this->Dry.Allocate(window, width, height);
   this->Wet = Layer();
   this->Raised = Layer();
+  this->Bed = Layer();
   this->Lit = nullptr;
   this->HasLit = false;
   this->HasContact = false;
+  this->HasBed = false;
   this->Kinds = NewPicture(window);
   this->Kinds->AllocateDepth(
     static_cast<unsigned int>(width), static_cast<unsigned int>(height), vtkTextureObject::Float32);
@@ -232,7 +234,7 @@ void LightingQuad::Draw(vtkRenderer* renderer, const Lighting& light)
   {
     this->DrawLit(renderer, light);
   }
-  this->HasLit = false;
+  this->HasBed = false;
   if (light.HasLens())
   {
     // The distance in pixels at which the picture has its angle of view is P_11 H / 2
@@ -254,6 +256,7 @@ void LightingQuad::Draw(vtkRenderer* renderer, const Lighting& light)
   this->DrawPart("LandscapeShown", 0, renderer, light);
   blurred->Deactivate();
   this->Lit->Deactivate();
+  this->HasLit = false;
 }
 
 //----------------------------------------------------------------------------
@@ -279,11 +282,39 @@ void LightingQuad::DrawLit(vtkRenderer* renderer, const Lighting& light)
 }
 
 //----------------------------------------------------------------------------
+bool LightingQuad::IsMixed(const Lighting& light) const
+{
+  return light.HasLens() || this->Samples != 1 || this->PixelSize != 1.0;
+}
+
+//----------------------------------------------------------------------------
 void LightingQuad::ShareLit(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes)
 {
   this->DrawLit(renderer, light);
-  TakeNearestPixels(this->Lit, processes);
+  if (light.HasLens())
+  {
+    TakeNearestPixels(this->Lit, processes);
+  }
+  else
+  {
+    this->DrawShownDepths(renderer, light);
+    TakeNearestColors(this->Lit, this->Kinds, processes);
+  }
   this->HasLit = true;
+}
+
+//----------------------------------------------------------------------------
+/// Draws the depths that go with the lit surfaces where their kinds were.
+void LightingQuad::DrawShownDepths(vtkRenderer* renderer, const Lighting& light)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkOpenGLState::ScopedglDepthFunc depth(window->GetState());
+  BoundFrame bound(window, this->Frame, {}, this->Kinds);
+  bound.Clear(0.0);
+  window->GetState()->vtkglDepthFunc(GL_ALWAYS);
+  this->Lit->Activate();
+  this->DrawPart("LandscapeShown", 0, renderer, light);
+  this->Lit->Deactivate();
 }
 
 //----------------------------------------------------------------------------
@@ -291,6 +322,18 @@ void LightingQuad::ShareContact(vtkRenderer* renderer, const Lighting& light, vt
 {
   this->DrawContact(renderer, light, processes);
   this->HasContact = true;
+}
+
+//----------------------------------------------------------------------------
+void LightingQuad::ShareBed(vtkMultiProcessController* processes)
+{
+  if (!this->Bed.Albedo)
+  {
+    this->Bed.Allocate(this->Dry.Albedo->GetContext(), this->Width, this->Height);
+  }
+  TakeNearestBelow(this->Wet.Depth, { this->Dry.Albedo, this->Dry.Surface, this->Dry.Depth },
+    { this->Bed.Albedo, this->Bed.Surface, this->Bed.Depth }, processes);
+  this->HasBed = true;
 }
 
 //----------------------------------------------------------------------------
@@ -348,6 +391,7 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   defined += light.FogExtinction > 0.0 ? "" : "#define LandscapeNoFog\n";
   defined += light.ContactRadius > 0.0 ? "#define LandscapeHasContact\n" : "";
   defined += light.HasLens() ? "#define LandscapeHasLens\n" : "";
+  defined += this->HasLit ? "#define LandscapeIsShared\n" : "";
   defined += HasShafts(light) ? "#define LandscapeHasShafts\n" : "";
   defined += light.HasBark ? "#define LandscapeHasBark\n" : "";
   defined += light.Turf.x > 0.0 ? "#define LandscapeHasTurf\n" : "";
@@ -361,8 +405,8 @@ void LightingQuad::DrawPart(const std::string& part, int kind, vtkRenderer* rend
   SetUniform(program, "landscapeKind", kind / 8.0);
   light.SetUniforms(program);
   const Layer& wet = this->Wet.Albedo ? this->Wet : this->Dry;
-  vtkTextureObject* const pictures[] = { this->Dry.Albedo, this->Dry.Surface, this->Dry.Depth, wet.Albedo, wet.Surface,
-    wet.Depth };
+  const Layer& dry = this->HasBed && part == "LandscapeAbove" ? this->Bed : this->Dry;
+  vtkTextureObject* const pictures[] = { dry.Albedo, dry.Surface, dry.Depth, wet.Albedo, wet.Surface, wet.Depth };
   const char* const names[] = { "landscapeAlbedo", "landscapeSurface", "landscapeDepth", "landscapeWetColor",
     "landscapeWetSurface", "landscapeWetDepth" };
   for (int picture = 0; picture < (this->Wet.Albedo ? 6 : 3); ++picture)
@@ -429,6 +473,7 @@ void LightingQuad::ReleaseGraphicsResources(vtkWindow* window)
   this->Dry.Clear(window);
   this->Wet.Clear(window);
   this->Raised.Clear(window);
+  this->Bed.Clear(window);
   this->Contact.ReleaseGraphicsResources(window);
   this->Glass.ReleaseGraphicsResources(window);
   PictureShader::Release({ &this->Lit, &this->Kinds, &this->Shafts }, window);

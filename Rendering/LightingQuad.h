@@ -50,7 +50,13 @@ public:
   /// Draws the shade where things meet of the nearest of the surfaces that all processes have taken, together.
   void ShareContact(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes);
 
-  /// Lights the surfaces, and takes the nearest of all processes for the lens, together.
+  /// Takes the nearest of the surfaces that all processes have taken for what is seen through water, together.
+  void ShareBed(vtkMultiProcessController* processes);
+
+  /// Whether the picture mixes pixels of the pictures.
+  bool IsMixed(const Lighting& light) const;
+
+  /// Lights the surfaces, and takes the nearest of all processes for what mixes them, together.
   void ShareLit(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes);
 
   /// Draws the lit surfaces, and the sky behind them, with their depths.
@@ -75,6 +81,7 @@ private:
   void Take(vtkOpenGLRenderWindow* window, const Layer& layer, const std::function<void()>& draw);
   void DrawLit(vtkRenderer* renderer, const Lighting& light);
   void DrawContact(vtkRenderer* renderer, const Lighting& light, vtkMultiProcessController* processes);
+  void DrawShownDepths(vtkRenderer* renderer, const Lighting& light);
   void DrawKinds(vtkRenderer* renderer, const Lighting& light);
   void DrawPart(const std::string& part, int kind, vtkRenderer* renderer, const Lighting& light);
 
@@ -82,6 +89,7 @@ private:
   Layer Dry;
   Layer Raised; ///< the next dry one; empty if there are no woods
   Layer Wet;    ///< of water; empty if there is none
+  Layer Bed;    ///< below water, of all processes; empty before they share it
   vtkSmartPointer<vtkTextureObject> Lit;
   vtkSmartPointer<vtkTextureObject> Kinds;                           ///< of pixels, as depths
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Parts; ///< by what is defined in their shaders
@@ -91,6 +99,7 @@ private:
   bool IsLinear = false;   ///< whether Lit has luminances and distances, for the lens
   bool HasContact = false; ///< of all processes, for the next picture
   bool HasLit = false;     ///< the same of Lit
+  bool HasBed = false;     ///< the same of Bed
   int Samples = 1;
   double PixelSize = 1.0;
   int Width = 0;

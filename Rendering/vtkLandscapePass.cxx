@@ -608,14 +608,16 @@ void vtkLandscapePass::DrawMaps(vtkRenderer* renderer)
 }
 
 //----------------------------------------------------------------------------
-/// Processes have the shade of all surfaces, and for a lens their light; one alone has its own without this.
+/// Processes have the shade of all surfaces, what is below water, and their light where pixels are mixed; one alone has
+/// its own without this.
 void vtkLandscapePass::ShareSurfaces(vtkRenderer* renderer)
 {
   Internals& own = *this->Own;
   this->TakeCamera(renderer);
   const bool hasLens = own.Light.HasLens();
   const bool hasContact = own.Light.ContactRadius > 0.0;
-  if ((!hasContact && !hasLens) || !own.Controller || own.Controller->GetNumberOfProcesses() < 2)
+  const bool hasBed = own.Light.HasWater && !own.Light.IsInWater;
+  if ((!hasContact && !hasLens && !hasBed) || !own.Controller || own.Controller->GetNumberOfProcesses() < 2)
   {
     return;
   }
@@ -628,7 +630,11 @@ void vtkLandscapePass::ShareSurfaces(vtkRenderer* renderer)
   {
     own.Quad.ShareContact(renderer, own.Light, own.Controller);
   }
-  if (hasLens)
+  if (hasBed)
+  {
+    own.Quad.ShareBed(own.Controller);
+  }
+  if (own.Quad.IsMixed(own.Light))
   {
     own.Quad.ShareLit(renderer, own.Light, own.Controller);
   }

@@ -115,6 +115,23 @@ def check_water(view, light):
         look(view, eye)
         compare_with_one(name, picture_of(view))
         simple.Hide(shown, view)
+    simple.Hide(drained, view)
+    check_beds(view, sea, bed, simple.Show(light, view))
+
+
+def check_beds(view, sea, bed, display):
+    """A sea over a bed of which each rank has a piece, by a lens, by four samples a pixel, and in parallel projection."""
+    simple.Show(sea, view)
+    simple.Show(bed, view)
+    look(view, [3.0, -14.0, 2.0])
+    display.Aperture, display.FocusDistance = 0.4, 6.0
+    compare_with_one("sea behind a lens", picture_of(view))
+    display.Aperture, display.Quality = 0.0, "Best"
+    compare_with_one("sea in samples", picture_of(view))
+    display.Quality = "Good"
+    view.CameraParallelProjection, view.CameraParallelScale = 1, 8.0
+    look(view, [3.0, -14.0, 9.0])
+    compare_with_one("sea in parallel", picture_of(view))
 
 
 def check_woods(view, light):
