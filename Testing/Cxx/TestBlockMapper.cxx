@@ -10,6 +10,7 @@
 #include "PinnedArray.h"
 #include "vtkLandscapePass.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
@@ -37,7 +38,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 #include "vtkTriangleFilter.h"
-#include "vtkTypeInt32Array.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <malloc.h>
@@ -367,7 +367,8 @@ bool CheckTrianglesInPlace()
   points->Modified();
   triangles->Modified();
   const std::vector<unsigned char> second = blocks.Picture();
-  auto* corners = vtkTypeInt32Array::SafeDownCast(triangles->GetPolys()->GetConnectivityArray());
+  auto* corners =
+    vtkArrayDownCast<vtkAOSDataArrayTemplate<vtkTypeInt32>>(triangles->GetPolys()->GetConnectivityArray());
   const vtkIdType numbers = corners->GetNumberOfValues();
   auto* moved = new vtkTypeInt32[numbers]; // becomes the array's
   std::copy_n(corners->GetPointer(0), numbers, moved);
