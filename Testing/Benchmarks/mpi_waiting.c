@@ -53,41 +53,53 @@ COUNTS(Waitany, (int count, MPI_Request requests[], int* index, MPI_Status* stat
 COUNTS(Waitsome, (int count, MPI_Request requests[], int* done, int indices[], MPI_Status statuses[]),
   (count, requests, done, indices, statuses))
 
-COUNTS_BEFORE(Bcast, (void* buffer, int count, MPI_Datatype type, int root, MPI_Comm comm),
-  (buffer, count, type, root, comm))
-COUNTS_BEFORE(Reduce,
-  (const void* sent, void* received, int count, MPI_Datatype type, MPI_Op op, int root, MPI_Comm comm),
-  (sent, received, count, type, op, root, comm))
-COUNTS_BEFORE(Allreduce, (const void* sent, void* received, int count, MPI_Datatype type, MPI_Op op, MPI_Comm comm),
-  (sent, received, count, type, op, comm))
-COUNTS_BEFORE(Gather,
-  (const void* sent, int count, MPI_Datatype type, void* received, int each, MPI_Datatype as, int root, MPI_Comm comm),
-  (sent, count, type, received, each, as, root, comm))
-COUNTS_BEFORE(Gatherv,
-  (const void* sent, int count, MPI_Datatype type, void* received, const int counts[], const int places[],
-    MPI_Datatype as, int root, MPI_Comm comm),
-  (sent, count, type, received, counts, places, as, root, comm))
-COUNTS_BEFORE(Scatter,
-  (const void* sent, int count, MPI_Datatype type, void* received, int each, MPI_Datatype as, int root, MPI_Comm comm),
-  (sent, count, type, received, each, as, root, comm))
-COUNTS_BEFORE(Scatterv,
-  (const void* sent, const int counts[], const int places[], MPI_Datatype type, void* received, int count,
-    MPI_Datatype as, int root, MPI_Comm comm),
-  (sent, counts, places, type, received, count, as, root, comm))
-COUNTS_BEFORE(Allgather,
-  (const void* sent, int count, MPI_Datatype type, void* received, int each, MPI_Datatype as, MPI_Comm comm),
-  (sent, count, type, received, each, as, comm))
-COUNTS_BEFORE(Allgatherv,
-  (const void* sent, int count, MPI_Datatype type, void* received, const int counts[], const int places[],
-    MPI_Datatype as, MPI_Comm comm),
-  (sent, count, type, received, counts, places, as, comm))
-COUNTS_BEFORE(Alltoall,
-  (const void* sent, int count, MPI_Datatype type, void* received, int each, MPI_Datatype as, MPI_Comm comm),
-  (sent, count, type, received, each, as, comm))
+/* Calls with counts of int, and from MPI 4 on those with larger ones. */
+#define CALLS(SUFFIX, Count, Place)                                                                                    \
+  COUNTS_BEFORE(Bcast##SUFFIX, (void* buffer, Count count, MPI_Datatype type, int root, MPI_Comm comm),                \
+    (buffer, count, type, root, comm))                                                                                 \
+  COUNTS_BEFORE(Reduce##SUFFIX,                                                                                        \
+    (const void* sent, void* received, Count count, MPI_Datatype type, MPI_Op op, int root, MPI_Comm comm),            \
+    (sent, received, count, type, op, root, comm))                                                                     \
+  COUNTS_BEFORE(Allreduce##SUFFIX,                                                                                     \
+    (const void* sent, void* received, Count count, MPI_Datatype type, MPI_Op op, MPI_Comm comm),                      \
+    (sent, received, count, type, op, comm))                                                                           \
+  COUNTS_BEFORE(Gather##SUFFIX,                                                                                        \
+    (const void* sent, Count count, MPI_Datatype type, void* received, Count each, MPI_Datatype as, int root,          \
+      MPI_Comm comm),                                                                                                  \
+    (sent, count, type, received, each, as, root, comm))                                                               \
+  COUNTS_BEFORE(Gatherv##SUFFIX,                                                                                       \
+    (const void* sent, Count count, MPI_Datatype type, void* received, const Count counts[], const Place places[],     \
+      MPI_Datatype as, int root, MPI_Comm comm),                                                                       \
+    (sent, count, type, received, counts, places, as, root, comm))                                                     \
+  COUNTS_BEFORE(Scatter##SUFFIX,                                                                                       \
+    (const void* sent, Count count, MPI_Datatype type, void* received, Count each, MPI_Datatype as, int root,          \
+      MPI_Comm comm),                                                                                                  \
+    (sent, count, type, received, each, as, root, comm))                                                               \
+  COUNTS_BEFORE(Scatterv##SUFFIX,                                                                                      \
+    (const void* sent, const Count counts[], const Place places[], MPI_Datatype type, void* received, Count count,     \
+      MPI_Datatype as, int root, MPI_Comm comm),                                                                       \
+    (sent, counts, places, type, received, count, as, root, comm))                                                     \
+  COUNTS_BEFORE(Allgather##SUFFIX,                                                                                     \
+    (const void* sent, Count count, MPI_Datatype type, void* received, Count each, MPI_Datatype as, MPI_Comm comm),    \
+    (sent, count, type, received, each, as, comm))                                                                     \
+  COUNTS_BEFORE(Allgatherv##SUFFIX,                                                                                    \
+    (const void* sent, Count count, MPI_Datatype type, void* received, const Count counts[], const Place places[],     \
+      MPI_Datatype as, MPI_Comm comm),                                                                                 \
+    (sent, count, type, received, counts, places, as, comm))                                                           \
+  COUNTS_BEFORE(Alltoall##SUFFIX,                                                                                      \
+    (const void* sent, Count count, MPI_Datatype type, void* received, Count each, MPI_Datatype as, MPI_Comm comm),    \
+    (sent, count, type, received, each, as, comm))                                                                     \
+                                                                                                                       \
+  int MPI_Recv##SUFFIX(                                                                                                \
+    void* buffer, Count count, MPI_Datatype type, int source, int tag, MPI_Comm comm, MPI_Status* status)              \
+  {                                                                                                                    \
+    MPI_Status come;                                                                                                   \
+    WAITING(PMPI_Probe(source, tag, comm, &come));                                                                     \
+    return answer == MPI_SUCCESS ? PMPI_Recv##SUFFIX(buffer, count, type, come.MPI_SOURCE, come.MPI_TAG, comm, status) \
+                                 : answer;                                                                             \
+  }
 
-int MPI_Recv(void* buffer, int count, MPI_Datatype type, int source, int tag, MPI_Comm comm, MPI_Status* status)
-{
-  MPI_Status come;
-  WAITING(PMPI_Probe(source, tag, comm, &come));
-  return answer == MPI_SUCCESS ? PMPI_Recv(buffer, count, type, come.MPI_SOURCE, come.MPI_TAG, comm, status) : answer;
-}
+CALLS(, int, int)
+#if MPI_VERSION >= 4
+CALLS(_c, MPI_Count, MPI_Aint)
+#endif
