@@ -57,7 +57,6 @@ void ScatteredSurfaces::Make(vtkMultiBlockDataSet* plants, const PlantTable& tab
   {
     if (IsSurface(part))
     {
-      KeepRanges(made.Parts[part]);
       Replace(part, made.Parts[part], this->Plants);
       this->AtRest[part] =
         StandAtRest(species.Parts[part], table.Places, made.Shown[static_cast<int>(LevelOfPart[part])]);
@@ -71,6 +70,7 @@ vtkSmartPointer<vtkPolyData> ScatteredSurfaces::Bare(int part)
   bare->ShallowCopy(PlantPartOf(this->Plants, PartKinds[part].Level, PartKinds[part].Name));
   bare->SetPoints(nullptr);
   bare->GetPointData()->RemoveArray(NormalsName);
+  KeepRanges(bare);
   Replace(part, bare, this->Plants);
   return bare;
 }

@@ -107,6 +107,12 @@ void RankTeam::GoOn()
     return;
   }
   this->IsShared = false;
+  this->End(reason);
+}
+
+/// Says on the first rank why all end, and nothing on the others.
+void RankTeam::End(const std::string& reason) const
+{
   if (!this->IsFirst() || reason == WordOfAbort)
   {
     throw Aborted{};
@@ -188,11 +194,10 @@ void RankTeam::RunAll(const std::function<void()>& work)
     this->FirstReason(reason); // for those that wait in an exchange
   }
   const std::string first = this->FirstReason(reason);
-  if (!first.empty() && (!this->IsFirst() || first == WordOfAbort))
+  if (!first.empty())
   {
-    throw Aborted{};
+    this->End(first);
   }
-  Require(first);
 }
 
 bool RankTeam::HoldsOnAll(bool own) const

@@ -57,6 +57,7 @@ public:
 private:
   std::string FirstReason(const std::string& own) const;
   void GoOn();
+  [[noreturn]] void End(const std::string& reason) const;
   void Leave(const std::string& reason);
   void Exchange(NumberRows& rows);
   void Deal(const SingleRows& sent, SingleRows& received);

@@ -13,6 +13,7 @@ import numpy as np
 import quick
 from blocks import leaves
 from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 #: A line and two squares, of two cells each, 1 and 4 times as large, that move to the right by 1 a second; a point that no
 #: cell uses is in the middle of the first; an empty block is between them.
@@ -98,6 +99,10 @@ def block_numbers(shown):
     for number, made, counts in zip((1, 3), arrays, sizes):
         assert [array.GetNumberOfTuples() for array in made] == list(counts), (number, counts)
         assert {array.GetRange() for array in made} == {(number, number)}, [array.GetRange() for array in made]
+        assert {int(value) for array in made for value in np.unique(vtk_to_numpy(array))} == {number}
+        for array in made:  # VTK would make a list of ranges of all values and another one of those of finite ones
+            kept = [array.GetInformation().Get(key()) for key in (array.PER_COMPONENT, array.PER_FINITE_COMPONENT)]
+            assert kept[0] and kept[0] is kept[1], kept
     return arrays
 
 
