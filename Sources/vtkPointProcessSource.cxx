@@ -31,6 +31,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -49,20 +50,45 @@ constexpr double BytesOfPoint = 140.0;
 
 using littoral::ProcessPattern;
 
-/// The number of the cluster of each point, from 0 in the order of the points.
-std::vector<vtkIdType> ClustersOf(const ProcessPattern& pattern)
+/// Points in a range of a parallel loop.
+constexpr std::size_t PointsOfRange = 1 << 15;
+
+bool BeginsCluster(const ProcessPattern& pattern, std::size_t n)
 {
-  std::vector<vtkIdType> clusters;
-  clusters.reserve(pattern.Identities.size());
-  vtkIdType cluster = -1;
-  for (std::size_t n = 0; n < pattern.Identities.size(); ++n)
-  {
-    const bool isNew = n == 0 || pattern.Identities[n].Object != pattern.Identities[n - 1].Object ||
-      pattern.Identities[n].Draw >> 32 != pattern.Identities[n - 1].Draw >> 32;
-    cluster += isNew;
-    clusters.push_back(cluster);
-  }
-  return clusters;
+  const littoral::PointIdentity& last = pattern.Identities[n > 0 ? n - 1 : 0];
+  const littoral::PointIdentity& next = pattern.Identities[n];
+  return next.Object != last.Object || next.Draw >> 32 != last.Draw >> 32;
+}
+
+/// The number of the cluster of each point of a part, from 0 in the order of all points.
+void AddClusters(const ProcessPattern& pattern, const littoral::PieceRange& part, vtkPolyData* output)
+{
+  const std::size_t count = pattern.Identities.size();
+  const auto begin = static_cast<std::size_t>(part.Begin);
+  const auto end = static_cast<std::size_t>(part.End);
+  // Clusters that begin in each range, then the last one before it.
+  std::vector<vtkIdType> last(count / PointsOfRange + 2, 0);
+  littoral::ForRanges(littoral::SmpFor, count, PointsOfRange, [&](std::size_t from, std::size_t to) {
+    for (std::size_t n = from; n < to; ++n)
+    {
+      last[from / PointsOfRange + 1] += BeginsCluster(pattern, n);
+    }
+  });
+  std::partial_sum(last.begin(), last.end(), last.begin());
+  const auto array = littoral::NewArray<vtkIdTypeArray>("ClusterId", 1, part.End - part.Begin);
+  vtkIdType* clusters = array->GetPointer(0);
+  littoral::ForRanges(littoral::SmpFor, count, PointsOfRange, [&](std::size_t from, std::size_t to) {
+    vtkIdType cluster = last[from / PointsOfRange];
+    for (std::size_t n = from; n < std::min(to, end); ++n)
+    {
+      cluster += BeginsCluster(pattern, n);
+      if (n >= begin)
+      {
+        clusters[n - begin] = cluster;
+      }
+    }
+  });
+  output->GetPointData()->AddArray(array);
 }
 
 /// Adds a part of the numbers of all points.
@@ -83,7 +109,7 @@ void AddVertices(const ProcessPattern& pattern, const littoral::PieceRange& part
   const auto offsets = littoral::NewArray<vtkIdTypeArray>(nullptr, 1, count + 1);
   const auto corners = littoral::NewArray<vtkIdTypeArray>(nullptr, 1, count);
   offsets->SetValue(count, count);
-  littoral::ForRanges(littoral::SmpFor, static_cast<std::size_t>(count), 1 << 15, [&](auto begin, auto end) {
+  littoral::ForRanges(littoral::SmpFor, static_cast<std::size_t>(count), PointsOfRange, [&](auto begin, auto end) {
     for (auto n = static_cast<vtkIdType>(begin); n < static_cast<vtkIdType>(end); ++n)
     {
       const littoral::PlanePosition& point = pattern.Points[static_cast<std::size_t>(part.Begin + n)];
@@ -219,7 +245,10 @@ void vtkPointProcessSource::MakeRecipe(vtkInformationVector** inputs, Recipe& re
   littoral::Require(check.Reason());
   recipe.Window = littoral::ObservationWindow::Rectangle(
     { this->Origin[0], this->Origin[1] }, { this->Origin[0] + this->Size[0], this->Origin[1] + this->Size[1] });
-  recipe.Options.SpeciesShares.assign(static_cast<std::size_t>(this->NumberOfSpecies), 1.0);
+  if (this->NumberOfSpecies > 1)
+  {
+    recipe.Options.SpeciesShares.assign(static_cast<std::size_t>(this->NumberOfSpecies), 1.0);
+  }
   auto* table = littoral::OptionalInputOf<vtkTable>(inputs[FitPort], "Input");
   auto* image = littoral::OptionalInputOf<vtkImageData>(inputs[IntensityPort], "IntensityImage");
   auto* polygon = littoral::OptionalInputOf<vtkPolyData>(inputs[WindowPort], "Window");
@@ -275,7 +304,7 @@ int vtkPointProcessSource::RequestData(
   AddVertices(pattern, part, output);
   if (pattern.HasClusters)
   {
-    AddPart<vtkIdTypeArray>("ClusterId", ClustersOf(pattern), part, output);
+    AddClusters(pattern, part, output);
   }
   if (this->NumberOfSpecies > 1)
   {
@@ -283,7 +312,7 @@ int vtkPointProcessSource::RequestData(
   }
   if (this->Marks)
   {
-    AddPart<vtkDoubleArray>("Mark", littoral::DrawMarks(pattern, recipe.Marks), part, output);
+    AddPart<vtkDoubleArray>("Mark", littoral::DrawMarks(pattern, recipe.Marks, littoral::SmpFor), part, output);
   }
   littoral::AddField(output, "IsExact", { pattern.IsExact ? 1.0 : 0.0 });
   this->UpdateProgress(1.0);

@@ -114,7 +114,7 @@ ProcessPattern DrawCox(const ProcessScene& scene)
       rows.Draw(part * RowsAtOnce, std::min(block.Rows(), (part + 1) * RowsAtOnce), parts[part]);
     }
   });
-  return Joined(parts);
+  return Joined(parts, scene.Parallel);
 }
 
 }

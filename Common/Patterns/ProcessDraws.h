@@ -57,7 +57,7 @@ ProcessPattern DrawSquares(
   const ProcessScene& scene, const CellBlock& block, double each, const std::function<SquareTask()>& makeTask);
 
 /// Joins parts of a pattern, and frees them.
-ProcessPattern Joined(std::vector<ProcessPattern>& parts);
+ProcessPattern Joined(std::vector<ProcessPattern>& parts, const ParallelFor& parallel);
 
 /// Adds a point if it lies in the box and is not thinned by the raster.
 void KeepPoint(

@@ -135,6 +135,18 @@ void Measure(const std::vector<PlanePosition>& points, const ObservationWindow& 
   }
 }
 
+/// Sum of the squared differences at the minimum about a start, which the unknowns become.
+double Minimize(const Contrast& contrast, Eigen::VectorXd& unknowns)
+{
+  Eigen::NumericalDiff<Contrast> functor(contrast);
+  Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Contrast>> search(functor);
+  search.parameters.factor = 1.0;
+  search.parameters.maxfev = 400;
+  search.parameters.ftol = search.parameters.xtol = 1e-12;
+  search.minimize(unknowns);
+  return search.fnorm * search.fnorm;
+}
+
 ProcessFit FitByContrast(PointProcess process, const std::vector<PlanePosition>& points,
   const ObservationWindow& window, const ContrastOptions& options, const IntensityTrend& trend,
   const ParallelFor& parallel)
@@ -145,31 +157,29 @@ ProcessFit FitByContrast(PointProcess process, const std::vector<PlanePosition>&
   const double intensity = static_cast<double>(points.size()) / window.GetArea();
   const Contrast contrast(process, intensity, distances, powers, options);
   const double largest = distances.back();
+  // Several starts: the contrast has valleys of small and of wide clusters.
+  const bool isCox = process == PointProcess::LogGaussianCox;
+  const std::array<double, 2> firsts = { isCox ? 0.3 : 0.1 * intensity, isCox ? 2.0 : 0.7 * intensity };
+  const std::array<double, 3> lengths = { 0.05, 0.15, 0.4 };
+  std::array<ProcessFit, firsts.size() * lengths.size()> fits;
+  ForRanges(parallel, fits.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      Eigen::VectorXd unknowns(2);
+      unknowns << std::log(firsts[n / lengths.size()]), std::log(lengths[n % lengths.size()] * largest);
+      fits[n].Contrast = Minimize(contrast, unknowns) * largest / static_cast<double>(distances.size());
+      fits[n].Process = contrast.Unpack(unknowns);
+    }
+  });
   ProcessFit best;
   best.LogPseudoLikelihood = NaN;
   best.Contrast = std::numeric_limits<double>::infinity();
-  // Several starts: the contrast has valleys of small and of wide clusters.
-  for (const double first :
-    process == PointProcess::LogGaussianCox ? std::array<double, 2>{ 0.3, 2.0 } : std::array<double, 2>{ 0.1, 0.7 })
+  for (const ProcessFit& fit : fits)
   {
-    for (const double length : { 0.05, 0.15, 0.4 })
+    if (fit.Contrast < best.Contrast * (1.0 - 1e-9))
     {
-      Eigen::VectorXd unknowns(2);
-      unknowns << std::log(process == PointProcess::LogGaussianCox ? first : first * intensity),
-        std::log(length * largest);
-      Eigen::NumericalDiff<Contrast> functor(contrast);
-      Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Contrast>> search(functor);
-      search.parameters.factor = 1.0;
-      search.parameters.maxfev = 400;
-      search.parameters.ftol = search.parameters.xtol = 1e-12;
-      search.minimize(unknowns);
-      const PointProcessParameters found = contrast.Unpack(unknowns);
-      const double value = search.fnorm * search.fnorm * largest / static_cast<double>(distances.size());
-      if (value < best.Contrast * (1.0 - 1e-9))
-      {
-        best.Contrast = value;
-        best.Process = found;
-      }
+      best.Contrast = fit.Contrast;
+      best.Process = fit.Process;
     }
   }
   best.Trend = trend;

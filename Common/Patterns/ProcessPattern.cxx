@@ -26,6 +26,8 @@ constexpr double MaximumAlive = 5e5;
 constexpr std::uint64_t WholeCluster = 0xffffffff;
 /// Points drawn at a time, more or less.
 constexpr double PointsOfTask = 1 << 14;
+/// Points whose species or marks are drawn at a time.
+constexpr std::size_t PointsOfRange = 1 << 14;
 
 PatternArea BoxOf(const ObservationWindow& window)
 {
@@ -78,18 +80,37 @@ double SmallestSide(const PointProcessParameters& process)
 }
 
 /// Species of each point, of a draw of its own or of its cluster.
-std::vector<int> DrawSpecies(const ProcessPattern& pattern, const ProcessOptions& options)
+std::vector<int> DrawSpecies(const ProcessPattern& pattern, const ProcessOptions& options, const ParallelFor& parallel)
 {
   const SpeciesDraw speciesOf(options);
   const bool isOfCluster = pattern.HasClusters && options.Grouping == SpeciesGrouping::Clusters;
   const std::uint64_t whole = isOfCluster ? WholeCluster : 0;
-  std::vector<int> species;
-  species.reserve(pattern.Identities.size());
-  for (const PointIdentity& identity : pattern.Identities)
-  {
-    species.push_back(speciesOf({ identity.Object, identity.Draw | whole }));
-  }
+  std::vector<int> species(pattern.Identities.size());
+  ForRanges(parallel, species.size(), PointsOfRange, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      const PointIdentity& identity = pattern.Identities[n];
+      species[n] = speciesOf({ identity.Object, identity.Draw | whole });
+    }
+  });
   return species;
+}
+
+/// Joins the numbers of one kind of all parts, and frees them.
+template <typename Number>
+void Join(std::vector<Number> ProcessPattern::*numbers, std::vector<ProcessPattern>& parts, ProcessPattern& pattern)
+{
+  std::size_t count = 0;
+  for (const ProcessPattern& part : parts)
+  {
+    count += (part.*numbers).size();
+  }
+  (pattern.*numbers).reserve(count);
+  for (ProcessPattern& part : parts)
+  {
+    const std::vector<Number> from = std::move(part.*numbers);
+    (pattern.*numbers).insert((pattern.*numbers).end(), from.begin(), from.end());
+  }
 }
 
 /// Drops the points that are in the box of a polygon only.
@@ -175,29 +196,26 @@ ProcessPattern DrawSquares(
       }
     }
   });
-  return Joined(parts);
+  return Joined(parts, scene.Parallel);
 }
 
-ProcessPattern Joined(std::vector<ProcessPattern>& parts)
+ProcessPattern Joined(std::vector<ProcessPattern>& parts, const ParallelFor& parallel)
 {
   if (parts.size() == 1)
   {
     return std::move(parts.front());
   }
-  std::size_t points = 0;
-  for (const ProcessPattern& part : parts)
-  {
-    points += part.Points.size();
-  }
   ProcessPattern pattern;
-  pattern.Points.reserve(points);
-  pattern.Identities.reserve(points);
-  for (ProcessPattern& part : parts)
-  {
-    pattern.Points.insert(pattern.Points.end(), part.Points.begin(), part.Points.end());
-    pattern.Identities.insert(pattern.Identities.end(), part.Identities.begin(), part.Identities.end());
-    part = {};
-  }
+  ForRanges(parallel, 2, 1, [&](std::size_t begin, std::size_t end) {
+    if (begin == 0)
+    {
+      Join(&ProcessPattern::Points, parts, pattern);
+    }
+    if (end == 2)
+    {
+      Join(&ProcessPattern::Identities, parts, pattern);
+    }
+  });
   return pattern;
 }
 
@@ -279,7 +297,7 @@ ProcessPattern SimulateProcess(const PointProcessParameters& process, const Proc
   pattern.HasClusters = isOfClusters;
   if (!options.SpeciesShares.empty())
   {
-    pattern.Species = DrawSpecies(pattern, options);
+    pattern.Species = DrawSpecies(pattern, options, parallel);
   }
   if (!window.IsRectangle())
   {
@@ -297,21 +315,23 @@ std::string WhyInvalid(const MarkOptions& options)
   return check.Reason();
 }
 
-std::vector<double> DrawMarks(const ProcessPattern& pattern, const MarkOptions& options)
+std::vector<double> DrawMarks(const ProcessPattern& pattern, const MarkOptions& options, const ParallelFor& parallel)
 {
   const RandomStream random(options.Seed, RandomPurpose::ProcessMarks);
   const double s2 = std::log1p(options.Variation * options.Variation);
   const double rho = pattern.HasClusters ? options.ClusterCorrelation : 0.0;
   const double common = std::sqrt(s2 * rho);
   const double own = std::sqrt(s2 * (1.0 - rho));
-  std::vector<double> marks;
-  marks.reserve(pattern.Identities.size());
-  for (const PointIdentity& identity : pattern.Identities)
-  {
-    const double z = random.NormalPair(identity.Object, identity.Draw)[0];
-    const double parent = random.NormalPair(identity.Object, identity.Draw | WholeCluster)[1];
-    marks.push_back(options.Mean * std::exp(-0.5 * s2 + own * z + common * parent));
-  }
+  std::vector<double> marks(pattern.Identities.size());
+  ForRanges(parallel, marks.size(), PointsOfRange, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      const PointIdentity& identity = pattern.Identities[n];
+      const double z = random.NormalPair(identity.Object, identity.Draw)[0];
+      const double parent = random.NormalPair(identity.Object, identity.Draw | WholeCluster)[1];
+      marks[n] = options.Mean * std::exp(-0.5 * s2 + own * z + common * parent);
+    }
+  });
   return marks;
 }
 

@@ -102,7 +102,8 @@ std::string WhyInvalid(const MarkOptions& options);
 /// Log-normal marks of the points, functions of the seed and the points' identities, ln m = ln Mean - s^2 / 2 + s
 /// (rho^(1/2) z_cluster + (1 - rho)^(1/2) z_point), with s^2 = ln(1 + Variation^2), rho = ClusterCorrelation and
 /// standard normal z.
-std::vector<double> DrawMarks(const ProcessPattern& pattern, const MarkOptions& options);
+std::vector<double> DrawMarks(
+  const ProcessPattern& pattern, const MarkOptions& options, const ParallelFor& parallel = SerialFor);
 
 }
 

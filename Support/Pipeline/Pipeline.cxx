@@ -94,7 +94,8 @@ ParallelFor AbortableFor(vtkAlgorithm* algorithm, double first, double last)
 {
   return [=](std::size_t count, const RangeTask& task) {
     const auto proceeds = [=](std::size_t done) {
-      EndIfAborted(algorithm, first + (last - first) * static_cast<double>(done) / static_cast<double>(count));
+      const double reached = first + (last - first) * static_cast<double>(done) / static_cast<double>(count);
+      EndIfAborted(algorithm, std::max(reached, algorithm->GetProgress()));
       return true;
     };
     ForBatches(count, proceeds, task);

@@ -36,7 +36,7 @@ bool ForBatches(std::size_t count, const std::function<bool(std::size_t done)>& 
 /// SmpFor() that stops by Aborted when the user asks for it: for what takes long, not for the short steps of many.
 ParallelFor AbortableFor(vtkAlgorithm* algorithm);
 
-/// The same for a part of the work, with progress from first to last.
+/// The same for a part of the work, with progress from first to last; a second loop does not take it back.
 ParallelFor AbortableFor(vtkAlgorithm* algorithm, double first, double last);
 
 /// Hears the user a hundred times a second, and ends the work by Aborted. Must be called by the thread of the request.

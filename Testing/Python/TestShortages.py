@@ -165,7 +165,7 @@ class Bounds(unittest.TestCase):
                 self.assertGreater(points, 1000)
 
     def test_bar(self):
-        """Progress of 100 % is the end of the work."""
+        """Progress never goes back, and 100 % is the end of the work."""
         for name, values in (("vtkQuadratPointSource", (600,)), ("vtkPointProcessSource", (0.7,)),
                              ("vtkWindFieldSource", (4096, 16, 16)), ("vtkSuspendedParticleSource", (4,))):
             with self.subTest(name):
@@ -178,6 +178,7 @@ class Bounds(unittest.TestCase):
                 begin = time.perf_counter()
                 made.Update()
                 end = time.perf_counter()
+                self.assertEqual([progress for progress, _ in at], sorted(progress for progress, _ in at))
                 done = next(moment for progress, moment in at if progress > 0.995)
                 self.assertLess(end - done, 0.05 * (end - begin))
 
