@@ -194,6 +194,34 @@ bool CheckPieces()
   return Check(good && id == all->GetNumberOfPoints(), "pieces differ from the whole");
 }
 
+/// Clusters are numbered one after the other: discs of 1 m, whose points are at most 2 m apart, others hardly ever.
+bool CheckClusters()
+{
+  vtkNew<Source> source;
+  source->SetProcessToMaternCluster();
+  source->SetSize(3000.0, 3000.0);
+  source->SetClusterScale(1.0);
+  source->Update();
+  vtkPolyData* output = source->GetOutput();
+  vtkDataArray* clusters = output->GetPointData()->GetArray("ClusterId");
+  const vtkIdType count = output->GetNumberOfPoints();
+  bool good = Check(count > 80000 && clusters->GetTuple1(0) == 0.0, "few points, or no first cluster");
+  int near = 0;
+  for (vtkIdType n = 1; n < count; ++n)
+  {
+    std::array<double, 3> a;
+    std::array<double, 3> b;
+    output->GetPoint(n - 1, a.data());
+    output->GetPoint(n, b.data());
+    const bool isNear = std::hypot(a[0] - b[0], a[1] - b[1]) <= 2.0;
+    const double step = clusters->GetTuple1(n) - clusters->GetTuple1(n - 1);
+    good &= step == 1.0 || (step == 0.0 && isNear);
+    near += step == 1.0 && isNear;
+  }
+  good &= Check(near < 0.01 * clusters->GetTuple1(count - 1), "points of a cluster have two numbers");
+  return Check(good, "points of a cluster are apart, or numbers are left out");
+}
+
 /// An image of which the left half has a third of the right one's intensity; in points on 1 m2; in a triangle.
 bool CheckImagesAndWindows()
 {
@@ -316,6 +344,7 @@ bool CheckVerdict()
 int TestPointProcesses(int, char*[])
 {
   bool good = CheckPieces();
+  good &= CheckClusters();
   good &= CheckImagesAndWindows();
   good &= CheckVerdict();
   good &= CheckCoincidentPoints();
