@@ -64,12 +64,13 @@ littoral::CellMemory MemoryOf(vtkImageData* image, double (*work)(int, int), dou
 }
 
 /// Heights of the target: its array of a name, or else its active scalars.
-littoral::GridSamples ReadTarget(vtkImageData* target, vtkInformation* array, double (*work)(int, int))
+littoral::GridSamples ReadTarget(
+  vtkImageData* target, vtkInformation* array, double (*work)(int, int), const littoral::Poll& poll)
 {
   const char* name = array->Get(vtkDataObject::FIELD_NAME());
   vtkDataArray* heights = name ? littoral::ArrayReader::OfPoints(target, "Target").Seek(name, 1) : nullptr;
   return littoral::ReadHeights(
-    target, heights ? heights : target->GetPointData()->GetScalars(), array, "Target", MemoryOf(target, work));
+    target, heights ? heights : target->GetPointData()->GetScalars(), array, "Target", MemoryOf(target, work), poll);
 }
 
 /// Cells at which the array Outlets is not 0.
@@ -127,6 +128,19 @@ littoral::DrainageOutlets OutletsOf(
     default:
       return {};
   }
+}
+
+/// Progress of carving, growth or quilting, reported where it changes; an abort is heard each time.
+littoral::CarvingProgress ProgressOf(vtkAlgorithm* algorithm, const littoral::Poll& poll)
+{
+  return [=, last = 0.0](double part) mutable {
+    if (part != last)
+    {
+      algorithm->UpdateProgress(0.1 + 0.8 * part);
+      last = part;
+    }
+    poll();
+  };
 }
 
 /// Adds the report of a carving as field data of two components.
@@ -362,17 +376,24 @@ void vtkDrainageFilter::ReadGround(vtkInformationVector** inputVector, Ground& g
     &littoral::QuiltMemory };
   const double cells = std::max(1.0, static_cast<double>(image->GetNumberOfPoints()));
   const double more = (this->UseRock ? RockBytesACell : 0.0) + (given ? littoral::MemoryOfGiven(given) / cells : 0.0);
+  const littoral::Poll poll = littoral::PollOf(this);
   ground.Heights =
     littoral::ReadHeights(image, this->GetInputArrayToProcess(0, inputVector), this->GetInputArrayInformation(0),
-      "Terrain", MemoryOf(image, this->Carve ? works[this->Method] : nullptr, grows ? more : 0.0));
+      "Terrain", MemoryOf(image, this->Carve ? works[this->Method] : nullptr, grows ? more : 0.0), poll);
   ground.Outlets = OutletsOf(this->Outlets, this->SeaLevel, image, ground.Heights);
-  littoral::Require(littoral::WhyUndrainable(ground.Heights, ground.Outlets.Of(ground.Heights)));
+  poll();
+  const littoral::OutletMask outlets = ground.Outlets.Of(ground.Heights);
+  poll();
+  littoral::Require(littoral::WhyUndrainable(ground.Heights, outlets, poll));
+  poll();
   littoral::RequireRelief(ground.Heights, "Terrain");
+  poll();
 }
 
 //----------------------------------------------------------------------------
 void vtkDrainageFilter::CarveGround(vtkInformationVector** inputVector, Ground& ground)
 {
+  const littoral::Poll poll = littoral::PollOf(this);
   littoral::TargetStatistics numbers;
   numbers.KeepsHypsometry = this->KeepHypsometry;
   numbers.HypsometricIntegral = this->HypsometricIntegral;
@@ -392,7 +413,7 @@ void vtkDrainageFilter::CarveGround(vtkInformationVector** inputVector, Ground& 
   littoral::GridSamples place;
   if (target)
   {
-    place = ReadTarget(target, this->GetInputArrayInformation(0), &littoral::CarvingMemory);
+    place = ReadTarget(target, this->GetInputArrayInformation(0), &littoral::CarvingMemory, poll);
     littoral::InContext("The target is of no use. ", [&] { littoral::Require(littoral::WhyNoTarget(place)); });
   }
   else
@@ -406,17 +427,13 @@ void vtkDrainageFilter::CarveGround(vtkInformationVector** inputVector, Ground& 
   const littoral::ParallelFor parallel = littoral::AbortableFor(this);
   const littoral::CarvingTarget goal = target ? littoral::TargetOf(place, {}, parallel)
                                               : littoral::TargetOf(ground.Heights, numbers, ground.Outlets, parallel);
-  const littoral::Poll poll = littoral::PollOf(this);
-  const littoral::CarvingProgress progress = [&](double part) {
-    this->UpdateProgress(0.1 + 0.8 * part);
-    poll();
-  };
-  ground.Report = littoral::CarveAround(ground.Heights, goal, parameters, parallel, progress);
+  ground.Report = littoral::CarveAround(ground.Heights, goal, parameters, parallel, ProgressOf(this, poll));
 }
 
 //----------------------------------------------------------------------------
 void vtkDrainageFilter::GrowGround(vtkInformationVector** inputVector, Ground& ground)
 {
+  const littoral::Poll poll = littoral::PollOf(this);
   auto* target = littoral::OptionalInputOf<vtkImageData>(inputVector[1], "Target");
   littoral::Require(target ? "" : "There is no Target; connect a measured terrain whose kind shall grow.");
   littoral::Require(
@@ -434,43 +451,40 @@ void vtkDrainageFilter::GrowGround(vtkInformationVector** inputVector, Ground& g
       this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME()), this->UseLineHeights);
   }
   littoral::Require(littoral::WhyInvalid(ground.Heights, parameters));
-  const littoral::GridSamples place = ReadTarget(target, this->GetInputArrayInformation(0), &littoral::GrowthMemory);
+  const littoral::GridSamples place =
+    ReadTarget(target, this->GetInputArrayInformation(0), &littoral::GrowthMemory, poll);
   littoral::InContext("The target is of no use. ", [&] {
     littoral::Require(littoral::WhyNoTarget(place));
     littoral::Require(littoral::WhyNoPlace(place));
   });
-  const littoral::Poll poll = littoral::PollOf(this);
-  const littoral::CarvingProgress progress = [&](double part) {
-    this->UpdateProgress(0.1 + 0.8 * part);
-    poll();
-  };
-  ground.Report = littoral::GrowLandscape(ground.Heights, place, parameters, littoral::AbortableFor(this), progress);
+  ground.Report =
+    littoral::GrowLandscape(ground.Heights, place, parameters, littoral::AbortableFor(this), ProgressOf(this, poll));
 }
 
 //----------------------------------------------------------------------------
 void vtkDrainageFilter::QuiltGround(vtkInformationVector** inputVector, Ground& ground)
 {
+  const littoral::Poll poll = littoral::PollOf(this);
   auto* target = littoral::OptionalInputOf<vtkImageData>(inputVector[1], "Target");
   littoral::Require(target ? "" : "There is no Target; connect a measured terrain of whose pieces it shall be.");
   littoral::Require(
     this->Outlets == Border ? "" : "Outlets is not Border; water leaves landscapes of pieces over all of it.");
-  const littoral::GridSamples place = ReadTarget(target, this->GetInputArrayInformation(0), &littoral::QuiltMemory);
+  const littoral::GridSamples place =
+    ReadTarget(target, this->GetInputArrayInformation(0), &littoral::QuiltMemory, poll);
   littoral::InContext("The target is of no use. ", [&] {
     littoral::Require(littoral::WhyNoTarget(place));
     littoral::Require(littoral::WhyNoPlace(place));
   });
   littoral::Require(littoral::WhyNoQuilt(ground.Heights, place));
-  const littoral::Poll poll = littoral::PollOf(this);
-  const littoral::CarvingProgress progress = [&](double part) {
-    this->UpdateProgress(0.1 + 0.8 * part);
-    poll();
-  };
-  ground.Report = littoral::QuiltLandscape(ground.Heights, place, this->Seed, littoral::AbortableFor(this), progress);
+  ground.Report =
+    littoral::QuiltLandscape(ground.Heights, place, this->Seed, littoral::AbortableFor(this), ProgressOf(this, poll));
 }
 
 //----------------------------------------------------------------------------
 void vtkDrainageFilter::WriteGround(vtkImageData* image, const Ground& ground, vtkImageData* output)
 {
+  const littoral::Poll poll = littoral::PollOf(this);
+  littoral::SteppedPoll steps(poll, 1 << 16);
   const littoral::CellLattice lattice(ground.Heights);
   const vtkIdType count = lattice.Count();
   const auto elevations = littoral::NewArray<vtkDoubleArray>("Elevation", 1, count);
@@ -480,6 +494,7 @@ void vtkDrainageFilter::WriteGround(vtkImageData* image, const Ground& ground, v
   const auto depths = littoral::NewArray<vtkDoubleArray>("DepressionDepth", 1, count);
   for (littoral::CellIndex cell = 0; cell < count; ++cell)
   {
+    steps.Step();
     elevations->SetValue(cell, ground.Heights.Values[cell]);
     const bool isOutside = std::isnan(ground.Heights.Values[cell]);
     areas->SetValue(cell, isOutside ? ground.Heights.Values[cell] : ground.Cells[cell] * lattice.CellArea());
@@ -539,8 +554,8 @@ int vtkDrainageFilter::RequestData(
   this->UpdateProgress(0.9);
   ground.Routing =
     littoral::RouteFlow(ground.Heights, outlets, littoral::AbortableFor(this), poll, littoral::FlatWays::Shortest);
-  ground.Cells = littoral::FlowAccumulation(ground.Routing);
-  ground.Streams = littoral::FindStreams(ground.Heights, ground.Routing, ground.Cells, this->StreamThreshold);
+  ground.Cells = littoral::FlowAccumulation(ground.Routing, poll);
+  ground.Streams = littoral::FindStreams(ground.Heights, ground.Routing, ground.Cells, this->StreamThreshold, poll);
   ground.Levels = ground.Routing.DepressionCells == 0
     ? ground.Heights.Values
     : littoral::FloodDepressions(ground.Heights, outlets, poll).SpillElevation;
@@ -548,7 +563,7 @@ int vtkDrainageFilter::RequestData(
   this->WriteGround(image, ground, output);
   if (!littoral::AsksForLaterPiece(request, outputVector))
   {
-    littoral::WriteRivers(image, ground.Heights, ground.Cells, ground.Streams.Rivers, rivers);
+    littoral::WriteRivers(image, ground.Heights, ground.Cells, ground.Streams.Rivers, rivers, poll);
   }
   for (vtkDataObject* data : { static_cast<vtkDataObject*>(output), static_cast<vtkDataObject*>(rivers) })
   {

@@ -56,7 +56,9 @@ std::vector<double> GradeBy(const std::vector<double>& falls, const GridSamples&
 {
   SteppedPoll stepped(poll);
   std::vector<double> lowered = heights.Values;
+  poll();
   std::vector<double> graded = heights.Values;
+  poll();
   // Both ways side by side: neither waits for the memory of the other.
   for (std::size_t n = 0; n < routing.Order.size(); ++n)
   {
@@ -86,12 +88,15 @@ std::vector<double> GradeBy(const std::vector<double>& falls, const GridSamples&
 }
 
 std::vector<double> LimitAlong(const GridSamples& heights, const FlowRouting& routing,
-  const std::vector<CellIndex>& accumulation, const ChannelLaw& law, double leastSlope)
+  const std::vector<CellIndex>& accumulation, const ChannelLaw& law, double leastSlope, const Poll& poll)
 {
+  SteppedPoll stepped(poll);
   const CellLattice lattice(heights);
   std::vector<double> limited = heights.Values;
+  poll();
   for (const CellIndex cell : routing.Order)
   {
+    stepped.Step();
     const CellIndex receiver = routing.Receiver[cell];
     const double cells = accumulation[cell];
     if (receiver != cell && cells >= law.ChannelThreshold)

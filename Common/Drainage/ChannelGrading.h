@@ -58,7 +58,7 @@ std::vector<double> GradeBy(const std::vector<double>& falls, const GridSamples&
  * Heights that fall by S_0 at least along the flow paths still do.
  */
 std::vector<double> LimitAlong(const GridSamples& heights, const FlowRouting& routing,
-  const std::vector<CellIndex>& accumulation, const ChannelLaw& law, double leastSlope);
+  const std::vector<CellIndex>& accumulation, const ChannelLaw& law, double leastSlope, const Poll& poll = NoPoll);
 
 }
 

@@ -28,6 +28,7 @@ public:
     : Heights(heights.Values)
     , Outlets(outlets)
     , Lattice(heights)
+    , Called(poll)
     , Steps(poll, 1 << 16)
   {
     const auto [low, high] = std::minmax_element(this->Heights.begin(), this->Heights.end());
@@ -67,12 +68,15 @@ public:
   void CutAtLeastCost(std::size_t maximumVisits, const std::vector<std::uint8_t>& dry)
   {
     const std::vector<double> uncut = this->Heights;
+    this->Called();
     if (!this->FindClearPits(dry))
     {
       this->Flood(uncut);
       this->SortPits();
     }
+    this->Called();
     this->Visits.assign(this->Lattice.Count(), {});
+    this->Called();
     const std::vector<CellIndex> pits = this->Pits;
     for (const CellIndex pit : pits)
     {
@@ -118,6 +122,7 @@ private:
   {
     for (CellIndex cell = 0; cell < this->Lattice.Count(); ++cell)
     {
+      this->Steps.Step();
       if (this->Outlets[cell])
       {
         continue;
@@ -295,6 +300,7 @@ private:
   std::vector<double>& Heights;
   const OutletMask& Outlets;
   CellLattice Lattice;
+  const Poll& Called;
   SteppedPoll Steps;
   double Fall;
   const double* FloodedHeights = nullptr;

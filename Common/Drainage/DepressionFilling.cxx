@@ -18,11 +18,13 @@ DepressionFlood FloodDepressions(const GridSamples& heights, const OutletMask& o
   const CellIndex count = lattice.Count();
   DepressionFlood flood;
   flood.SpillElevation = heights.Values;
+  poll();
   // Directions in which cells were reached: a byte each, so that those about the rim stay in the cache.
   constexpr std::int8_t unreached = -1;
   std::vector<std::int8_t> reached(static_cast<std::size_t>(count), unreached);
   const auto [lowest, highest] = RangeOf(heights.Values);
   FloodQueue rim(lowest, highest, heights.Values.size());
+  poll();
   for (CellIndex cell = 0; cell < count; ++cell)
   {
     if (outlets[cell])
@@ -69,10 +71,12 @@ DepressionFlood FloodDepressions(const GridSamples& heights, const OutletMask& o
     }
   }
   flood.Backlink.resize(count);
-  for (CellIndex cell = 0; cell < count; ++cell)
-  {
-    flood.Backlink[cell] = reached[cell] == unreached ? -1 : lattice.Before(cell, reached[cell]);
-  }
+  ForPolled(flood.Backlink.size(), poll, [&](std::size_t begin, std::size_t end) {
+    for (auto cell = static_cast<CellIndex>(begin); cell < static_cast<CellIndex>(end); ++cell)
+    {
+      flood.Backlink[cell] = reached[cell] == unreached ? -1 : lattice.Before(cell, reached[cell]);
+    }
+  });
   return flood;
 }
 
@@ -81,6 +85,7 @@ std::vector<double> SpillElevationsBy(const FlowRouting& routing, const GridSamp
   const CellLattice lattice(heights);
   const std::vector<double>& ground = heights.Values;
   std::vector<double> levels = ground;
+  poll();
   enum State : std::uint8_t
   {
     Dry,
@@ -100,10 +105,13 @@ std::vector<double> SpillElevationsBy(const FlowRouting& routing, const GridSamp
       open.push_back(cell);
     }
   }
+  poll();
   const auto [lowest, highest] = RangeOf(ground);
   FloodQueue rim(lowest, highest, open.size());
+  poll();
   for (const CellIndex cell : open)
   {
+    steps.Step();
     lattice.ForEachNeighbour(cell, [&](CellIndex neighbour, int) {
       if (states[neighbour] == Dry)
       {

@@ -46,8 +46,9 @@ std::string WhyBadHeights(const GridSamples& heights)
 
 /// Visits cells of a terrain, each connected part from its first cell on: visit(cell, isFirst).
 template <typename Visit>
-void ForEachPart(const GridSamples& heights, const Visit& visit)
+void ForEachPart(const GridSamples& heights, const Visit& visit, const Poll& poll = NoPoll)
 {
+  SteppedPoll steps(poll, 1 << 16);
   const CellLattice lattice(heights);
   OutletMask isSeen = OutsideOf(heights);
   std::vector<CellIndex> open;
@@ -61,6 +62,7 @@ void ForEachPart(const GridSamples& heights, const Visit& visit)
     open.assign(1, first);
     while (!open.empty())
     {
+      steps.Step();
       const CellIndex cell = open.back();
       open.pop_back();
       visit(cell, cell == first);
@@ -76,16 +78,17 @@ void ForEachPart(const GridSamples& heights, const Visit& visit)
 }
 
 /// Why some part of a terrain has no outlet; empty if all have one.
-std::string WhyClosed(const GridSamples& heights, const OutletMask& outlets)
+std::string WhyClosed(const GridSamples& heights, const OutletMask& outlets, const Poll& poll)
 {
   std::vector<bool> hasOutlet;
-  ForEachPart(heights, [&](CellIndex cell, bool isFirst) {
+  const auto visit = [&](CellIndex cell, bool isFirst) {
     if (isFirst)
     {
       hasOutlet.push_back(false);
     }
     hasOutlet.back() = hasOutlet.back() || outlets[cell];
-  });
+  };
+  ForEachPart(heights, visit, poll);
   const auto closed = std::count(hasOutlet.begin(), hasOutlet.end(), false);
   if (closed == 0)
   {
@@ -204,7 +207,7 @@ OutletMask DrainageOutlets::Of(const GridSamples& heights) const
   return mask;
 }
 
-std::string WhyUndrainable(const GridSamples& heights, const OutletMask& outlets)
+std::string WhyUndrainable(const GridSamples& heights, const OutletMask& outlets, const Poll& poll)
 {
   ParameterCheck check;
   check.Require(WhyBadSize(heights));
@@ -219,7 +222,7 @@ std::string WhyUndrainable(const GridSamples& heights, const OutletMask& outlets
   }
   if (check.IsGood())
   {
-    check.Require(WhyClosed(heights, outlets));
+    check.Require(WhyClosed(heights, outlets, poll));
   }
   return check.Reason();
 }

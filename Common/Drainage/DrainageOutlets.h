@@ -57,7 +57,7 @@ struct DrainageOutlets
 
 /// Why flow cannot be routed over these heights: too few rows, numbers that are no heights, cells without a way to an
 /// outlet; empty when it can.
-std::string WhyUndrainable(const GridSamples& heights, const OutletMask& outlets);
+std::string WhyUndrainable(const GridSamples& heights, const OutletMask& outlets, const Poll& poll = NoPoll);
 
 }
 

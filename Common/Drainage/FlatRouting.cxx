@@ -208,11 +208,13 @@ void RouteFlats(const CellLattice& lattice, std::vector<FlowCode>& codes, const 
 }
 
 bool RouteFlatsAsFlood(const std::vector<double>& heights, const OutletMask& outlets, const CellLattice& lattice,
-  std::vector<CellIndex>& receivers)
+  std::vector<CellIndex>& receivers, const Poll& poll)
 {
   FloodedFlats flats(heights, outlets, lattice, receivers);
+  SteppedPoll steps(poll, 1 << 16);
   for (CellIndex cell = 0; cell < lattice.Count(); ++cell)
   {
+    steps.Step();
     if (receivers[cell] < 0 && (std::isnan(heights[cell]) || !flats.Route(cell)))
     {
       return false;

@@ -62,7 +62,7 @@ void RouteFlats(const CellLattice& lattice, std::vector<FlowCode>& codes, const 
  * receivers of some flats, where there is a depression or two cells come first.
  */
 bool RouteFlatsAsFlood(const std::vector<double>& heights, const OutletMask& outlets, const CellLattice& lattice,
-  std::vector<CellIndex>& receivers);
+  std::vector<CellIndex>& receivers, const Poll& poll = NoPoll);
 
 }
 

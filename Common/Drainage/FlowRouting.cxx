@@ -81,7 +81,7 @@ FlowRouting RouteFlow(
   FlowRouting routing;
   routing.Receiver.resize(lattice.Count());
   const bool isDrained = FindReceivers(heights.Values, outlets, lattice, parallel, routing.Receiver) ||
-    (flats == FlatWays::Flood && RouteFlatsAsFlood(heights.Values, outlets, lattice, routing.Receiver));
+    (flats == FlatWays::Flood && RouteFlatsAsFlood(heights.Values, outlets, lattice, routing.Receiver, poll));
   if (!isDrained)
   {
     const DepressionFlood flood = FloodDepressions(heights, outlets, poll);
@@ -101,17 +101,19 @@ FlowRouting RouteFlow(
     }
   }
   poll();
-  routing.Order = StackOrder(routing.Receiver);
+  routing.Order = StackOrder(routing.Receiver, poll);
   return routing;
 }
 
-std::vector<CellIndex> StackOrder(const std::vector<CellIndex>& receivers)
+std::vector<CellIndex> StackOrder(const std::vector<CellIndex>& receivers, const Poll& poll)
 {
+  SteppedPoll steps(poll, 1 << 16);
   // Donors of cell r lie from first[r] to first[r + 1], by their index.
   const auto count = static_cast<CellIndex>(receivers.size());
   std::vector<CellIndex> first(static_cast<std::size_t>(count) + 1, 0);
   for (CellIndex cell = 0; cell < count; ++cell)
   {
+    steps.Step();
     if (receivers[cell] != cell)
     {
       ++first[static_cast<std::size_t>(receivers[cell]) + 1];
@@ -125,6 +127,7 @@ std::vector<CellIndex> StackOrder(const std::vector<CellIndex>& receivers)
   std::vector<CellIndex> next(first.begin(), first.end() - 1);
   for (CellIndex cell = 0; cell < count; ++cell)
   {
+    steps.Step();
     if (receivers[cell] != cell)
     {
       donors[next[receivers[cell]]++] = cell;
@@ -143,6 +146,7 @@ std::vector<CellIndex> StackOrder(const std::vector<CellIndex>& receivers)
     open.assign(1, outlet);
     while (!open.empty())
     {
+      steps.Step();
       const CellIndex cell = open.back();
       open.pop_back();
       order.push_back(cell);

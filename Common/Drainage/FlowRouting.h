@@ -42,7 +42,7 @@ FlowRouting RouteFlow(const GridSamples& heights, const OutletMask& outlets, con
 int SteepestDirection(const std::vector<double>& heights, const CellLattice& lattice, CellIndex cell);
 
 /// Stack of given receivers, outlets by their index.
-std::vector<CellIndex> StackOrder(const std::vector<CellIndex>& receivers);
+std::vector<CellIndex> StackOrder(const std::vector<CellIndex>& receivers, const Poll& poll = NoPoll);
 
 /// Flow accumulation: the number of cells that drain through each cell, itself included.
 std::vector<CellIndex> FlowAccumulation(const FlowRouting& routing, const Poll& poll = NoPoll);

@@ -34,20 +34,24 @@ double MaximumCellsOf(double count, double most)
 /// Count and central moments of a set of values.
 struct CentralMoments
 {
-  explicit CentralMoments(const std::vector<double>& values)
+  CentralMoments(const std::vector<double>& values, const Poll& poll)
   {
     const auto count = static_cast<double>(values.size());
-    for (const double value : values)
-    {
-      this->Mean += value / count;
-    }
+    ForPolled(values.size(), poll, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        this->Mean += values[n] / count;
+      }
+    });
     double third = 0.0;
-    for (const double value : values)
-    {
-      const double less = value - this->Mean;
-      this->Variance += less * less / count;
-      third += less * less * less / count;
-    }
+    ForPolled(values.size(), poll, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        const double less = values[n] - this->Mean;
+        this->Variance += less * less / count;
+        third += less * less * less / count;
+      }
+    });
     this->Skew = this->Variance > 0.0 ? third / (this->Variance * std::sqrt(this->Variance)) : 0.0;
   }
 
@@ -143,9 +147,10 @@ void AddPairs(const double* from, const std::array<RowPairs, LagsAtOnce>& pairs,
 
 /// Measures the slope-area relation up to a drainage area [cells].
 void MeasureSlopeArea(const GridSamples& heights, const FlowRouting& routing, const OutletMask& outlets,
-  double maximumCells, const ParallelFor& parallel, GroundMeasures& measures)
+  double maximumCells, const ParallelFor& parallel, const Poll& poll, GroundMeasures& measures)
 {
-  const std::vector<CellIndex> cells = FlowAccumulation(routing);
+  SteppedPoll steps(poll, 1 << 16);
+  const std::vector<CellIndex> cells = FlowAccumulation(routing, poll);
   const std::vector<double> slopes = SlopesToReceivers(heights, routing, parallel);
   const double first = std::log(MinimumCells);
   const double last = std::log(maximumCells);
@@ -153,6 +158,7 @@ void MeasureSlopeArea(const GridSamples& heights, const FlowRouting& routing, co
   SlopeAreaBin reference;
   for (std::size_t n = 0; n < cells.size(); ++n)
   {
+    steps.Step();
     if (outlets[n] || cells[n] < MinimumCells)
     {
       continue;
@@ -279,14 +285,15 @@ GroundMeasures MeasureGround(const GridSamples& heights, const OutletMask& outle
   GroundMeasures measures;
   const std::vector<double> present = PresentValues(heights.Values);
   const auto count = static_cast<double>(present.size());
-  const CentralMoments moments(present);
+  const CentralMoments moments(present, poll);
+  poll();
   const auto [low, high] = RangeOf(present);
   measures.Lowest = low;
   measures.Highest = high;
   measures.StandardDeviation = std::sqrt(moments.Variance);
   measures.HypsometricIntegral = high > low ? (moments.Mean - low) / (high - low) : 0.0;
   measures.ElevationSkewness = moments.Skew;
-  measures.CurvatureSkewness = CentralMoments(PresentValues(Laplacians(heights, parallel))).Skew;
+  measures.CurvatureSkewness = CentralMoments(PresentValues(Laplacians(heights, parallel)), poll).Skew;
   const std::vector<int> lags = SemivarianceLags(heights.Width, heights.Height);
   measures.Semivariance = SemivarianceAlongAxes(heights, lags, parallel);
   for (const int lag : lags)
@@ -301,17 +308,18 @@ GroundMeasures MeasureGround(const GridSamples& heights, const OutletMask& outle
     measures.StandardDeviation > 0.0 ? routing.Volume / (area * count) / measures.StandardDeviation : 0.0;
   const double maximumCells = MaximumCellsOf(count, maximumArea / area);
   measures.MaximumArea = maximumCells * area;
-  MeasureSlopeArea(heights, routing, outlets, maximumCells, parallel, measures);
+  MeasureSlopeArea(heights, routing, outlets, maximumCells, parallel, poll, measures);
   return measures;
 }
 
-std::vector<SlopeAreaBin> SlopeAreaOf(
-  const GridSamples& heights, const OutletMask& outlets, const ParallelFor& parallel, double maximumArea)
+std::vector<SlopeAreaBin> SlopeAreaOf(const GridSamples& heights, const OutletMask& outlets,
+  const ParallelFor& parallel, double maximumArea, const Poll& poll)
 {
   const double most = maximumArea / (heights.Spacing[0] * heights.Spacing[1]);
   const double maximumCells = MaximumCellsOf(static_cast<double>(heights.Values.size()), most);
   GroundMeasures measures;
-  MeasureSlopeArea(heights, RouteFlow(heights, outlets, parallel), outlets, maximumCells, parallel, measures);
+  const FlowRouting routing = RouteFlow(heights, outlets, parallel, poll);
+  MeasureSlopeArea(heights, routing, outlets, maximumCells, parallel, poll, measures);
   return measures.SlopeArea;
 }
 

@@ -57,7 +57,8 @@ GroundMeasures MeasureGround(const GridSamples& heights, const OutletMask& outle
 
 /// The bins of the slope-area relation alone, of a terrain without missing heights.
 std::vector<SlopeAreaBin> SlopeAreaOf(const GridSamples& heights, const OutletMask& outlets,
-  const ParallelFor& parallel = SerialFor, double maximumArea = std::numeric_limits<double>::infinity());
+  const ParallelFor& parallel = SerialFor, double maximumArea = std::numeric_limits<double>::infinity(),
+  const Poll& poll = NoPoll);
 
 /// Lags of the semivariances [cells]: 1 to 100, or to half the shorter side, in steps that grow.
 std::vector<int> SemivarianceLags(int width, int height);

@@ -19,10 +19,11 @@ constexpr int ReliefCells = 10;
 
 /// Calls visit(cell) for the cells that have all four neighbours, row by row.
 template <typename Visit>
-void ForEachInner(const GridSamples& heights, const Visit& visit)
+void ForEachInner(const GridSamples& heights, const Visit& visit, const Poll& poll = NoPoll)
 {
   for (int j = 1; j < heights.Height - 1; ++j)
   {
+    poll();
     for (int i = 1; i < heights.Width - 1; ++i)
     {
       visit(static_cast<std::size_t>(j) * heights.Width + i);
@@ -46,7 +47,7 @@ double SteepnessOf(const GroundMeasures& measures, double cellArea)
 
 }
 
-SampleShape ShapeOf(const std::vector<double>& values)
+SampleShape ShapeOf(const std::vector<double>& values, const Poll& poll)
 {
   SampleShape shape;
   if (values.empty())
@@ -58,19 +59,23 @@ SampleShape ShapeOf(const std::vector<double>& values)
   shape.Minimum = *least;
   shape.Maximum = *most;
   double sum = 0.0;
-  for (const double value : values)
-  {
-    sum += value - shape.Minimum;
-  }
+  ForPolled(values.size(), poll, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      sum += values[n] - shape.Minimum;
+    }
+  });
   shape.Mean = shape.Minimum + sum / count;
   double squares = 0.0;
   double cubes = 0.0;
-  for (const double value : values)
-  {
-    const double rest = value - shape.Mean;
-    squares += rest * rest;
-    cubes += rest * rest * rest;
-  }
+  ForPolled(values.size(), poll, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      const double rest = values[n] - shape.Mean;
+      squares += rest * rest;
+      cubes += rest * rest * rest;
+    }
+  });
   // g = m3/m2^(3/2)
   shape.StandardDeviation = std::sqrt(squares / count);
   shape.Skew = shape.Maximum > shape.Minimum ? cubes / count / std::pow(squares / count, 1.5)
@@ -78,17 +83,20 @@ SampleShape ShapeOf(const std::vector<double>& values)
   return shape;
 }
 
-std::vector<double> GradientsOf(const GridSamples& heights)
+std::vector<double> GradientsOf(const GridSamples& heights, const Poll& poll)
 {
   std::vector<double> slopes;
   const std::vector<double>& z = heights.Values;
   const std::size_t row = heights.Width;
-  ForEachInner(heights, [&](std::size_t cell) {
+  const auto add = [&](std::size_t cell) {
     // |grad z|, z_x = (z_e - z_w)/2dx, z_y = (z_n - z_s)/2dy
     const double x = (z[cell + 1] - z[cell - 1]) / (2.0 * heights.Spacing[0]);
     const double y = (z[cell + row] - z[cell - row]) / (2.0 * heights.Spacing[1]);
     slopes.push_back(std::sqrt(x * x + y * y));
-  });
+  };
+  slopes.reserve(z.size());
+  ForEachInner(heights, add, poll);
+  poll();
   return PresentValues(slopes);
 }
 

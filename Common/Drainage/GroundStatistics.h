@@ -26,10 +26,10 @@ struct SampleShape
   double StandardDeviation = 0.0;
   double Skew = 0.0; ///< NaN where all values are equal
 };
-SampleShape ShapeOf(const std::vector<double>& values);
+SampleShape ShapeOf(const std::vector<double>& values, const Poll& poll = NoPoll);
 
 /// Slope of the inner cells, the size of the gradient by central differences [m/m], row by row.
-std::vector<double> GradientsOf(const GridSamples& heights);
+std::vector<double> GradientsOf(const GridSamples& heights, const Poll& poll = NoPoll);
 
 /// Curvature of the inner cells, the five-point Laplacian [1/m], row by row: above 0 in valleys.
 std::vector<double> LaplaciansOf(const GridSamples& heights);

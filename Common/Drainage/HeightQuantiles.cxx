@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <utility>
 
 namespace littoral
@@ -19,8 +21,8 @@ namespace
 /// Beyond the outermost quantiles heights go on by this part of the range for each unit of probability.
 constexpr double OuterSlope = 1e-3;
 
-/// Parts of the cells that are counted by themselves, whatever the number of threads.
-constexpr std::size_t Parts = 16;
+/// Parts of the cells that are counted by themselves, whatever the number of threads; an abort is heard between them.
+constexpr std::size_t Parts = 64;
 
 /// Mean number of heights in an interval, which are sorted by comparison.
 constexpr std::size_t HeightsOfInterval = 256;
@@ -59,7 +61,7 @@ struct HeightIntervals
 };
 
 /// Cells in the order of their heights: put into intervals of height by counting, which are then sorted one by one.
-std::vector<RankedHeight> SortedHeights(const std::vector<double>& heights, const ParallelFor& parallel)
+std::unique_ptr<RankedHeight[]> SortedHeights(const std::vector<double>& heights, const ParallelFor& parallel)
 {
   const HeightIntervals intervals(heights);
   const std::size_t count = heights.size();
@@ -89,15 +91,20 @@ std::vector<RankedHeight> SortedHeights(const std::vector<double>& heights, cons
     }
   }
   first.push_back(sum);
-  std::vector<RankedHeight> ranked(count);
+  std::unique_ptr<RankedHeight[]> ranked(new RankedHeight[count]); // not set: that of a large grid takes long
   forParts([&](std::size_t part, std::size_t n) {
     ranked[next[part * intervals.Count + intervals.Of(heights[n])]++] = { heights[n], static_cast<std::int32_t>(n) };
   });
-  parallel(intervals.Count, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t interval = begin; interval < end; ++interval)
+  // About as many heights each time, however few lie in an interval.
+  const std::size_t parts = intervals.Count / HeightsOfInterval + 1;
+  const auto intervalFrom = [&](std::size_t part) {
+    return std::lower_bound(first.begin(), first.end(), count * part / parts) - first.begin();
+  };
+  parallel(parts, [&](std::size_t begin, std::size_t end) {
+    const auto after = intervalFrom(end);
+    for (auto interval = intervalFrom(begin); interval < after; ++interval)
     {
-      std::sort(ranked.begin() + static_cast<std::ptrdiff_t>(first[interval]),
-        ranked.begin() + static_cast<std::ptrdiff_t>(first[interval + 1]));
+      std::sort(ranked.get() + first[interval], ranked.get() + first[interval + 1]);
     }
   });
   return ranked;
@@ -263,7 +270,7 @@ HeightQuantiles LognormalQuantiles(double mean, double deviation, double integra
 
 void MapQuantiles(std::vector<double>& heights, const HeightQuantiles& quantiles, const ParallelFor& parallel)
 {
-  const std::vector<RankedHeight> ranked = SortedHeights(heights, parallel);
+  const std::unique_ptr<RankedHeight[]> ranked = SortedHeights(heights, parallel);
   const auto count = static_cast<double>(heights.size());
   parallel(heights.size(), [&](std::size_t begin, std::size_t end) {
     std::size_t next = quantiles.After((static_cast<double>(begin) + 0.5) / count);

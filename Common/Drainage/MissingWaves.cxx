@@ -33,10 +33,11 @@ std::vector<double> MissingSizes(const RingSpectrum& spectrum, const RingSpectru
 
 }
 
-void AddMissingWaves(GridSamples& terrain, const RingSpectrum& wanted, int seed, const ParallelFor& parallel)
+void AddMissingWaves(
+  GridSamples& terrain, const RingSpectrum& wanted, int seed, const ParallelFor& parallel, const Poll& poll)
 {
   GridSamples field = terrain;
-  RemovePlane(field);
+  RemovePlane(field, poll);
   CosineTransform(field, parallel);
   const RingSpectrum spectrum = SpectrumOfCoefficients(field, parallel);
   const std::vector<double> sizes = MissingSizes(spectrum, wanted, terrain.Spacing[0] * terrain.Spacing[1]);

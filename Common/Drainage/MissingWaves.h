@@ -11,8 +11,8 @@ namespace littoral
 {
 
 /// Adds waves of random size and phase to the rings in which a terrain has less than a tenth of the wanted power.
-void AddMissingWaves(
-  GridSamples& terrain, const RingSpectrum& wanted, int seed, const ParallelFor& parallel = SerialFor);
+void AddMissingWaves(GridSamples& terrain, const RingSpectrum& wanted, int seed,
+  const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
 
 }
 

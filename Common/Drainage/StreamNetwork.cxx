@@ -47,14 +47,16 @@ std::vector<bool> HeadsOf(const FlowRouting& routing, const std::vector<int>& or
 }
 
 std::vector<int> StrahlerOrders(
-  const FlowRouting& routing, const std::vector<CellIndex>& accumulation, CellIndex threshold)
+  const FlowRouting& routing, const std::vector<CellIndex>& accumulation, CellIndex threshold, const Poll& poll)
 {
+  SteppedPoll steps(poll, 1 << 16);
   // The highest order that comes into a cell, and how many streams of it do; upstream cells are last in the order.
   std::vector<int> highest(routing.Receiver.size(), 0);
   std::vector<unsigned char> count(routing.Receiver.size(), 0);
   std::vector<int> orders(routing.Receiver.size(), 0);
   for (auto next = routing.Order.rbegin(); next != routing.Order.rend(); ++next)
   {
+    steps.Step();
     const CellIndex cell = *next;
     if (accumulation[cell] < threshold)
     {
@@ -80,14 +82,16 @@ std::vector<int> StrahlerOrders(
 }
 
 StreamNetwork FindStreams(const GridSamples& heights, const FlowRouting& routing,
-  const std::vector<CellIndex>& accumulation, CellIndex threshold)
+  const std::vector<CellIndex>& accumulation, CellIndex threshold, const Poll& poll)
 {
+  SteppedPoll steps(poll, 1 << 16);
   const CellLattice lattice(heights);
   StreamNetwork network;
-  network.Orders = StrahlerOrders(routing, accumulation, threshold);
+  network.Orders = StrahlerOrders(routing, accumulation, threshold, poll);
   const std::vector<bool> isHead = HeadsOf(routing, network.Orders);
   for (CellIndex head = 0; head < lattice.Count(); ++head)
   {
+    steps.Step();
     if (!isHead[head] || !Flows(routing, head))
     {
       continue;

@@ -33,13 +33,13 @@ struct StreamNetwork
  * Strahler orders (1957) of the cells with a flow accumulation of at least `threshold` cells: 1 at heads; where streams
  * of one order meet, one more; else the highest order that comes in. Accumulation must grow downstream.
  */
-std::vector<int> StrahlerOrders(
-  const FlowRouting& routing, const std::vector<CellIndex>& accumulation, CellIndex threshold);
+std::vector<int> StrahlerOrders(const FlowRouting& routing, const std::vector<CellIndex>& accumulation,
+  CellIndex threshold, const Poll& poll = NoPoll);
 
 /// Stream network with the Strahler orders. Streams of a single cell, as outlets where two meet, are left out of
 /// Rivers.
 StreamNetwork FindStreams(const GridSamples& heights, const FlowRouting& routing,
-  const std::vector<CellIndex>& accumulation, CellIndex threshold);
+  const std::vector<CellIndex>& accumulation, CellIndex threshold, const Poll& poll = NoPoll);
 
 /// Length of the longest flow path to each cell from upstream [m], L_r = max(L_r, L + d); 0 where no cell drains to it.
 std::vector<double> LongestFlowLengths(const FlowRouting& routing, const CellLattice& lattice);

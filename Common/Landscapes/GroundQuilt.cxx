@@ -200,7 +200,7 @@ public:
         this->LayOne(row, column);
       }
     }
-    return this->Heights();
+    return this->Heights([&] { progress(1.0); });
   }
 
 private:
@@ -538,7 +538,7 @@ private:
 
   /// Heights z on the guide's grid with the least of sum (dz - d)^2 + l sum (z - h)^2: (L + l) z = l h - div d, of
   /// which cosines are the eigenvectors.
-  GridSamples Heights() const
+  GridSamples Heights(const Poll& poll) const
   {
     GridSamples heights = this->Guide;
     const int width = heights.Width;
@@ -546,6 +546,7 @@ private:
     std::fill(heights.Values.begin(), heights.Values.end(), 0.0);
     for (int j = 0; j < height; ++j)
     {
+      poll();
       for (int i = 0; i < width; ++i)
       {
         const std::int64_t source = this->Sources[this->OnGround(i + this->Margin, j + this->Margin)];
@@ -565,6 +566,7 @@ private:
     const auto eigenvalue = [](int n, int count) { return 2.0 - 2.0 * std::cos(Pi * n / count); };
     for (int j = 0; j < height; ++j)
     {
+      poll();
       for (int i = 0; i < width; ++i)
       {
         heights.At(i, j) /= HeightWeight + eigenvalue(i, width) + eigenvalue(j, height);

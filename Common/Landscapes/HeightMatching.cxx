@@ -28,15 +28,20 @@ struct Knot
 };
 
 /// Quantiles of the heights and of the distribution at each part, without those that are no higher than the last.
-std::vector<Knot> KnotsOf(std::vector<double> heights, const HeightQuantiles& quantiles)
+std::vector<Knot> KnotsOf(std::vector<double> heights, const HeightQuantiles& quantiles, const Poll& poll)
 {
+  SteppedPoll steps(poll, 1 << 20);
+  const auto isLower = [&](double one, double other) {
+    steps.Step();
+    return one < other;
+  };
   std::vector<Knot> knots;
   auto sorted = heights.begin(); // what is before is no higher
   for (int part = 0; part <= Parts; ++part)
   {
     const double rank = 0.5 * (1.0 - std::cos(Pi * part / Parts));
     const auto at = heights.begin() + static_cast<std::ptrdiff_t>(rank * static_cast<double>(heights.size() - 1));
-    std::nth_element(sorted, at, heights.end());
+    std::nth_element(sorted, at, heights.end(), isLower);
     sorted = at;
     const double from = *at;
     if (knots.empty() || from > knots.back().From)
@@ -89,9 +94,10 @@ double MapHeight(const std::vector<Knot>& knots, double height)
 
 }
 
-void MatchHeights(std::vector<double>& heights, const HeightQuantiles& quantiles, const ParallelFor& parallel)
+void MatchHeights(
+  std::vector<double>& heights, const HeightQuantiles& quantiles, const ParallelFor& parallel, const Poll& poll)
 {
-  std::vector<Knot> knots = KnotsOf(heights, quantiles);
+  std::vector<Knot> knots = KnotsOf(heights, quantiles, poll);
   if (knots.size() < 2)
   {
     return;

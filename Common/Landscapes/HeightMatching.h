@@ -16,8 +16,8 @@ namespace littoral
  * the distribution's. A map by all ranks would print the distribution's own steps on the ground as terraces.
  * It grows everywhere, so that no path of the water changes.
  */
-void MatchHeights(
-  std::vector<double>& heights, const HeightQuantiles& quantiles, const ParallelFor& parallel = SerialFor);
+void MatchHeights(std::vector<double>& heights, const HeightQuantiles& quantiles,
+  const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
 
 }
 

@@ -688,11 +688,13 @@ CarvingReport GrowLandscape(GridSamples& terrain, const GridSamples& measured, c
     grower.TakeLaw(fit);
   }
   const GroundMeasures& target = grower.TargetMeasures();
-  report.Before = MeasureGround(given, rim, parallel, NoPoll, target.MaximumArea);
+  report.Before = MeasureGround(
+    given, rim, parallel, [&] { progress(isLarge ? PartWork : 0.0); }, target.MaximumArea);
   terrain = grower.Grow();
   MoveFaults(terrain, given, whole.Rock.FaultThrow);
   TakeHoles(given, terrain);
-  report.After = MeasureGround(terrain, rim, parallel, NoPoll, target.MaximumArea);
+  report.After = MeasureGround(
+    terrain, rim, parallel, [&] { progress(1.0); }, target.MaximumArea);
   report.Iterations = grower.IterationsDone();
   report.UnmetTargets = UnmetTargets(report.After, target);
   report.HasConverged = report.UnmetTargets.empty();

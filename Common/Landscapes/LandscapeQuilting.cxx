@@ -68,9 +68,9 @@ constexpr double LeastSunk = 1e-6; ///< no 0 is divided by
 /// Cells whose sizes differ by less are of one size.
 constexpr double SpacingTolerance = 1e-3;
 
-double MeanSlope(const GridSamples& ground)
+double MeanSlope(const GridSamples& ground, const Poll& poll)
 {
-  return ShapeOf(GradientsOf(ground)).Mean;
+  return ShapeOf(GradientsOf(ground, poll), poll).Mean;
 }
 
 std::string WhyOfOtherCells(const GridSamples& terrain, const GridSamples& place)
@@ -92,62 +92,76 @@ GridSamples Smooth(GridSamples ground, double deviation, const ParallelFor& para
   return ground;
 }
 
-/// A ground and the long waves that it lacks.
-GridSamples Sum(GridSamples ground, const GridSamples& waves, const GridSamples& smooth)
+/// The grid of a ground with other heights.
+GridSamples WithHeights(const GridSamples& ground, std::vector<double> heights)
 {
-  for (std::size_t n = 0; n < ground.Values.size(); ++n)
-  {
-    ground.Values[n] += waves.Values[n] - smooth.Values[n];
-  }
+  return { ground.Width, ground.Height, ground.Spacing, std::move(heights) };
+}
+
+/// A ground and the long waves that it lacks.
+GridSamples Sum(GridSamples ground, const GridSamples& waves, const GridSamples& smooth, const ParallelFor& parallel)
+{
+  parallel(ground.Values.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      ground.Values[n] += waves.Values[n] - smooth.Values[n];
+    }
+  });
   return ground;
 }
 
-void Add(std::vector<double>& heights, const std::vector<double>& depths, double factor)
+void Add(std::vector<double>& heights, const std::vector<double>& depths, double factor, const ParallelFor& parallel)
 {
-  for (std::size_t n = 0; n < heights.size(); ++n)
-  {
-    heights[n] += factor * depths[n];
-  }
+  parallel(heights.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      heights[n] += factor * depths[n];
+    }
+  });
 }
 
 /// Share of the cells of a ground that lie below another.
-double ShareBelow(const GridSamples& ground, const GridSamples& other)
+double ShareBelow(const GridSamples& ground, const GridSamples& other, const Poll& poll)
 {
   std::size_t below = 0;
-  for (std::size_t n = 0; n < ground.Values.size(); ++n)
-  {
-    below += ground.Values[n] < other.Values[n];
-  }
+  ForPolled(ground.Values.size(), poll, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      below += ground.Values[n] < other.Values[n];
+    }
+  });
   return static_cast<double>(below) / static_cast<double>(ground.Values.size());
 }
 
 /// Cells no lower than the spill elevations of a ground that is filled by depths; empty where rounding keeps it from
 /// them.
 std::vector<std::uint8_t> DryCells(
-  const GridSamples& filled, const std::vector<double>& levels, const std::vector<double>& depths)
+  const GridSamples& filled, const std::vector<double>& levels, const std::vector<double>& depths, const Poll& poll)
 {
   std::vector<std::uint8_t> dry(levels.size());
-  for (std::size_t n = 0; n < levels.size(); ++n)
-  {
-    dry[n] = filled.Values[n] == levels[n];
-    if (depths[n] > 0.0 && !dry[n])
+  bool isKept = true;
+  ForPolled(levels.size(), poll, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
     {
-      return {};
+      dry[n] = filled.Values[n] == levels[n];
+      isKept = isKept && (dry[n] || !(depths[n] > 0.0));
     }
-  }
-  return dry;
+  });
+  return isKept ? dry : std::vector<std::uint8_t>();
 }
 
 /// Ground whose heights z are exp(z / h), so that the way of least cut from a depression leads through low passes and
 /// along valleys; else it is straight through whatever is in between.
-GridSamples WithHighPasses(GridSamples ground)
+GridSamples WithHighPasses(GridSamples ground, const ParallelFor& parallel, const Poll& poll)
 {
-  const SampleMoments moments = Moments(ground);
+  const SampleMoments moments = Moments(ground, poll);
   const double growth = PassHeight * std::sqrt(moments.Variance);
-  for (double& height : ground.Values)
-  {
-    height = std::exp((height - moments.Mean) / growth);
-  }
+  parallel(ground.Values.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      ground.Values[n] = std::exp((ground.Values[n] - moments.Mean) / growth);
+    }
+  });
   return ground;
 }
 
@@ -158,30 +172,27 @@ FlowRouting Drain(GridSamples& ground, const std::vector<std::uint8_t>& dry, dou
   const ChannelLaw& limit, const ParallelFor& parallel, const Poll& poll)
 {
   const OutletMask outlets = BorderOutlets(ground.Width, ground.Height);
-  GridSamples breached = WithHighPasses(ground);
+  GridSamples breached = WithHighPasses(ground, parallel, poll);
   BreachDepressions(breached, outlets, BreachPath::LeastCost, poll, MostBreachVisits, dry);
   FlowRouting routing = RouteFlow(breached, outlets, parallel, poll);
   breached.Values = std::vector<double>();
-  const std::vector<CellIndex> areas = FlowAccumulation(routing);
+  const std::vector<CellIndex> areas = FlowAccumulation(routing, poll);
   const std::vector<double> falls = FallsAlong(ground, routing, areas, EvenLaw(leastSlope), parallel);
   const auto grade = [&] { return GradeBy(falls, ground, routing, cut, parallel, poll); };
   for (double width = ValleyWidth; width >= BedWidth; width *= 0.5)
   {
-    GridSamples bed = ground;
-    bed.Values = grade();
-    std::vector<double> cuts = LimitAlong(bed, routing, areas, limit, leastSlope);
-    std::vector<double> weights;
-    for (std::size_t n = 0; n < cuts.size(); ++n)
-    {
-      cuts[n] = std::min(0.0, cuts[n] - ground.Values[n]);
-      weights.push_back(cuts[n] < 0.0 ? 1.0 : 0.0);
-    }
+    const GridSamples bed = WithHeights(ground, grade());
+    std::vector<double> cuts = LimitAlong(bed, routing, areas, limit, leastSlope, poll);
+    std::vector<double> weights(cuts.size());
+    parallel(cuts.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        cuts[n] = std::min(0.0, cuts[n] - ground.Values[n]);
+        weights[n] = cuts[n] < 0.0 ? 1.0 : 0.0;
+      }
+    });
     SpreadChanges(cuts, weights, ground.Width, ground.Height, width, parallel);
-    const double part = width > BedWidth ? ValleyPart : 1.0;
-    for (std::size_t n = 0; n < cuts.size(); ++n)
-    {
-      ground.Values[n] += part * cuts[n];
-    }
+    Add(ground.Values, cuts, width > BedWidth ? ValleyPart : 1.0, parallel);
   }
   ground.Values = grade();
   return routing;
@@ -207,23 +218,27 @@ double QuiltMemory(int width, int height)
 CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& measured, int seed, const ParallelFor& parallel,
   const CarvingProgress& progress)
 {
+  double done = 0.0;
+  const Poll poll = [&] { progress(done); };
   GridSamples place = measured;
-  FillHoles(place);
+  FillHoles(place, poll);
   const GridSamples given = terrain;
+  poll();
   const OutletMask rim = RimOutlets(given);
-  FillHoles(terrain);
+  FillHoles(terrain, poll);
   const CarvingTarget target = TargetOf(place, {}, parallel);
   const PlaceMatching matching(place, target);
   const int side = PieceSideFor(place);
   const double smoothing = GuideSmoothing(place);
   const double shortest = 1.0 / (4.0 * smoothing * std::max(terrain.Spacing[0], terrain.Spacing[1]));
-  LongWaves waves(terrain, target, shortest, seed, parallel);
+  LongWaves waves(terrain, target, shortest, seed, parallel, poll);
   GridSamples guide = Smooth(waves.Heights(parallel), smoothing, parallel);
   const GridSamples quilt =
     QuiltGround(place, guide, side, seed, parallel, [&](double part) { progress(QuiltWork * part); });
+  done = QuiltWork;
   const GridSamples smooth = Smooth(quilt, smoothing, parallel);
-  const RiverSteepness rivers(place, parallel);
-  const double meanSlope = MeanSlope(place);
+  const RiverSteepness rivers(place, parallel, poll);
+  const double meanSlope = MeanSlope(place, poll);
   double least = std::numeric_limits<double>::infinity();
   double cut = FirstCut;
   double limit = GreatestLimit;
@@ -234,29 +249,28 @@ CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& measured, 
   CarvingReport report;
   while (true)
   {
-    const double done = QuiltWork + (1.0 - QuiltWork) * report.Iterations / MaximumRounds;
-    GridSamples ground = Sum(quilt, guide, smooth);
-    matching.Match(ground, 1.0, parallel);
-    const Poll poll = [&] { progress(done); };
-    GridSamples filled = ground;
-    filled.Values = routing.Order.empty() ? FloodDepressions(ground, border, poll).SpillElevation
-                                          : SpillElevationsBy(routing, ground, poll);
-    std::vector<double> pits = ShallowDepressions(ground, filled.Values, letBe);
-    Add(ground.Values, pits, 1.0);
-    const std::vector<std::uint8_t> dry = DryCells(ground, filled.Values, pits);
+    done = QuiltWork + (1.0 - QuiltWork) * report.Iterations / MaximumRounds;
+    GridSamples ground = Sum(quilt, guide, smooth, parallel);
+    matching.Match(ground, 1.0, parallel, poll);
+    GridSamples filled = WithHeights(ground,
+      routing.Order.empty() ? FloodDepressions(ground, border, poll).SpillElevation
+                            : SpillElevationsBy(routing, ground, poll));
+    std::vector<double> pits = ShallowDepressions(ground, filled.Values, letBe, poll);
+    Add(ground.Values, pits, 1.0, parallel);
+    const std::vector<std::uint8_t> dry = DryCells(ground, filled.Values, pits, poll);
     filled.Values = std::vector<double>();
     routing = {};
     routing = Drain(ground, dry, LeastSlopeFactor * meanSlope, cut, rivers.Law(limit), parallel, poll);
-    Add(ground.Values, pits, -1.0);
+    Add(ground.Values, pits, -1.0, parallel);
     pits = std::vector<double>();
     if (rivers.IsKnown())
     {
-      matching.Match(ground, 1.0, parallel); // a monotone map turns no water
+      matching.Match(ground, 1.0, parallel, poll); // a monotone map turns no water
     }
-    const double steep = MeanSlope(ground) / meanSlope;
+    const double steep = MeanSlope(ground, poll) / meanSlope;
     filled.Values = SpillElevationsBy(routing, ground, poll);
-    const double steepOfRivers = rivers.RatioOf(filled, parallel);
-    const double sunk = ShareBelow(ground, filled);
+    const double steepOfRivers = rivers.RatioOf(filled, parallel, poll);
+    const double sunk = ShareBelow(ground, filled, poll);
     filled.Values = std::vector<double>();
     const double misfit = std::max(
       { matching.SemivarianceError(ground, parallel) / SemivarianceTolerance, std::abs(steep - 1.0) / SlopeTolerance,
@@ -269,7 +283,7 @@ CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& measured, 
       cut = std::clamp(cut + CutGain * (1.0 - steep), 0.0, 1.0);
       limit = std::clamp(limit / steepOfRivers, LeastLimit, GreatestLimit);
       letBe = std::min(MostLetBe * sunkOfPlace, letBe * SunkAim * sunkOfPlace / std::max(sunk, LeastSunk));
-      waves.Correct(ground, target.Measures, parallel);
+      waves.Correct(ground, target.Measures, parallel, poll);
       guide = Smooth(waves.Heights(parallel), smoothing, parallel);
     }
     if (misfit < least)
@@ -282,9 +296,9 @@ CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& measured, 
       break;
     }
   }
-  TakeHoles(given, terrain);
-  report.Before = MeasureGround(given, rim, parallel, NoPoll, target.Measures.MaximumArea);
-  report.After = MeasureGround(terrain, rim, parallel, NoPoll, target.Measures.MaximumArea);
+  TakeHoles(given, terrain, poll);
+  report.Before = MeasureGround(given, rim, parallel, poll, target.Measures.MaximumArea);
+  report.After = MeasureGround(terrain, rim, parallel, poll, target.Measures.MaximumArea);
   report.UnmetTargets = UnmetTargets(report.After, target.Measures);
   report.HasConverged = report.UnmetTargets.empty();
   return report;

@@ -93,21 +93,22 @@ GridSamples Widened(
 
 }
 
-LongWaves::LongWaves(
-  const GridSamples& terrain, const CarvingTarget& target, double shortest, int seed, const ParallelFor& parallel)
+LongWaves::LongWaves(const GridSamples& terrain, const CarvingTarget& target, double shortest, int seed,
+  const ParallelFor& parallel, const Poll& poll)
   : Coefficients(terrain)
   , Shortest(shortest)
 {
   GridSamples& field = this->Coefficients;
+  poll();
   MapQuantiles(field.Values, target.Heights, parallel);
-  AddMissingWaves(field, target.Spectrum, seed, parallel);
-  RemovePlane(field);
+  AddMissingWaves(field, target.Spectrum, seed, parallel, poll);
+  RemovePlane(field, poll);
   CosineTransform(field, parallel);
   RestoreRings(field, target.Spectrum, parallel);
   InverseCosineTransform(field, parallel);
   AddPlane(field, PlaneFor(terrain, target), parallel);
   MapQuantiles(field.Values, target.Heights, parallel);
-  this->Plane = RemovePlane(field);
+  this->Plane = RemovePlane(field, poll);
   CosineTransform(field, parallel);
   const RingSpectrum spectrum = SpectrumOfCoefficients(field, parallel);
   this->Step = spectrum.Step;
@@ -129,7 +130,8 @@ GridSamples LongWaves::Heights(const ParallelFor& parallel) const
   return heights;
 }
 
-void LongWaves::Correct(const GridSamples& landscape, const GroundMeasures& target, const ParallelFor& parallel)
+void LongWaves::Correct(
+  const GridSamples& landscape, const GroundMeasures& target, const ParallelFor& parallel, const Poll& poll)
 {
   const std::vector<int> lags = SemivarianceLags(landscape.Width, landscape.Height);
   const double spacing = 0.5 * (landscape.Spacing[0] + landscape.Spacing[1]);
@@ -139,7 +141,7 @@ void LongWaves::Correct(const GridSamples& landscape, const GroundMeasures& targ
     wanted[n] = target.SemivarianceAt(spacing * lags[n]) / wanted[n];
   }
   GridSamples field = landscape;
-  const PlaneTrend plane = RemovePlane(field);
+  const PlaneTrend plane = RemovePlane(field, poll);
   CosineTransform(field, parallel);
   const SemivarianceBands bands(field, this->Step, this->Gains.Rings.size(), plane, parallel);
   const BandGains further = bands.GainsFor(lags, wanted);

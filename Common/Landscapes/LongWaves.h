@@ -23,13 +23,14 @@ public:
   /// Waves of a terrain whose spectrum is set to the target's; waves that it lacks are added by the seed. Waves above
   /// `shortest` [cycles/m] are never corrected.
   LongWaves(const GridSamples& terrain, const CarvingTarget& target, double shortest, int seed,
-    const ParallelFor& parallel = SerialFor);
+    const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
 
   /// Heights with the gains of now.
   GridSamples Heights(const ParallelFor& parallel = SerialFor) const;
 
   /// Multiplies gains by the roots of those that would bring a landscape's semivariances to the target's (GainsFor).
-  void Correct(const GridSamples& landscape, const GroundMeasures& target, const ParallelFor& parallel = SerialFor);
+  void Correct(const GridSamples& landscape, const GroundMeasures& target, const ParallelFor& parallel = SerialFor,
+    const Poll& poll = NoPoll);
 
 private:
   GridSamples Coefficients;

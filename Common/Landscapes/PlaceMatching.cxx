@@ -32,24 +32,32 @@ PlaceMatching::PlaceMatching(const GridSamples& place, const CarvingTarget& targ
 {
 }
 
-void PlaceMatching::Match(GridSamples& ground, double most, const ParallelFor& parallel) const
+void PlaceMatching::Match(GridSamples& ground, double most, const ParallelFor& parallel, const Poll& poll) const
 {
   std::vector<double> matched = ground.Values;
-  MatchHeights(matched, this->Quantiles, parallel);
-  const SampleShape is = ShapeOf(ground.Values);
+  poll();
+  MatchHeights(matched, this->Quantiles, parallel, poll);
+  const SampleShape is = ShapeOf(ground.Values, poll);
   const double mean = this->Heights.Mean;
-  for (double& height : ground.Values)
-  {
-    height = mean + this->Heights.StandardDeviation / is.StandardDeviation * (height - is.Mean);
-  }
+  const auto scaleAbout = [&](double from, double scale) {
+    parallel(ground.Values.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        ground.Values[n] = mean + scale * (ground.Values[n] - from);
+      }
+    });
+  };
+  scaleAbout(is.Mean, this->Heights.StandardDeviation / is.StandardDeviation);
   const std::vector<double> line = ground.Values;
   for (double part = most * PartStep; part <= 1.0; part += PartStep)
   {
-    for (std::size_t n = 0; n < line.size(); ++n)
-    {
-      ground.Values[n] = line[n] + part * (matched[n] - line[n]);
-    }
-    if (part >= most || this->HasHypsometry(ShapeOf(ground.Values)))
+    parallel(line.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        ground.Values[n] = line[n] + part * (matched[n] - line[n]);
+      }
+    });
+    if (part >= most || this->HasHypsometry(ShapeOf(ground.Values, poll)))
     {
       break;
     }
@@ -62,11 +70,7 @@ void PlaceMatching::Match(GridSamples& ground, double most, const ParallelFor& p
     sum += std::log(1.0 / ratio);
   }
   const double missing = ratios.empty() ? 1.0 : std::exp(sum / static_cast<double>(ratios.size()));
-  const double scale = std::clamp(std::sqrt(missing), LeastScale, GreatestScale);
-  for (double& height : ground.Values)
-  {
-    height = mean + scale * (height - mean);
-  }
+  scaleAbout(mean, std::clamp(std::sqrt(missing), LeastScale, GreatestScale));
 }
 
 double PlaceMatching::SemivarianceError(const GridSamples& ground, const ParallelFor& parallel) const

@@ -22,7 +22,8 @@ public:
   /// Maps heights from a straight line through mean and deviation as far to the place's ranks as its hypsometry needs,
   /// at most by a part, 0 to 1, then scales them about the mean. The full map would stretch lowlands, whose slopes are
   /// the rock's.
-  void Match(GridSamples& ground, double most = 1.0, const ParallelFor& parallel = SerialFor) const;
+  void Match(
+    GridSamples& ground, double most = 1.0, const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll) const;
 
   /// Largest of |g / g_place - 1| of the semivariances g.
   double SemivarianceError(const GridSamples& ground, const ParallelFor& parallel = SerialFor) const;

@@ -29,12 +29,12 @@ constexpr double LeastSpan = 50.0;
 
 }
 
-RiverSteepness::RiverSteepness(const GridSamples& place, const ParallelFor& parallel)
+RiverSteepness::RiverSteepness(const GridSamples& place, const ParallelFor& parallel, const Poll& poll)
 {
   const OutletMask border = BorderOutlets(place.Width, place.Height);
   GridSamples filled = place;
-  filled.Values = FloodDepressions(place, border).SpillElevation;
-  const GroundMeasures measures = MeasureGround(filled, border, parallel);
+  filled.Values = FloodDepressions(place, border, poll).SpillElevation;
+  const GroundMeasures measures = MeasureGround(filled, border, parallel, poll);
   std::vector<double> areas;
   std::vector<double> slopes;
   for (const SlopeAreaBin& bin : measures.SlopeArea)
@@ -64,14 +64,14 @@ ChannelLaw RiverSteepness::Law(double factor) const
   return law;
 }
 
-double RiverSteepness::RatioOf(const GridSamples& ground, const ParallelFor& parallel) const
+double RiverSteepness::RatioOf(const GridSamples& ground, const ParallelFor& parallel, const Poll& poll) const
 {
   if (!this->IsKnown())
   {
     return 1.0;
   }
   const OutletMask border = BorderOutlets(ground.Width, ground.Height);
-  const std::vector<SlopeAreaBin> bins = SlopeAreaOf(ground, border, parallel, this->MaximumArea);
+  const std::vector<SlopeAreaBin> bins = SlopeAreaOf(ground, border, parallel, this->MaximumArea, poll);
   double sum = 0.0;
   for (const SlopeAreaBin& bin : bins)
   {

@@ -15,7 +15,7 @@ class RiverSteepness
 {
 public:
   /// Rivers of a place without missing heights. Water leaves at its border.
-  explicit RiverSteepness(const GridSamples& place, const ParallelFor& parallel = SerialFor);
+  explicit RiverSteepness(const GridSamples& place, const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
 
   /// Whether the place is large enough to tell a law: 5000 cells and more flow together.
   bool IsKnown() const;
@@ -25,7 +25,7 @@ public:
 
   /// Geometric mean over the bins of area of a ground that drains, up to the areas of the place, of its slope over the
   /// law; 1 where no law is known or the ground is too small.
-  double RatioOf(const GridSamples& ground, const ParallelFor& parallel = SerialFor) const;
+  double RatioOf(const GridSamples& ground, const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll) const;
 
 private:
   ChannelLaw OfPlace;

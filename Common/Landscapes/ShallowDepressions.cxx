@@ -20,12 +20,14 @@ struct Depression
 };
 
 /// Cells under water that hang together, and so have one level.
-std::vector<Depression> DepressionsOf(const CellLattice& lattice, const std::vector<double>& depths)
+std::vector<Depression> DepressionsOf(const CellLattice& lattice, const std::vector<double>& depths, const Poll& poll)
 {
+  SteppedPoll steps(poll, 1 << 16);
   std::vector<Depression> depressions;
   std::vector<char> isFound(depths.size(), 0);
   for (CellIndex first = 0; first < lattice.Count(); ++first)
   {
+    steps.Step();
     if (isFound[first] || !(depths[first] > 0.0))
     {
       continue;
@@ -51,20 +53,25 @@ std::vector<Depression> DepressionsOf(const CellLattice& lattice, const std::vec
 
 }
 
-std::vector<double> ShallowDepressions(const GridSamples& ground, const std::vector<double>& levels, double share)
+std::vector<double> ShallowDepressions(
+  const GridSamples& ground, const std::vector<double>& levels, double share, const Poll& poll)
 {
-  std::vector<double> depths;
-  for (std::size_t n = 0; n < levels.size(); ++n)
-  {
-    depths.push_back(levels[n] - ground.Values[n]);
-  }
-  std::vector<Depression> depressions = DepressionsOf(CellLattice(ground), depths);
+  std::vector<double> depths(levels.size());
+  ForPolled(levels.size(), poll, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      depths[n] = levels[n] - ground.Values[n];
+    }
+  });
+  std::vector<Depression> depressions = DepressionsOf(CellLattice(ground), depths, poll);
   std::stable_sort(depressions.begin(), depressions.end(),
     [](const Depression& one, const Depression& other) { return one.Depth < other.Depth; });
+  poll();
   std::vector<double> shallow(depths.size(), 0.0);
   double left = share * static_cast<double>(depths.size());
   for (const Depression& depression : depressions)
   {
+    poll();
     left -= static_cast<double>(depression.Cells.size());
     if (left < 0.0)
     {

@@ -36,13 +36,15 @@ public:
   explicit SteppedPoll(const Poll& poll, std::size_t steps = 4096)
     : Called(poll)
     , Steps(steps)
+    , Left(steps)
   {
   }
 
   void Step()
   {
-    if (++this->Done % this->Steps == 0)
+    if (--this->Left == 0)
     {
+      this->Left = this->Steps;
       this->Called();
     }
   }
@@ -50,8 +52,19 @@ public:
 private:
   const Poll& Called;
   std::size_t Steps;
-  std::size_t Done = 0;
+  std::size_t Left;
 };
+
+/// A loop on one thread in ranges in their order, with a poll before each.
+inline void ForPolled(std::size_t count, const Poll& poll, const RangeTask& task)
+{
+  constexpr std::size_t length = std::size_t{ 1 } << 16;
+  for (std::size_t begin = 0; begin < count; begin += length)
+  {
+    poll();
+    task(begin, std::min(count, begin + length));
+  }
+}
 
 /// A parallel loop in ranges of a length [elements], the last one shorter, on however few threads. What is no longer
 /// than one runs at once: threads cost some 0.1 ms to call.

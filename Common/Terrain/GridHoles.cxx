@@ -8,12 +8,14 @@
 namespace littoral
 {
 
-void TakeHoles(const GridSamples& from, GridSamples& samples)
+void TakeHoles(const GridSamples& from, GridSamples& samples, const Poll& poll)
 {
-  for (std::size_t n = 0; n < samples.Values.size(); ++n)
-  {
-    samples.Values[n] = std::isnan(from.Values[n]) ? from.Values[n] : samples.Values[n];
-  }
+  ForPolled(samples.Values.size(), poll, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      samples.Values[n] = std::isnan(from.Values[n]) ? from.Values[n] : samples.Values[n];
+    }
+  });
 }
 
 std::string WhyTooSmall(const GridSamples& samples, const std::string& name)

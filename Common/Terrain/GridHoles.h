@@ -11,7 +11,7 @@ namespace littoral
 {
 
 /// Makes missing what is missing in another grid of the same size, after FillHoles().
-void TakeHoles(const GridSamples& from, GridSamples& samples);
+void TakeHoles(const GridSamples& from, GridSamples& samples, const Poll& poll = NoPoll);
 
 /// Why a grid is too small for a landscape, in words that begin with its name: it has fewer than 16 rows or columns.
 /// Empty when it is not.

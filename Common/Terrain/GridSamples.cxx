@@ -19,10 +19,11 @@ constexpr double Missing = std::numeric_limits<double>::quiet_NaN();
 
 /// Calls visit(x, y, value) for each value that is there; x, y [m] from the grid's center.
 template <typename Samples, typename Visit>
-void ForEachValue(Samples& samples, Visit visit)
+void ForEachValue(Samples& samples, const Poll& poll, Visit visit)
 {
   for (int j = 0; j < samples.Height; ++j)
   {
+    poll();
     const double y = (j - 0.5 * (samples.Height - 1)) * samples.Spacing[1];
     for (int i = 0; i < samples.Width; ++i)
     {
@@ -54,7 +55,7 @@ std::array<double, 2> RangeOf(const std::vector<double>& values)
   return range;
 }
 
-void FillHoles(GridSamples& samples)
+void FillHoles(GridSamples& samples, const Poll& poll)
 {
   const auto isHole = [](double value) { return std::isnan(value); };
   if (std::none_of(samples.Values.begin(), samples.Values.end(), isHole) || (samples.Width == 1 && samples.Height == 1))
@@ -68,6 +69,7 @@ void FillHoles(GridSamples& samples)
   std::vector<double> counts(coarse.Values.size(), 0.0);
   for (int j = 0; j < samples.Height; ++j)
   {
+    poll();
     for (int i = 0; i < samples.Width; ++i)
     {
       const double value = samples.At(i, j);
@@ -79,9 +81,10 @@ void FillHoles(GridSamples& samples)
   {
     coarse.Values[cell] = counts[cell] > 0.0 ? coarse.Values[cell] / counts[cell] : Missing;
   }
-  FillHoles(coarse);
+  FillHoles(coarse, poll);
   for (int j = 0; j < samples.Height; ++j)
   {
+    poll();
     for (int i = 0; i < samples.Width; ++i)
     {
       if (isHole(samples.At(i, j)))
@@ -96,11 +99,11 @@ void FillHoles(GridSamples& samples)
   }
 }
 
-SampleMoments Moments(const GridSamples& samples)
+SampleMoments Moments(const GridSamples& samples, const Poll& poll)
 {
   SampleMoments moments;
   double sum = 0.0;
-  ForEachValue(samples, [&](double, double, double value) {
+  ForEachValue(samples, poll, [&](double, double, double value) {
     ++moments.Count;
     sum += value;
   });
@@ -111,16 +114,16 @@ SampleMoments Moments(const GridSamples& samples)
   moments.Mean = sum / static_cast<double>(moments.Count);
   double squares = 0.0;
   ForEachValue(
-    samples, [&](double, double, double value) { squares += (value - moments.Mean) * (value - moments.Mean); });
+    samples, poll, [&](double, double, double value) { squares += (value - moments.Mean) * (value - moments.Mean); });
   moments.Variance = squares / static_cast<double>(moments.Count);
   return moments;
 }
 
-PlaneTrend RemoveMean(GridSamples& samples)
+PlaneTrend RemoveMean(GridSamples& samples, const Poll& poll)
 {
   PlaneTrend trend;
-  trend.Mean = Moments(samples).Mean;
-  ForEachValue(samples, [&](double, double, double& value) { value -= trend.Mean; });
+  trend.Mean = Moments(samples, poll).Mean;
+  ForEachValue(samples, poll, [&](double, double, double& value) { value -= trend.Mean; });
   return trend;
 }
 
@@ -129,7 +132,7 @@ PlaneTrend RemovePlane(GridSamples& samples, const Poll& poll)
   // Positions in units of the grid's size, so that the normal equations are well scaled.
   const double scaleX = samples.Width * samples.Spacing[0];
   const double scaleY = samples.Height * samples.Spacing[1];
-  PlaneTrend trend = RemoveMean(samples);
+  PlaneTrend trend = RemoveMean(samples, poll);
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   for (int j = 0; j < samples.Height; ++j)
@@ -166,8 +169,8 @@ PlaneTrend RemovePlane(GridSamples& samples, const Poll& poll)
   const Eigen::VectorXd plane = system.completeOrthogonalDecomposition().solve(Eigen::VectorXd(right));
   trend.Mean += plane[0];
   trend.Slope = { plane[1] / scaleX, plane[2] / scaleY };
-  ForEachValue(
-    samples, [&](double x, double y, double& value) { value -= plane[0] + trend.Slope[0] * x + trend.Slope[1] * y; });
+  ForEachValue(samples, poll,
+    [&](double x, double y, double& value) { value -= plane[0] + trend.Slope[0] * x + trend.Slope[1] * y; });
   return trend;
 }
 

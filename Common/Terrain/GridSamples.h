@@ -32,7 +32,7 @@ std::array<double, 2> RangeOf(const std::vector<double>& values);
 
 /// Fills missing values smoothly: cells of 2 x 2, 4 x 4, ... have the mean of what is there, and a missing value is
 /// taken from between those of the finest cells that have one. Without any value nothing is filled.
-void FillHoles(GridSamples& samples);
+void FillHoles(GridSamples& samples, const Poll& poll = NoPoll);
 
 /// Count, mean and variance of the values that are not missing.
 struct SampleMoments
@@ -41,7 +41,7 @@ struct SampleMoments
   double Mean = 0.0;
   double Variance = 0.0;
 };
-SampleMoments Moments(const GridSamples& samples);
+SampleMoments Moments(const GridSamples& samples, const Poll& poll = NoPoll);
 
 /// A plane through the middle of the grid.
 struct PlaneTrend
@@ -55,7 +55,7 @@ struct PlaneTrend
 PlaneTrend RemovePlane(GridSamples& samples, const Poll& poll = NoPoll);
 
 /// Subtracts the mean alone.
-PlaneTrend RemoveMean(GridSamples& samples);
+PlaneTrend RemoveMean(GridSamples& samples, const Poll& poll = NoPoll);
 
 /// Adds a plane.
 void AddPlane(GridSamples& samples, const PlaneTrend& plane, const ParallelFor& parallel = SerialFor);

@@ -40,7 +40,7 @@ void AddColor(vtkUnsignedCharArray* colors, int order, int highest)
 }
 
 void WriteRivers(vtkImageData* place, const GridSamples& heights, const std::vector<CellIndex>& accumulation,
-  const std::vector<River>& rivers, vtkPolyData* output)
+  const std::vector<River>& rivers, vtkPolyData* output, const Poll& poll)
 {
   vtkIdType count = 0;
   int highest = 0;
@@ -70,6 +70,7 @@ void WriteRivers(vtkImageData* place, const GridSamples& heights, const std::vec
   vtkIdType next = 0;
   for (vtkIdType row = 0; row < rows; ++row)
   {
+    poll();
     const River& river = *ordered[row];
     orders->SetValue(row, river.Order);
     ends->SetValue(row, river.Area);

@@ -21,7 +21,7 @@ namespace littoral
  * Slope [m/m]. Point arrays: DrainageArea [m^2], RGB. Rivers of low order come first, so that others are drawn on them.
  */
 void WriteRivers(vtkImageData* place, const GridSamples& heights, const std::vector<CellIndex>& accumulation,
-  const std::vector<River>& rivers, vtkPolyData* output);
+  const std::vector<River>& rivers, vtkPolyData* output, const Poll& poll = NoPoll);
 
 }
 

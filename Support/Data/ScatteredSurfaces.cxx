@@ -8,7 +8,6 @@
 #include "Data/ScatterMerge.h"
 #include "Pipeline/Memory.h"
 #include "Pipeline/Ranges.h"
-#include "Pipeline/Threads.h"
 
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -32,7 +31,8 @@ void Replace(int part, vtkPolyData* block, vtkMultiBlockDataSet* plants)
 
 }
 
-void ScatteredSurfaces::Make(vtkMultiBlockDataSet* plants, const PlantTable& table, const ScatterPrototypes& species)
+void ScatteredSurfaces::Make(
+  vtkMultiBlockDataSet* plants, const PlantTable& table, const ScatterPrototypes& species, const ParallelFor& parallel)
 {
   std::vector<ShownPlant> shown;
   MergedBlocks others; // what plants are passed with
@@ -44,7 +44,7 @@ void ScatteredSurfaces::Make(vtkMultiBlockDataSet* plants, const PlantTable& tab
   others.Parts[SkeletonPart] = others.Parts[LowPart] = vtkSmartPointer<vtkPolyData>::New();
   ScatterMerge merge(species, table.Places, shown, nullptr, true, others);
   RequireMemory(merge.GetBytes(), "The surfaces of the plants", "take fewer plants in full");
-  SmpFor(merge.Begin(), [&](std::size_t begin, std::size_t end) {
+  parallel(merge.Begin(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t job = begin; job < end; ++job)
     {
       merge.Do(job);

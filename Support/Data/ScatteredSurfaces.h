@@ -8,6 +8,7 @@
 #include "Data/PlantTable.h"
 #include "Data/ScatterPrototypes.h"
 #include "Data/StandAtRest.h"
+#include "Numerics/Parallel.h"
 
 #include "vtkSmartPointer.h"
 
@@ -26,7 +27,8 @@ struct ScatteredSurfaces
   std::array<StandAtRest, NumberOfParts> AtRest;
 
   /// Makes the surfaces of plants whose table has tints. Throws InvalidInput.
-  void Make(vtkMultiBlockDataSet* plants, const PlantTable& table, const ScatterPrototypes& species);
+  void Make(vtkMultiBlockDataSet* plants, const PlantTable& table, const ScatterPrototypes& species,
+    const ParallelFor& parallel);
 
   /// Takes points and normals at rest from a surface of a part, and returns what is left of it.
   vtkSmartPointer<vtkPolyData> Bare(int part);

@@ -33,7 +33,7 @@ void SwayBlocks::Read(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBl
   this->MakeScene(plants, prototypes, wind, settings, progress);
   if (this->Table.HasTints)
   {
-    this->Surfaces.Make(plants, this->Table, this->Kinds->SurfacesOf(prototypes));
+    this->Surfaces.Make(plants, this->Table, this->Kinds->SurfacesOf(prototypes), AbortableFor(progress));
     plants = this->Surfaces.Plants;
   }
   this->ReadHigh(plants, prototypes, progress);

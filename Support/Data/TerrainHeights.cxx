@@ -62,8 +62,8 @@ vtkDataArray* FindHeights(vtkImageData* image, vtkDataArray* array, vtkInformati
   return HeightArray(image, array, choice, input);
 }
 
-GridSamples ReadHeights(
-  vtkImageData* image, vtkDataArray* array, vtkInformation* choice, const char* input, const CellMemory& memory)
+GridSamples ReadHeights(vtkImageData* image, vtkDataArray* array, vtkInformation* choice, const char* input,
+  const CellMemory& memory, const Poll& poll)
 {
   vtkDataArray* values = FindHeights(image, array, choice, input);
   RequireMemoryFor(image, memory);
@@ -74,11 +74,13 @@ GridSamples ReadHeights(
   heights.Height = size[1];
   heights.Spacing = { image->GetSpacing()[0], image->GetSpacing()[1] };
   SetSize(heights.Values, image->GetNumberOfPoints());
-  for (std::size_t cell = 0; cell < heights.Values.size(); ++cell)
-  {
-    const double height = values->GetComponent(static_cast<vtkIdType>(cell), 0);
-    heights.Values[cell] = std::isfinite(height) ? height : std::numeric_limits<double>::quiet_NaN();
-  }
+  ForPolled(heights.Values.size(), poll, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t cell = begin; cell < end; ++cell)
+    {
+      const double height = values->GetComponent(static_cast<vtkIdType>(cell), 0);
+      heights.Values[cell] = std::isfinite(height) ? height : std::numeric_limits<double>::quiet_NaN();
+    }
+  });
   return heights;
 }
 

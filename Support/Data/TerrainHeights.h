@@ -27,8 +27,8 @@ struct CellMemory
  * InvalidInput: no raster, no scalar point array, too little memory. `array` is what the filter's choice found, null if
  * nothing; `choice` tells its name; `input` is the name of the port in the panel.
  */
-GridSamples ReadHeights(
-  vtkImageData* image, vtkDataArray* array, vtkInformation* choice, const char* input, const CellMemory& memory);
+GridSamples ReadHeights(vtkImageData* image, vtkDataArray* array, vtkInformation* choice, const char* input,
+  const CellMemory& memory, const Poll& poll = NoPoll);
 
 /// The array of heights of an image, or of a part of one, that ReadHeights() would read: the chosen one, or the active
 /// scalars for an absent Elevation.

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Time from an abort, asked for by another thread, to the return of the update: its mean, and the longest of five
-// moments within a request that takes long [s].
+// moments within a request that takes long [s]. Of twins of terrains, the longest time of the calling thread from a
+// look for an abort to the next within the whole request [s].
 #include "vtkBeamTreeDeformationFilter.h"
 #include "vtkCovarianceFitFilter.h"
 #include "vtkCurrentDriftFilter.h"
+#include "vtkDrainageFilter.h"
 #include "vtkFlowPrimitiveSource.h"
 #include "vtkGardnerPlantSource.h"
 #include "vtkParticleFogFilter.h"
@@ -20,6 +22,8 @@
 #include "vtkTurningBandsTerrainSource.h"
 #include "vtkWindFieldSource.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -28,6 +32,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <thread>
 
 namespace
@@ -219,6 +224,58 @@ void AbortSeaweed(benchmark::State& state)
   Abort(state, bent, 60.0);
 }
 
+double SecondsOfThread()
+{
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// A report is made where an abort is looked for.
+struct Reports
+{
+  double Last = SecondsOfThread();
+  double Longest = 0.0;
+
+  void Hear()
+  {
+    const double now = SecondsOfThread();
+    this->Longest = std::max(this->Longest, now - this->Last);
+    this->Last = now;
+  }
+};
+
+/// A quilted twin of hills of 256 x 256 cells.
+void HearTwin(benchmark::State& state)
+{
+  const auto hills = [](int width, int seed) {
+    auto terrain = vtkSmartPointer<vtkTurningBandsTerrainSource>::New();
+    terrain->SetWholeExtent(0, width - 1, 0, width - 1, 0, 0);
+    terrain->SetSeed(seed);
+    terrain->Update();
+    return terrain;
+  };
+  const auto terrain = hills(static_cast<int>(state.range(0)), 1);
+  const auto place = hills(256, 2);
+  vtkNew<vtkDrainageFilter> twin;
+  twin->SetInputConnection(0, terrain->GetOutputPort());
+  twin->SetInputConnection(1, place->GetOutputPort());
+  twin->SetMethodToQuilting();
+  Reports reports;
+  vtkNew<vtkCallbackCommand> hear;
+  hear->SetClientData(&reports);
+  hear->SetCallback([](vtkObject*, unsigned long, void* heard, void*) { static_cast<Reports*>(heard)->Hear(); });
+  twin->AddObserver(vtkCommand::ProgressEvent, hear);
+  for (auto _ : state)
+  {
+    reports = Reports();
+    twin->Modified();
+    twin->Update();
+    reports.Hear();
+  }
+  state.counters["longest"] = reports.Longest;
+}
+
 BENCHMARK(AbortTerrain)->Iterations(5)->UseManualTime();
 BENCHMARK(AbortQuadratPoints)->Iterations(5)->UseManualTime();
 BENCHMARK(AbortReevesTree)->Iterations(5)->UseManualTime();
@@ -233,6 +290,7 @@ BENCHMARK(AbortFog)->Iterations(5)->UseManualTime();
 BENCHMARK(AbortSeaSurface)->Iterations(5)->UseManualTime();
 BENCHMARK(AbortDrift)->Iterations(5)->UseManualTime();
 BENCHMARK(AbortSeaweed)->Iterations(5)->UseManualTime();
+BENCHMARK(HearTwin)->Arg(1024)->Arg(4096)->Iterations(1)->MeasureProcessCPUTime()->Unit(benchmark::kSecond);
 
 }
 

@@ -195,6 +195,42 @@ TEST(GroundQuilt, DrawsAmongPiecesOfNearlyTheLeastCost)
   EXPECT_NEAR(others, draws / 2, 6);
 }
 
+TEST(GroundQuilt, RoughnessIsNoReasonAndWavesAre)
+{
+  // The second half of a place of hills has waves of equal power on them: softening leaves 1/27 of those of two cells,
+  // so that either half lies beside the other, and exp(-k^2/2) = 0.58 of those of six, which fit no ground without.
+  constexpr int period = 84; // also one of the waves
+  constexpr int copies = 3;  // of each half
+  const auto hill = [](double x) { return 100.0 * std::cos(2.0 * M_PI * (x + 0.5) / period); };
+  constexpr int side = 30;
+  constexpr int draws = 20;
+  for (const int length : { 2, 6 })
+  {
+    const auto wave = [&](double x) {
+      return (length == 2 ? 0.27 : 0.27 * std::sqrt(2.0)) * std::cos(2.0 * M_PI * x / length);
+    };
+    const GridSamples place = Ground(2 * copies * period, 40, { 1.0, 1.0 },
+      [&](double x, double) { return hill(x) + (x < copies * period ? 0.0 : wave(x)); });
+    const GridSamples smooth = Smooth(place, GuideSmoothing(place));
+    constexpr int first = 15;
+    const GridSamples guide = Ground(46, 20, { 1.0, 1.0 },
+      [&](double x, double y) { return smooth.At(first + static_cast<int>(x), static_cast<int>(y)); });
+    int others = 0;
+    for (int seed = 1; seed <= draws; ++seed)
+    {
+      const GridSamples quilt = QuiltGround(place, guide, side, seed);
+      const auto isRough = [&](int begin) { // by cells that are of one piece
+        return Steepness(Ground(10, 20, { 1.0, 1.0 }, [&](double x, double y) {
+          return quilt.At(begin + static_cast<int>(x), static_cast<int>(y)) - hill(first + begin + x);
+        })) > 0.1;
+      };
+      others += isRough(2) != isRough(34) ? 1 : 0;
+    }
+    // the next piece of the same copy would go on in the place
+    EXPECT_NEAR(others, length == 2 ? draws * copies / (2 * copies - 1) : 0, length == 2 ? 6 : 0);
+  }
+}
+
 TEST(GroundQuilt, FollowsItsGuide)
 {
   const GridSamples place = Hills(100, 90, 1);

@@ -11,6 +11,7 @@
 #include <limits>
 #include <random>
 #include <set>
+#include <stdexcept>
 #include <vector>
 
 using namespace littoral;
@@ -277,5 +278,47 @@ TEST(ForRanges, CoversEachElementOnce)
       EXPECT_EQ(times, std::vector<int>(count, 1));
       EXPECT_EQ(cuts == 0, count <= std::max<std::size_t>(1, length));
     }
+  }
+}
+
+TEST(ForPolled, CoversEachElementInOrderAndEndsByAPoll)
+{
+  for (const std::size_t count : { 0, 1, 1 << 16, 150000 })
+  {
+    std::size_t done = 0;
+    std::size_t polls = 0;
+    std::size_t ranges = 0;
+    ForPolled(
+      count, [&] { ++polls; },
+      [&](std::size_t begin, std::size_t end) {
+        ++ranges;
+        ASSERT_EQ(polls, ranges);
+        ASSERT_EQ(begin, done);
+        ASSERT_LE(end, count);
+        done = end;
+      });
+    EXPECT_EQ(done, count);
+    EXPECT_GE(ranges, count / 100000);
+  }
+  std::size_t ranges = 0;
+  const Poll second = [&] {
+    if (ranges == 1)
+    {
+      throw std::runtime_error("aborted");
+    }
+  };
+  EXPECT_THROW(ForPolled(1 << 20, second, [&](std::size_t, std::size_t) { ++ranges; }), std::runtime_error);
+  EXPECT_EQ(ranges, 1u);
+}
+
+TEST(SteppedPoll, CallsAtEachOfSoManySteps)
+{
+  int polls = 0;
+  const Poll poll = [&] { ++polls; };
+  SteppedPoll steps(poll, 7);
+  for (int step = 1; step <= 50; ++step)
+  {
+    steps.Step();
+    ASSERT_EQ(polls, step / 7);
   }
 }
