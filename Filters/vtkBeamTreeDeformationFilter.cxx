@@ -238,6 +238,7 @@ int vtkBeamTreeDeformationFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
+  vtkImageData::GetData(outputVector, 1)->Initialize(); // VTK leaves it as it was
   littoral::Require(this->WhyInvalid(time));
   const auto plants = littoral::BlocksOf(vtkDataObject::GetData(inputVector[PlantsPort]), "Input");
   if (inputVector[WindPort]->GetNumberOfInformationObjects() == 0)

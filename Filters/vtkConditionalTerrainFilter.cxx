@@ -401,16 +401,7 @@ int vtkConditionalTerrainFilter::RequestData(
     littoral::PassGeoreference(grid, output);
   }
   this->SetProgressText("Making a field through data");
-  try
-  {
-    this->Make(survey, output, littoral::AsksForLaterPiece(request, outputVector) ? nullptr : table);
-  }
-  catch (const littoral::Aborted&)
-  {
-    output->Initialize();
-    table->Initialize();
-    throw;
-  }
+  this->Make(survey, output, littoral::AsksForLaterPiece(request, outputVector) ? nullptr : table);
   if (table->GetNumberOfRows() > 0)
   {
     littoral::AddVariogram(survey, variogram);

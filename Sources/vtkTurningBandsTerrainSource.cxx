@@ -348,15 +348,7 @@ int vtkTurningBandsTerrainSource::RequestData(
     return 1; // a rank with nothing to do
   }
   this->SetProgressText("Growing terrain");
-  try
-  {
-    this->GrowAll(elevation, reflectance, extent.data(), output);
-  }
-  catch (const littoral::Aborted&)
-  {
-    output->Initialize();
-    throw;
-  }
+  this->GrowAll(elevation, reflectance, extent.data(), output);
   output->GetPointData()->SetActiveScalars(elevation.Name);
   this->UpdateProgress(1.0);
   return 1;

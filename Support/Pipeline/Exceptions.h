@@ -54,7 +54,7 @@ private:
 
 /**
  * Result of the answer to a request; 1 if it ends by an abort. Any other exception is reported as a mistake of the
- * algorithm, of InvalidInput its sentence after these words, and leaves its outputs empty.
+ * algorithm, of InvalidInput its sentence after these words. Outputs are empty after each of them.
  */
 template <typename Answer>
 int WithoutExceptions(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector* outputs,
@@ -68,6 +68,7 @@ int WithoutExceptions(vtkAlgorithm* algorithm, vtkInformation* request, vtkInfor
   }
   catch (const Aborted&)
   {
+    answered.EmptyOutputs();
     return 1;
   }
   catch (const InvalidInput& refusal)

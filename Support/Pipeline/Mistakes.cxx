@@ -159,12 +159,8 @@ int AnsweredRequest::WithoutInput() const
   return 0;
 }
 
-int AnsweredRequest::FailedBy(const std::string& message) const
+void AnsweredRequest::EmptyOutputs() const
 {
-  if (this->Request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
-  {
-    FailedInformation(this->Algorithm, this->Outputs);
-  }
   const bool isOfData = this->Request->Has(vtkDemandDrivenPipeline::REQUEST_DATA());
   for (int port = 0; isOfData && port < this->Outputs->GetNumberOfInformationObjects(); ++port)
   {
@@ -173,6 +169,15 @@ int AnsweredRequest::FailedBy(const std::string& message) const
       data->Initialize();
     }
   }
+}
+
+int AnsweredRequest::FailedBy(const std::string& message) const
+{
+  if (this->Request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
+  {
+    FailedInformation(this->Algorithm, this->Outputs);
+  }
+  this->EmptyOutputs();
   return littoral::FailedBy(this->Algorithm, message);
 }
 

@@ -36,6 +36,9 @@ public:
   /// 0, after a message if there is no input that the type of the output could follow from. VTK has none for that.
   int WithoutInput() const;
 
+  /// Empties the outputs of a request for data, with the field data that VTK passes on.
+  void EmptyOutputs() const;
+
   /// Reports a mistake, empties the outputs or announces them as empty, and returns FailedRequest().
   int FailedBy(const std::string& message) const;
 

@@ -64,9 +64,17 @@ for time in (1.0, 2.0):
 sway.SetDragCoefficient(1.0)
 assert messages_of(sway.GetExecutive().Update) == 1, "a mistake that stays is not reported after a change"
 
-# A trunk of which one segment hides the others has no modes: no plants that are not a number.
+# Pictures of a wind that is taken away do not stay.
 wind = vtkWindFieldSource()
 wind.SetDimensions(16, 4, 4)
+sway.SetInputConnection(1, wind.GetOutputPort())
+sway.Update()
+assert sway.GetOutputDataObject(1).GetPointData().GetScalars(), "there are no pictures"
+sway.RemoveAllInputConnections(1)
+pictures = sway.GetOutputDataObject(1).GetPointData()
+assert messages_of(sway.GetExecutive().Update) == 1 and not pictures.GetScalars(), "pictures stay"
+
+# A trunk of which one segment hides the others has no modes: no plants that are not a number.
 sway.SetInputConnection(1, wind.GetOutputPort())
 for radius in 1e3, 1e5, 2e9, 1e14:
     spoiled = vtkMultiBlockDataSet()

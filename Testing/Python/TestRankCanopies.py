@@ -69,6 +69,8 @@ def of_grid(grid):
         table = grid.GetOutputDataObject(port)
         for n in range(table.GetNumberOfColumns()):
             tables.update(vtk_to_numpy(table.GetColumn(n)).tobytes())
+    for fields in (data.GetFieldData() for data in map(grid.GetOutputDataObject, range(4))):
+        tables.update(repr([fields.GetArrayName(n) for n in range(fields.GetNumberOfArrays())]).encode())
     arrays = trees.GetPointData()
     columns = [vtk_to_numpy(arrays.GetArray(n)).tolist() for n in range(arrays.GetNumberOfArrays())]
     columns.insert(0, vtk_to_numpy(trees.GetPoints().GetData()).tolist() if trees.GetNumberOfPoints() else [])
