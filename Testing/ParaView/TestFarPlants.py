@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython together=views
 """Far plants of a forest of instances under Landscape Light are impostors: as bright and as large as in the level before,
-also where they are exchanged for each other pixel by pixel, and their pictures last through a drag. Without the light
-they are as before.
+also where they are exchanged for each other pixel by pixel, and their pictures last through a drag, but not through
+other values. Without the light they are as before.
 """
 
 import re
@@ -72,6 +72,23 @@ def check_drag(view, forest):
         assert before and times_taken(view) == before, f"{times_taken(view)} times, {before} before"
 
 
+def check_colors(view, forest):
+    """Pictures of plants are taken anew for other values of the same points, by which they are colored."""
+    shade = simple.Calculator(Input=forest.Prototypes[0], ResultArrayName="Shade", Function="0")
+    forest.Prototypes = [shade]
+    simple.Render(view)  # has the array from then on
+    shown = simple.GetRepresentation(forest, view)
+    shown.MapScalars = 1
+    simple.ColorBy(shown, ("POINTS", "Shade"))
+    shown.SetScalarBarVisibility(view, False)
+    simple.GetColorTransferFunction("Shade").RGBPoints = [0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0]
+    shade.Function = "1"
+    drawn = at_level(view, forest, 10.0, 30.0)
+    red, green = drawn[:, :, 0], drawn[:, :, 1]
+    print("green", (green > red + 40).mean(), "red", (red > green + 40).mean())
+    assert (green > red + 40).mean() > 0.04 and not (red > green + 40).any()
+
+
 def main():
     view, forest = scene()
     dark = at_level(view, forest, 10.0, 30.0)
@@ -82,6 +99,8 @@ def main():
     check_drag(view, forest)
     simple.Hide(light, view)
     assert apart(at_level(view, forest, 10.0, 30.0), dark, 16) < 0.002, "without the light"
+    simple.Show(light, view)
+    check_colors(view, forest)
 
 
 if __name__ == "__main__":

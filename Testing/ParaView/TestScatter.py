@@ -14,6 +14,9 @@ oak, pine = simple.ReevesTree(Preset="Oak"), simple.ReevesTree(Preset="Pine")
 forest = simple.PlantScatter(Sites=sites, Prototypes=[oak, pine])
 shown = simple.Show(forest, view)
 assert shown.ColorArrayName[1] == "RGB" and shown.MapScalars == 0, "plants are not in their own colors"
+for array in "PlantId", "RGB":  # by the map of an array that is chosen, and as they are again
+    simple.ColorBy(shown, ("POINTS", array))
+    assert shown.MapScalars == (array != "RGB"), f"{array}: {shown.MapScalars}"
 assert "/Root/High/Skin" in shown.BlockSelectors and not any("Skeleton" in block for block in shown.BlockSelectors)
 
 

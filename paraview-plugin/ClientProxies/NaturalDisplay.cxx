@@ -41,6 +41,9 @@ namespace littoral
 namespace
 {
 
+/// The array of natural colors.
+constexpr const char* NaturalColors = "RGB";
+
 /// Three numbers of a hint; whether there are as many.
 bool ReadPlace(const char* text, double place[3])
 {
@@ -143,7 +146,7 @@ void ShortenPanel(vtkSMProxy* representation, const char* names)
 NaturalDisplay::~NaturalDisplay()
 {
   StopObserving(this->Pictures);
-  StopObserving(this->Visibilities);
+  StopObserving(this->Displays);
   if (this->Manager)
   {
     this->Manager->RemoveObserver(this->RegisterObserver);
@@ -266,7 +269,7 @@ void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
   {
     return;
   }
-  this->WatchVisibility(representation);
+  this->WatchDisplay(representation);
   if (IsLoadingState(this->Manager))
   {
     return;
@@ -443,9 +446,9 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   {
     ShadeSmoothly(representation, "Normals");
   }
-  if (data->GetArrayInformation("RGB", vtkDataObject::POINT))
+  if (data->GetArrayInformation(NaturalColors, vtkDataObject::POINT))
   {
-    ColorDirectly(representation, "RGB", true);
+    ColorDirectly(representation, NaturalColors, true);
     this->WaitForLegend(representation);
   }
   else if (this->Hint("direct-color", port))
@@ -628,18 +631,20 @@ void NaturalDisplay::TakeLegendAway(vtkSMProxy* representation, vtkSMProxy* view
 }
 
 //----------------------------------------------------------------------------
-/// ParaView shows a legend whenever a representation is shown again, though colors that are not mapped have none.
-void NaturalDisplay::WatchVisibility(vtkSMProxy* representation)
+void NaturalDisplay::WatchDisplay(vtkSMProxy* representation)
 {
   const auto isGone = [](const Observation& one) { return !one.Object; };
-  this->Visibilities.erase(
-    std::remove_if(this->Visibilities.begin(), this->Visibilities.end(), isGone), this->Visibilities.end());
-  vtkSMProperty* visibility = representation->GetProperty("Visibility");
-  this->Visibilities.push_back(
-    { visibility, visibility->AddObserver(vtkCommand::ModifiedEvent, this, &NaturalDisplay::OnVisibility) });
+  this->Displays.erase(std::remove_if(this->Displays.begin(), this->Displays.end(), isGone), this->Displays.end());
+  const auto watch = [&](const char* name, auto answer) {
+    vtkSMProperty* property = representation->GetProperty(name);
+    this->Displays.push_back({ property, property->AddObserver(vtkCommand::ModifiedEvent, this, answer) });
+  };
+  watch("Visibility", &NaturalDisplay::OnVisibility);
+  watch("ColorArrayName", &NaturalDisplay::OnColors);
 }
 
 //----------------------------------------------------------------------------
+/// ParaView shows a legend whenever a representation is shown again, though colors that are not mapped have none.
 void NaturalDisplay::OnVisibility(vtkObject* object, unsigned long, void*)
 {
   vtkSMProxy* representation = vtkSMProperty::SafeDownCast(object)->GetParent();
@@ -647,6 +652,20 @@ void NaturalDisplay::OnVisibility(vtkObject* object, unsigned long, void*)
     vtkSMPropertyHelper(representation, "MapScalars").GetAsInt() == 0)
   {
     this->WaitForLegend(representation);
+  }
+}
+
+//----------------------------------------------------------------------------
+/// Natural colors are drawn as they are, and arrays that a user chooses instead, by their map.
+void NaturalDisplay::OnColors(vtkObject* object, unsigned long, void*)
+{
+  vtkSMProxy* representation = vtkSMProperty::SafeDownCast(object)->GetParent();
+  const char* array =
+    representation ? vtkSMPropertyHelper(representation, "ColorArrayName").GetInputArrayNameToProcess() : nullptr;
+  if (array && *array && !IsLoadingState(this->Manager))
+  {
+    vtkSMPropertyHelper(representation, "MapScalars").Set(std::strcmp(array, NaturalColors) != 0);
+    representation->UpdateProperty("MapScalars");
   }
 }
 

@@ -105,8 +105,9 @@ private:
   void WaitForLegend(vtkSMProxy* representation);
   void OnStartOfPicture(vtkObject* view, unsigned long, void*);
   void TakeLegendAway(vtkSMProxy* representation, vtkSMProxy* view);
-  void WatchVisibility(vtkSMProxy* representation);
+  void WatchDisplay(vtkSMProxy* representation);
   void OnVisibility(vtkObject* property, unsigned long, void*);
+  void OnColors(vtkObject* property, unsigned long, void*);
   void SetUpView(int port);
   void OnState(vtkObject*, unsigned long, void*);
   void KeepSide(vtkSMRenderViewProxy* view);
@@ -124,9 +125,9 @@ private:
   unsigned long DataObserver = 0;
   /// Representations whose legends would mean nothing, until the next pictures.
   std::vector<vtkWeakPointer<vtkSMProxy>> Colored;
-  vtkWeakPointer<vtkSMProxy> Hidden;     ///< representation that has no legend until it is shown
-  std::vector<Observation> Pictures;     ///< of all views, as long as some are colored or hidden
-  std::vector<Observation> Visibilities; ///< of all representations
+  vtkWeakPointer<vtkSMProxy> Hidden; ///< representation that has no legend until it is shown
+  std::vector<Observation> Pictures; ///< of all views, as long as some are colored or hidden
+  std::vector<Observation> Displays; ///< of all representations
   FirstCamera Camera;
   SceneDrag Drag;
   double Depth = 0.0; ///< of the water of a scene that has one, as it was last [m]

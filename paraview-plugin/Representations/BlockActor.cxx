@@ -9,6 +9,7 @@
 #include "vtkLandscapePass.h"
 
 #include "vtkActor.h"
+#include "vtkCellData.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeRange.h"
@@ -113,6 +114,32 @@ bool IsDrawnAlone(const PartOfTree& part, vtkMapper* like)
     (!like->GetScalarVisibility() ||
       vtkMapper::GetAbstractScalars(part.Block, like->GetScalarMode(), like->GetArrayAccessMode(), like->GetArrayId(),
         like->GetArrayName(), association));
+}
+
+/// Whether fields have all arrays of others, but for those that ParaView adds anew.
+bool HaveAll(vtkFieldData* fields, vtkFieldData* others)
+{
+  for (int k = 0; k < others->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* array = others->GetAbstractArray(k);
+    const std::string name = array->GetName() ? array->GetName() : "";
+    if (name.rfind("vtk", 0) != 0 && fields->GetAbstractArray(name.c_str()) != array)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Whether blocks have the same points, polygons and arrays.
+bool LooksLike(vtkPolyData* a, vtkPolyData* b)
+{
+  const auto haveSame = [](vtkFieldData* one, vtkFieldData* other) {
+    return HaveAll(one, other) && HaveAll(other, one);
+  };
+  return a->GetPoints()->GetData() == b->GetPoints()->GetData() && a->GetPolys() == b->GetPolys() &&
+    haveSame(a->GetPointData(), b->GetPointData()) && haveSame(a->GetCellData(), b->GetCellData()) &&
+    haveSame(a->GetFieldData(), b->GetFieldData());
 }
 
 /// Selection, and the arrays that tell of what is picked.
@@ -325,7 +352,7 @@ void BlockActor::TakeInstances(const PartOfTree& part, vtkMapper* like)
 }
 
 //----------------------------------------------------------------------------
-/// Pictures are taken anew only of other points: the blocks themselves are new whenever a plant changes its level.
+/// Pictures are taken anew only of other arrays: the blocks themselves are new whenever a plant changes its level.
 void BlockActor::TakeImpostors(const PartOfTree& part, vtkActor* like, vtkMapper* mapper, bool isLit)
 {
   auto* own = vtkImpostorMapper::SafeDownCast(this->Mapper);
@@ -338,8 +365,7 @@ void BlockActor::TakeImpostors(const PartOfTree& part, vtkActor* like, vtkMapper
     this->Plant.clear();
   }
   const auto isSame = [](const PlantPart& a, const PlantPart& b) {
-    return a.Block->GetPoints()->GetData() == b.Block->GetPoints()->GetData() &&
-      a.Block->GetPolys() == b.Block->GetPolys() && a.Transmittance == b.Transmittance;
+    return LooksLike(a.Block, b.Block) && a.Transmittance == b.Transmittance;
   };
   if (!std::equal(this->Plant.begin(), this->Plant.end(), part.Plant.begin(), part.Plant.end(), isSame))
   {
