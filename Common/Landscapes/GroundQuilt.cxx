@@ -4,6 +4,7 @@
 
 #include "Drainage/RingSpectrum.h"
 #include "Drainage/ValleySpreading.h"
+#include "Landscapes/StandingWater.h"
 #include "Numerics/Constants.h"
 #include "Numerics/RandomStream.h"
 #include "Numerics/SimdClones.h"
@@ -51,10 +52,6 @@ constexpr std::size_t SamplesOfPart = 64;
 
 /// Draw of the shifts of rows and columns, by their numbers.
 constexpr std::uint64_t ShiftDraw = 2;
-
-/// Values by which pieces are compared: heights, and differences of soft ones to the next cell along x and y, each over
-/// a scale.
-constexpr int Channels = 3;
 
 /// Standard deviation of the Gauss function by which these heights are soft [cells]. The roughness of no piece is that
 /// of another: it would hide how valleys and slopes fit.
@@ -235,6 +232,11 @@ private:
       this->Values[2].push_back(static_cast<float>(rises[1][n] / scale));
       this->SmoothPlace.push_back(this->Scaled(smooth.Values[n]));
     }
+    const std::vector<std::uint8_t> water = StandingWater(this->Place);
+    if (std::find(water.begin(), water.end(), std::uint8_t{ 1 }) != water.end())
+    {
+      this->Values.emplace_back(water.begin(), water.end());
+    }
     this->CountX = this->Place.Width - this->Side + 1;
     this->CountY = this->Place.Height - this->Side + 1;
   }
@@ -284,7 +286,7 @@ private:
       for (int x = 0; x < this->Side; x += step)
       {
         const std::int64_t source = this->Sources[this->OnGround(to.X + x, to.Y + y)];
-        for (int channel = 0; channel < Channels && source != NoSource; ++channel)
+        for (std::size_t channel = 0; channel < this->Values.size() && source != NoSource; ++channel)
         {
           const std::vector<float>& values = this->Values[channel];
           samples.push_back({ values.data() + this->InPlace(x, y), values[source] });
@@ -329,7 +331,7 @@ private:
     SquareCosts square{ this->GuideOf(to), this->OverlapOf(to), this->AllowedPieces(to, row, column, first, step) };
     square.OfGuide = GuideWeight / static_cast<float>(std::max<std::size_t>(1, square.Guide.size()));
     square.OfOverlap =
-      static_cast<float>(Channels) / static_cast<float>(std::max<std::size_t>(1, square.Overlap.size()));
+      static_cast<float>(this->Values.size()) / static_cast<float>(std::max<std::size_t>(1, square.Overlap.size()));
     std::fill(this->Costs.begin(), this->Costs.end(), std::numeric_limits<float>::infinity());
     std::vector<float> least(rows, std::numeric_limits<float>::infinity());
     const std::size_t blocks = (static_cast<std::size_t>(this->CountX) + PiecesOfBlock - 1) / PiecesOfBlock;
@@ -586,7 +588,9 @@ private:
   int Width; ///< of the ground with its margin
   RandomStream Random;
   const ParallelFor& Parallel;
-  std::array<std::vector<float>, Channels> Values; ///< of the place
+  /// Values of the place by which pieces are compared: heights, and differences of soft ones to the next cell along x
+  /// and y, each over a scale; and, in a place with standing water, 1 there and 0 on land.
+  std::vector<std::vector<float>> Values{ 3 };
   std::vector<float> SmoothPlace;
   double Mean = 0.0;
   double Deviation = 1.0;
