@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace littoral
@@ -56,6 +57,9 @@ constexpr std::uint64_t ShiftDraw = 2;
 /// Standard deviation of the Gauss function by which these heights are soft [cells]. The roughness of no piece is that
 /// of another: it would hide how valleys and slopes fit.
 constexpr double SoftDeviation = 1.0;
+
+/// Values by which pieces are compared before that of standing water.
+constexpr std::size_t WaterChannel = 3;
 
 /// Source of a cell that is not laid.
 constexpr std::int64_t NoSource = -1;
@@ -528,11 +532,25 @@ private:
     }
   }
 
+  /// Share of a piece that is land.
+  float LandShare(const Corner& from) const
+  {
+    float water = 0.0F;
+    for (int y = 0; y<this->Side&& this->Values.size()> WaterChannel; ++y)
+    {
+      const auto row =
+        this->Values[WaterChannel].begin() + static_cast<std::ptrdiff_t>(this->InPlace(from.X, from.Y + y));
+      water = std::accumulate(row, row + this->Side, water);
+    }
+    return 1.0F - water / static_cast<float>(this->Side * this->Side);
+  }
+
   /// Adds the share of a piece that is not under others, over the part of it that each piece has in common with it.
+  /// Water is alike everywhere, and not used up.
   void CountUse(const Corner& from)
   {
     const float all = static_cast<float>(this->Side) * static_cast<float>(this->Side);
-    const float share = static_cast<float>(this->Step() * this->Step()) / all;
+    const float share = this->LandShare(from) * static_cast<float>(this->Step() * this->Step()) / all;
     this->EachNear(from, this->Side, [&](std::size_t piece, int x, int y) {
       this->Uses[piece] += share * static_cast<float>((this->Side - x) * (this->Side - y)) / all;
     });
@@ -590,7 +608,7 @@ private:
   const ParallelFor& Parallel;
   /// Values of the place by which pieces are compared: heights, and differences of soft ones to the next cell along x
   /// and y, each over a scale; and, in a place with standing water, 1 there and 0 on land.
-  std::vector<std::vector<float>> Values{ 3 };
+  std::vector<std::vector<float>> Values{ WaterChannel };
   std::vector<float> SmoothPlace;
   double Mean = 0.0;
   double Deviation = 1.0;

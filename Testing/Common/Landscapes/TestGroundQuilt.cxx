@@ -245,6 +245,19 @@ TEST(GroundQuilt, WaterMeetsWater)
   EXPECT_EQ(OtherHalves(hill, [](double x) { return 0.2 * std::cos(M_PI * x); }), 0);
 }
 
+TEST(GroundQuilt, WaterIsNotUsedUp)
+{
+  // a guide nearest to the sea, for many more squares than there are pieces of sea side by side
+  const GridSamples rough = RandomGround(120, 60, { 1.0, 1.0 }, 1);
+  const GridSamples place = Ground(120, 60, { 1.0, 1.0 }, [&](double x, double y) {
+    return x < 90.0 ? 0.0 : 10.0 + 0.2 * rough.At(static_cast<int>(x), static_cast<int>(y));
+  });
+  const GridSamples guide = Ground(240, 240, { 1.0, 1.0 }, [](double, double) { return -1.0; });
+  const GridSamples quilt = QuiltGround(place, guide, PieceSideFor(place), 1);
+  const auto land = std::count_if(quilt.Values.begin(), quilt.Values.end(), [](double height) { return height > 5.0; });
+  EXPECT_EQ(land, 0);
+}
+
 TEST(StandingWater, IsLevelGroundOfAHundredCells)
 {
   const auto count = [](const auto& height) {
