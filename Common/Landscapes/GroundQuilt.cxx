@@ -236,7 +236,8 @@ private:
       this->Values[2].push_back(static_cast<float>(rises[1][n] / scale));
       this->SmoothPlace.push_back(this->Scaled(smooth.Values[n]));
     }
-    const std::vector<std::uint8_t> water = StandingWater(this->Place);
+    const std::vector<std::uint8_t> water =
+      StandingWater(this->Place, static_cast<std::size_t>(this->Side * this->Side / 2));
     if (std::find(water.begin(), water.end(), std::uint8_t{ 1 }) != water.end())
     {
       this->Values.emplace_back(water.begin(), water.end());

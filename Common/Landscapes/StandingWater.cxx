@@ -4,19 +4,10 @@
 
 #include "Drainage/CellLattice.h"
 
-#include <cstddef>
-
 namespace littoral
 {
 
-namespace
-{
-
-constexpr std::size_t LeastCells = 100;
-
-}
-
-std::vector<std::uint8_t> StandingWater(const GridSamples& ground)
+std::vector<std::uint8_t> StandingWater(const GridSamples& ground, std::size_t least)
 {
   const CellLattice lattice(ground);
   std::vector<std::uint8_t> isWater(ground.Values.size(), 0);
@@ -37,7 +28,7 @@ std::vector<std::uint8_t> StandingWater(const GridSamples& ground)
         }
       });
     }
-    for (std::size_t n = 0; n < level.size() && level.size() >= LeastCells; ++n)
+    for (std::size_t n = 0; n < level.size() && level.size() >= least; ++n)
     {
       isWater[level[n]] = 1;
     }

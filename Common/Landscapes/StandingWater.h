@@ -5,14 +5,15 @@
 
 #include "Terrain/GridSamples.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace littoral
 {
 
-/// Marks of the cells of seas and lakes: level ground of 100 cells and more that hang together by their sides.
-std::vector<std::uint8_t> StandingWater(const GridSamples& ground);
+/// Marks of the cells of seas and lakes: level ground of so many cells and more that hang together by their sides.
+std::vector<std::uint8_t> StandingWater(const GridSamples& ground, std::size_t least);
 
 }
 

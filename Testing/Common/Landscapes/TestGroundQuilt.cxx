@@ -258,10 +258,10 @@ TEST(GroundQuilt, WaterIsNotUsedUp)
   EXPECT_EQ(land, 0);
 }
 
-TEST(StandingWater, IsLevelGroundOfAHundredCells)
+TEST(StandingWater, IsLevelGroundOfSoManyCells)
 {
   const auto count = [](const auto& height) {
-    const std::vector<std::uint8_t> water = StandingWater(Ground(30, 25, { 1.0, 2.0 }, height));
+    const std::vector<std::uint8_t> water = StandingWater(Ground(30, 25, { 1.0, 2.0 }, height), 100);
     return std::accumulate(water.begin(), water.end(), 0);
   };
   const auto slope = [](double x, double y) { return 100.0 + x + 31.0 * y; };
