@@ -536,8 +536,12 @@ private:
   /// Share of a piece that is land.
   float LandShare(const Corner& from) const
   {
+    if (this->Values.size() == WaterChannel)
+    {
+      return 1.0F;
+    }
     float water = 0.0F;
-    for (int y = 0; y<this->Side&& this->Values.size()> WaterChannel; ++y)
+    for (int y = 0; y < this->Side; ++y)
     {
       const auto row =
         this->Values[WaterChannel].begin() + static_cast<std::ptrdiff_t>(this->InPlace(from.X, from.Y + y));
