@@ -529,6 +529,7 @@ int vtkDrainageFilter::RequestData(
     littoral::InContext("Cannot drain a terrain: ", [&] { done = this->RequestTiles(inputVector, outputVector); });
     return done;
   }
+  const littoral::Poll poll = littoral::PollOf(this);
   Ground ground;
   littoral::InContext("Cannot drain a terrain: ", [&] { this->ReadGround(inputVector, ground); });
   if (this->Carve && this->Method == Growth)
@@ -544,8 +545,9 @@ int vtkDrainageFilter::RequestData(
     littoral::InContext("Cannot carve a terrain: ", [&] { this->CarveGround(inputVector, ground); });
   }
   auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Terrain");
-  const littoral::Poll poll = littoral::PollOf(this);
+  poll();
   const littoral::OutletMask outlets = ground.Outlets.Of(ground.Heights);
+  poll();
   if (!this->Carve)
   {
     ground.Report.Before = ground.Report.After =

@@ -55,6 +55,7 @@ SampleShape ShapeOf(const std::vector<double>& values, const Poll& poll)
     return shape;
   }
   const auto count = static_cast<double>(values.size());
+  poll();
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   shape.Minimum = *least;
   shape.Maximum = *most;

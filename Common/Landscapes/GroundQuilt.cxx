@@ -4,6 +4,7 @@
 
 #include "Drainage/RingSpectrum.h"
 #include "Drainage/ValleySpreading.h"
+#include "Landscapes/StandingWater.h"
 #include "Numerics/Constants.h"
 #include "Numerics/RandomStream.h"
 #include "Numerics/SimdClones.h"
@@ -15,6 +16,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace littoral
@@ -52,13 +54,12 @@ constexpr std::size_t SamplesOfPart = 64;
 /// Draw of the shifts of rows and columns, by their numbers.
 constexpr std::uint64_t ShiftDraw = 2;
 
-/// Values by which pieces are compared: heights, and differences of soft ones to the next cell along x and y, each over
-/// a scale.
-constexpr int Channels = 3;
-
 /// Standard deviation of the Gauss function by which these heights are soft [cells]. The roughness of no piece is that
 /// of another: it would hide how valleys and slopes fit.
 constexpr double SoftDeviation = 1.0;
+
+/// Values by which pieces are compared before that of standing water.
+constexpr std::size_t WaterChannel = 3;
 
 /// Source of a cell that is not laid.
 constexpr std::int64_t NoSource = -1;
@@ -235,6 +236,12 @@ private:
       this->Values[2].push_back(static_cast<float>(rises[1][n] / scale));
       this->SmoothPlace.push_back(this->Scaled(smooth.Values[n]));
     }
+    const std::vector<std::uint8_t> water =
+      StandingWater(this->Place, static_cast<std::size_t>(this->Side * this->Side / 2));
+    if (std::find(water.begin(), water.end(), std::uint8_t{ 1 }) != water.end())
+    {
+      this->Values.emplace_back(water.begin(), water.end());
+    }
     this->CountX = this->Place.Width - this->Side + 1;
     this->CountY = this->Place.Height - this->Side + 1;
   }
@@ -284,7 +291,7 @@ private:
       for (int x = 0; x < this->Side; x += step)
       {
         const std::int64_t source = this->Sources[this->OnGround(to.X + x, to.Y + y)];
-        for (int channel = 0; channel < Channels && source != NoSource; ++channel)
+        for (std::size_t channel = 0; channel < this->Values.size() && source != NoSource; ++channel)
         {
           const std::vector<float>& values = this->Values[channel];
           samples.push_back({ values.data() + this->InPlace(x, y), values[source] });
@@ -329,7 +336,7 @@ private:
     SquareCosts square{ this->GuideOf(to), this->OverlapOf(to), this->AllowedPieces(to, row, column, first, step) };
     square.OfGuide = GuideWeight / static_cast<float>(std::max<std::size_t>(1, square.Guide.size()));
     square.OfOverlap =
-      static_cast<float>(Channels) / static_cast<float>(std::max<std::size_t>(1, square.Overlap.size()));
+      static_cast<float>(this->Values.size()) / static_cast<float>(std::max<std::size_t>(1, square.Overlap.size()));
     std::fill(this->Costs.begin(), this->Costs.end(), std::numeric_limits<float>::infinity());
     std::vector<float> least(rows, std::numeric_limits<float>::infinity());
     const std::size_t blocks = (static_cast<std::size_t>(this->CountX) + PiecesOfBlock - 1) / PiecesOfBlock;
@@ -526,11 +533,29 @@ private:
     }
   }
 
+  /// Share of a piece that is land.
+  float LandShare(const Corner& from) const
+  {
+    if (this->Values.size() == WaterChannel)
+    {
+      return 1.0F;
+    }
+    float water = 0.0F;
+    for (int y = 0; y < this->Side; ++y)
+    {
+      const auto row =
+        this->Values[WaterChannel].begin() + static_cast<std::ptrdiff_t>(this->InPlace(from.X, from.Y + y));
+      water = std::accumulate(row, row + this->Side, water);
+    }
+    return 1.0F - water / static_cast<float>(this->Side * this->Side);
+  }
+
   /// Adds the share of a piece that is not under others, over the part of it that each piece has in common with it.
+  /// Water is alike everywhere, and not used up.
   void CountUse(const Corner& from)
   {
     const float all = static_cast<float>(this->Side) * static_cast<float>(this->Side);
-    const float share = static_cast<float>(this->Step() * this->Step()) / all;
+    const float share = this->LandShare(from) * static_cast<float>(this->Step() * this->Step()) / all;
     this->EachNear(from, this->Side, [&](std::size_t piece, int x, int y) {
       this->Uses[piece] += share * static_cast<float>((this->Side - x) * (this->Side - y)) / all;
     });
@@ -586,7 +611,9 @@ private:
   int Width; ///< of the ground with its margin
   RandomStream Random;
   const ParallelFor& Parallel;
-  std::array<std::vector<float>, Channels> Values; ///< of the place
+  /// Values of the place by which pieces are compared: heights, and differences of soft ones to the next cell along x
+  /// and y, each over a scale; and, in a place with standing water, 1 there and 0 on land.
+  std::vector<std::vector<float>> Values{ WaterChannel };
   std::vector<float> SmoothPlace;
   double Mean = 0.0;
   double Deviation = 1.0;

@@ -24,8 +24,8 @@ double GuideSmoothing(const GridSamples& place);
  *
  * 1. The cost of each piece is the mean over the overlap of the squared differences of heights, over their deviation,
  *    and of a half of the differences from cell to cell over their root mean square, of heights that are softened by
- *    one cell, plus three times the mean of those of smooth heights to the guide; times 1 + u + u^2 where its cells are
- *    used u times already.
+ *    one cell, and of 1 where only one of both is standing water, of half a piece and more, plus three times the mean
+ *    of those of smooth heights to the guide; times 1 + u + u^2 where its cells on land are used u times already.
  * 2. One whose cost is within 1.3 of the least is drawn. None goes on in the place where one beside it ends: their
  *    shifts differ by half a side at least.
  * 3. It is cut from what is there along the ways of least difference through the overlaps.

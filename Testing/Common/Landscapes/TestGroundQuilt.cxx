@@ -8,14 +8,17 @@
 #include "Landscapes/GroundQuilt.h"
 #include "Landscapes/LandscapeQuilting.h"
 #include "Landscapes/PlaceMatching.h"
+#include "Landscapes/StandingWater.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 using namespace littoral;
@@ -101,6 +104,36 @@ Source SourceOf(const GridSamples& ground, int x, int y, int side, const GridSam
     }
   }
   return best;
+}
+
+constexpr int Period = 84; ///< of hills along x [cells]
+constexpr int Copies = 3;  ///< of a period in each half of a place
+constexpr int Draws = 20;
+
+/// Pairs of pieces side by side, of so many draws, that are of different halves of a place: of hills, and of the same
+/// ones that are rough. Some Copies / (2 Copies - 1) are where roughness tells nothing, as the next piece of the same
+/// copy would go on in the place.
+template <typename Hill, typename Rough>
+int OtherHalves(const Hill& hill, const Rough& rough)
+{
+  constexpr int first = 15;
+  const GridSamples place = Ground(2 * Copies * Period, 40, { 1.0, 1.0 },
+    [&](double x, double) { return hill(x) + (x < Copies * Period ? 0.0 : rough(x)); });
+  const GridSamples smooth = Smooth(place, GuideSmoothing(place));
+  const GridSamples guide = Ground(46, 20, { 1.0, 1.0 },
+    [&](double x, double y) { return smooth.At(first + static_cast<int>(x), static_cast<int>(y)); });
+  int others = 0;
+  for (int seed = 1; seed <= Draws; ++seed)
+  {
+    const GridSamples quilt = QuiltGround(place, guide, 30, seed);
+    const auto isRough = [&](int begin) { // by cells that are of one piece
+      return Steepness(Ground(10, 20, { 1.0, 1.0 }, [&](double x, double y) {
+        return quilt.At(begin + static_cast<int>(x), static_cast<int>(y)) - hill(first + begin + x);
+      })) > 0.1;
+    };
+    others += isRough(2) != isRough(34) ? 1 : 0;
+  }
+  return others;
 }
 
 }
@@ -197,38 +230,57 @@ TEST(GroundQuilt, DrawsAmongPiecesOfNearlyTheLeastCost)
 
 TEST(GroundQuilt, RoughnessIsNoReasonAndWavesAre)
 {
-  // The second half of a place of hills has waves of equal power on them: softening leaves 1/27 of those of two cells,
-  // so that either half lies beside the other, and exp(-k^2/2) = 0.58 of those of six, which fit no ground without.
-  constexpr int period = 84; // also one of the waves
-  constexpr int copies = 3;  // of each half
-  const auto hill = [](double x) { return 100.0 * std::cos(2.0 * M_PI * (x + 0.5) / period); };
-  constexpr int side = 30;
-  constexpr int draws = 20;
-  for (const int length : { 2, 6 })
-  {
-    const auto wave = [&](double x) {
-      return (length == 2 ? 0.27 : 0.27 * std::sqrt(2.0)) * std::cos(2.0 * M_PI * x / length);
-    };
-    const GridSamples place = Ground(2 * copies * period, 40, { 1.0, 1.0 },
-      [&](double x, double) { return hill(x) + (x < copies * period ? 0.0 : wave(x)); });
-    const GridSamples smooth = Smooth(place, GuideSmoothing(place));
-    constexpr int first = 15;
-    const GridSamples guide = Ground(46, 20, { 1.0, 1.0 },
-      [&](double x, double y) { return smooth.At(first + static_cast<int>(x), static_cast<int>(y)); });
-    int others = 0;
-    for (int seed = 1; seed <= draws; ++seed)
-    {
-      const GridSamples quilt = QuiltGround(place, guide, side, seed);
-      const auto isRough = [&](int begin) { // by cells that are of one piece
-        return Steepness(Ground(10, 20, { 1.0, 1.0 }, [&](double x, double y) {
-          return quilt.At(begin + static_cast<int>(x), static_cast<int>(y)) - hill(first + begin + x);
-        })) > 0.1;
-      };
-      others += isRough(2) != isRough(34) ? 1 : 0;
-    }
-    // the next piece of the same copy would go on in the place
-    EXPECT_NEAR(others, length == 2 ? draws * copies / (2 * copies - 1) : 0, length == 2 ? 6 : 0);
-  }
+  // Softening leaves 1/27 of waves of two cells, so that either half lies beside the other, and exp(-k^2/2) = 0.58 of
+  // those of six, of equal power, which fit no ground without.
+  const auto hill = [](double x) { return 100.0 * std::cos(2.0 * M_PI * (x + 0.5) / Period); };
+  const auto wave = [](double x, int length, double size) { return size * std::cos(2.0 * M_PI * x / length); };
+  EXPECT_NEAR(OtherHalves(hill, [&](double x) { return wave(x, 2, 0.27); }), Draws * Copies / (2 * Copies - 1), 6);
+  EXPECT_EQ(OtherHalves(hill, [&](double x) { return wave(x, 6, 0.27 * std::sqrt(2.0)); }), 0);
+}
+
+TEST(GroundQuilt, WaterMeetsWater)
+{
+  // lakes in the valleys of the first half alone: the second half's are rough
+  const auto hill = [](double x) { return 100.0 * std::max(-0.4, std::cos(2.0 * M_PI * (x + 0.5) / Period)); };
+  EXPECT_EQ(OtherHalves(hill, [](double x) { return 0.2 * std::cos(M_PI * x); }), 0);
+}
+
+TEST(GroundQuilt, WaterIsNotUsedUp)
+{
+  // a guide nearest to the sea, for many more squares than there are pieces of sea side by side
+  const GridSamples rough = RandomGround(120, 60, { 1.0, 1.0 }, 1);
+  const GridSamples place = Ground(120, 60, { 1.0, 1.0 }, [&](double x, double y) {
+    return x < 90.0 ? 0.0 : 10.0 + 0.2 * rough.At(static_cast<int>(x), static_cast<int>(y));
+  });
+  const GridSamples guide = Ground(240, 240, { 1.0, 1.0 }, [](double, double) { return -1.0; });
+  const GridSamples quilt = QuiltGround(place, guide, PieceSideFor(place), 1);
+  const auto land = std::count_if(quilt.Values.begin(), quilt.Values.end(), [](double height) { return height > 5.0; });
+  EXPECT_EQ(land, 0);
+}
+
+TEST(StandingWater, IsLevelGroundOfSoManyCells)
+{
+  const auto count = [](const auto& height) {
+    const std::vector<std::uint8_t> water = StandingWater(Ground(30, 25, { 1.0, 2.0 }, height), 100);
+    return std::accumulate(water.begin(), water.end(), 0);
+  };
+  const auto slope = [](double x, double y) { return 100.0 + x + 31.0 * y; };
+  const auto lake = [&](double width, double height) {
+    return count(
+      [=](double x, double y) { return x >= 3 && x < 3 + width && y >= 4 && y < 2 * height + 4 ? 7.0 : slope(x, y); });
+  };
+  EXPECT_EQ(count(slope), 0);
+  EXPECT_EQ(lake(9, 11), 0);
+  EXPECT_EQ(lake(10, 10), 100);
+  EXPECT_EQ(lake(20, 9), 180);
+  // two lakes that touch at a corner, and two of other levels side by side
+  EXPECT_EQ(count([&](double x, double y) {
+    const bool isFirst = x < 9 && y < 20;
+    const bool isSecond = x >= 9 && x < 18 && y >= 20 && y < 40;
+    return isFirst || isSecond ? 7.0 : slope(x, y);
+  }),
+    0);
+  EXPECT_EQ(count([&](double x, double y) { return y < 20 && x < 18 ? (x < 9 ? 7.0 : 8.0) : slope(x, y); }), 0);
 }
 
 TEST(GroundQuilt, FollowsItsGuide)
