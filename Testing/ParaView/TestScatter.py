@@ -5,6 +5,7 @@
 
 import quick
 from paraview import simple
+from window import apart, picture
 
 view = simple.CreateView("RenderView")
 view.ViewSize = [200, 150]
@@ -35,6 +36,17 @@ look([500.0, 500.0, 10.0], [500.0, 600.0, 10.0])
 assert counter("PlantsInAll") == 400.0
 ahead = counter("PlantsShown")
 assert 20.0 < ahead < 300.0, ahead
+
+# Leaves keep their shapes by the map of an array, near and far.
+natural = picture(view)
+simple.ColorBy(shown, ("POINTS", "PlantId"))
+mapped = picture(view)
+simple.ColorBy(shown, ("POINTS", "RGB"))
+simple.Hide(forest, view)
+empty = picture(view)
+simple.Show(forest, view)
+shares = apart(natural, empty), apart(mapped, empty)
+assert shares[1] > 0.75 * shares[0] > 0.02, shares  # some colors of the map are those of the sky
 look([500.0, -1000.0, 10.0], [500.0, 500.0, 10.0])
 assert counter("PlantsShown") > ahead and counter("PlantsHigh") == 0.0, "the forest does not follow the camera"
 look([500.0, -1000.0, 10.0], [500.0, -2000.0, 10.0])

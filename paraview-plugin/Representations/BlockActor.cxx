@@ -318,6 +318,7 @@ void BlockActor::TakeBlock(const PartOfTree& part, vtkMapper* like)
     this->Mapper = mapper = made;
     this->Actor->SetMapper(mapper);
   }
+  mapper->SetTextured(part.Textured != nullptr);
   mapper->vtkMapper::ShallowCopy(like); // its input is another one
   mapper->SetVBOShiftScaleMethod(shift);
   mapper->SetSeamlessU(other->GetSeamlessU());
@@ -345,6 +346,7 @@ void BlockActor::TakeInstances(const PartOfTree& part, vtkMapper* like)
     this->Mapper = mapper = made;
     this->Actor->SetMapper(mapper);
   }
+  mapper->SetTextured(part.Textured != nullptr);
   mapper->vtkMapper::ShallowCopy(like); // its input is another one
   mapper->SetInputData(part.Prototype);
   mapper->SetInstances(part.Instances, part.InCoarseMaps);

@@ -4,8 +4,7 @@
 #define LittoralBlockMapper_h
 
 #include "PinnedArray.h"
-
-#include "vtkOpenGLPolyDataMapper.h"
+#include "TexturedMapper.h"
 
 #include <array>
 #include <cstddef>
@@ -26,11 +25,11 @@ namespace littoral
  * are read from the arrays themselves, and many triangles are drawn by parts, since all of them would be kept until
  * they are drawn.
  */
-class BlockMapper : public vtkOpenGLPolyDataMapper
+class BlockMapper : public TexturedMapper
 {
 public:
   static BlockMapper* New();
-  vtkTypeMacro(BlockMapper, vtkOpenGLPolyDataMapper);
+  vtkTypeMacro(BlockMapper, TexturedMapper);
 
   /// Whether a processor draws a surface by parts.
   static bool HasManyCells(vtkPolyData* surface);

@@ -4,9 +4,9 @@
 #define LittoralInstanceMapper_h
 
 #include "Instances.h"
+#include "TexturedMapper.h"
 
 #include "vtkNew.h"
-#include "vtkOpenGLPolyDataMapper.h"
 
 class vtkOpenGLBufferObject;
 
@@ -20,11 +20,11 @@ namespace littoral
  * else. vtkGlyph3DMapper has one color an instance, and takes none from the polygons. Instances outside the volume that
  * the camera shows, which is that of a map of depths when it is drawn, are left out before their vertices are computed.
  */
-class InstanceMapper : public vtkOpenGLPolyDataMapper
+class InstanceMapper : public TexturedMapper
 {
 public:
   static InstanceMapper* New();
-  vtkTypeMacro(InstanceMapper, vtkOpenGLPolyDataMapper);
+  vtkTypeMacro(InstanceMapper, TexturedMapper);
 
   /// Instances to draw, and those to draw in coarse maps of depths (vtkLandscapePass::COARSE_MAP()); null: the same.
   void SetInstances(const std::shared_ptr<const InstanceBatch>& batch,
