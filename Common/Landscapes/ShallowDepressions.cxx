@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Landscapes/ShallowDepressions.h"
 
-#include "Drainage/CellLattice.h"
+#include "Drainage/ConnectedCells.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -22,32 +22,20 @@ struct Depression
 /// Cells under water that hang together, and so have one level.
 std::vector<Depression> DepressionsOf(const CellLattice& lattice, const std::vector<double>& depths, const Poll& poll)
 {
-  SteppedPoll steps(poll, 1 << 16);
   std::vector<Depression> depressions;
-  std::vector<char> isFound(depths.size(), 0);
-  for (CellIndex first = 0; first < lattice.Count(); ++first)
-  {
-    steps.Step();
-    if (isFound[first] || !(depths[first] > 0.0))
+  const auto areWet = [&](CellIndex cell, CellIndex next, int) { return depths[cell] > 0.0 && depths[next] > 0.0; };
+  const auto add = [&](const std::vector<CellIndex>& cells) {
+    double depth = 0.0;
+    for (const CellIndex cell : cells)
     {
-      continue;
+      depth = std::max(depth, depths[cell]);
     }
-    isFound[first] = 1;
-    Depression depression{ 0.0, { first } };
-    for (std::size_t n = 0; n < depression.Cells.size(); ++n)
+    if (depth > 0.0)
     {
-      const CellIndex cell = depression.Cells[n];
-      depression.Depth = std::max(depression.Depth, depths[cell]);
-      lattice.ForEachNeighbour(cell, [&](CellIndex next, int) {
-        if (!isFound[next] && depths[next] > 0.0)
-        {
-          isFound[next] = 1;
-          depression.Cells.push_back(next);
-        }
-      });
+      depressions.push_back({ depth, cells });
     }
-    depressions.push_back(std::move(depression));
-  }
+  };
+  ForEachConnected(lattice, areWet, add, poll);
   return depressions;
 }
 

@@ -84,10 +84,7 @@ void EndIfAborted(vtkAlgorithm* algorithm, double progress)
 
 ParallelFor AbortableFor(vtkAlgorithm* algorithm)
 {
-  return [algorithm](std::size_t count, const RangeTask& task) {
-    const double progress = algorithm->GetProgress();
-    AbortableFor(algorithm, progress, progress)(count, task);
-  };
+  return AbortableFor(algorithm, 0.0, 0.0); // leaves progress as it is
 }
 
 ParallelFor AbortableFor(vtkAlgorithm* algorithm, double first, double last)
