@@ -5,6 +5,7 @@
 #include "Data/ArrayReader.h"
 #include "Data/Arrays.h"
 #include "Data/Blocks.h"
+#include "Data/FrameArrays.h"
 #include "Data/GroundWetness.h"
 #include "Data/Inputs.h"
 #include "Data/Tables.h"
@@ -39,7 +40,10 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -48,12 +52,24 @@
 
 vtkStandardNewMacro(vtkTerrainLevelOfDetailFilter);
 
+namespace
+{
+
+/// Colors of samples, each found when it is first shown: three bytes and Known. Threads may find the same one at once.
+using FoundColors = std::vector<std::atomic<std::uint32_t>>;
+constexpr std::uint32_t Known = 1u << 24;
+
+}
+
 /// The pyramid, and what it was made of.
 class vtkTerrainLevelOfDetailFilter::vtkInternals
 {
 public:
   std::optional<littoral::TerrainPyramid> Pyramid;
   std::vector<double> Wetness; ///< of each sample, or none
+  FoundColors Colors;
+  std::vector<littoral::TerrainPatch> Patches; ///< of all tiles: those of the last view stay where levels do
+  littoral::FrameArrays Arrays;
   littoral::DataStamp Image;
   littoral::ArrayStamp Heights;
   int TileSize = 0;
@@ -124,10 +140,11 @@ CarriedArrays NewCarriedArrays(vtkImageData* image, vtkDataArray* heights, vtkId
 class GroundPainter
 {
 public:
-  GroundPainter(
-    const littoral::TerrainPyramid& pyramid, const std::vector<double>& wetness, vtkImageData* image, bool paints)
+  GroundPainter(const littoral::TerrainPyramid& pyramid, const std::vector<double>& wetness, vtkImageData* image,
+    bool paints, FoundColors& found)
     : Pyramid(pyramid)
     , Wetness(wetness)
+    , Found(found)
     , Reflectance(littoral::ArrayReader::OfPoints(image, "The image").Seek("Reflectance", 1))
     , Paints(paints && !image->GetPointData()->HasArray("RGB"))
   {
@@ -140,11 +157,29 @@ public:
     }
     this->Lowest = lowest;
     this->Relief = std::max(static_cast<double>(highest) - this->Lowest, 1e-9);
+    if (this->Paints && found.empty())
+    {
+      found = FoundColors(pyramid.GetSamples().Values.size());
+    }
   }
 
   explicit operator bool() const { return this->Paints; }
 
   littoral::Color operator()(std::size_t sample) const
+  {
+    std::uint32_t color = this->Found[sample].load(std::memory_order_relaxed);
+    if (color == 0)
+    {
+      const littoral::Color own = this->ColorOf(sample);
+      color = Known | own[0] << 16 | own[1] << 8 | own[2];
+      this->Found[sample].store(color, std::memory_order_relaxed);
+    }
+    const auto byte = [color](int shift) { return static_cast<unsigned char>(color >> shift & 0xff); };
+    return { byte(16), byte(8), byte(0) };
+  }
+
+private:
+  littoral::Color ColorOf(std::size_t sample) const
   {
     littoral::GroundPlace place;
     place.Slope = std::acos(std::min(1.0, static_cast<double>(this->Pyramid.GetNormal(sample)[2])));
@@ -157,9 +192,9 @@ public:
     return littoral::GroundColor(place);
   }
 
-private:
   const littoral::TerrainPyramid& Pyramid;
   const std::vector<double>& Wetness; ///< of each sample, or none
+  FoundColors& Found;
   vtkDataArray* Reflectance;
   bool Paints;
   double Lowest = 0.0;
@@ -171,47 +206,44 @@ class BlockArrays
 {
 public:
   BlockArrays(const Layout& layout, const littoral::TerrainPyramid& pyramid, const GroundPainter& painter,
-    vtkImageData* image, vtkDataArray* heights)
+    vtkImageData* image, vtkDataArray* heights, littoral::FrameArrays& frame)
     : Pyramid(pyramid)
     , Painter(painter)
-    , Positions(littoral::NewArray<vtkDoubleArray>("Points", 3, layout.Points))
-    , Elevation(littoral::NewArray<vtkFloatArray>("Elevation", 1, layout.Points))
-    , Normals(littoral::NewArray<vtkFloatArray>("Normals", 3, layout.Points))
-    , Coordinates(littoral::NewArray<vtkFloatArray>("TCoords", 2, layout.Points))
-    , Levels(littoral::NewArray<vtkIntArray>("Level", 1, layout.Triangles))
-    , Offsets(littoral::NewArray<vtkIdTypeArray>("Offsets", 1, layout.Triangles + 1))
-    , Connectivity(littoral::NewArray<vtkIdTypeArray>("Connectivity", 1, 3 * layout.Triangles))
-    , Colors(littoral::NewArray<vtkUnsignedCharArray>("RGB", 3, painter ? layout.Points : 0))
+    , Positions(New<vtkDoubleArray>(frame, "Points", 3, layout.Points))
+    , Elevation(New<vtkFloatArray>(frame, "Elevation", 1, layout.Points))
+    , Normals(New<vtkFloatArray>(frame, "Normals", 3, layout.Points))
+    , Coordinates(New<vtkFloatArray>(frame, "TCoords", 2, layout.Points))
+    , Levels(New<vtkIntArray>(frame, "Level", 1, layout.Triangles))
+    , Offsets(New<vtkIdTypeArray>(frame, "Offsets", 1, layout.Triangles + 1))
+    , Connectivity(New<vtkIdTypeArray>(frame, "Connectivity", 1, 3 * layout.Triangles))
+    , Colors(New<vtkUnsignedCharArray>(frame, "RGB", 3, painter ? layout.Points : 0))
     , Carried(NewCarriedArrays(image, heights, layout.Points))
+    , Ranges(layout.Parts.size())
   {
     this->Offsets->SetValue(layout.Triangles, 3 * layout.Triangles);
   }
 
-  void CopyPart(const Part& part)
+  void CopyPart(const Part& part, std::size_t index)
   {
-    for (std::size_t i = 0; i < part.Mesh->Samples.size(); ++i)
-    {
-      this->CopyPoint(part.FirstPoint + static_cast<vtkIdType>(i), part.Mesh->Samples[i]);
-    }
-    for (std::size_t i = 0; i < part.Mesh->Triangles.size(); ++i)
-    {
-      this->Connectivity->SetValue(
-        3 * part.FirstTriangle + static_cast<vtkIdType>(i), part.FirstPoint + part.Mesh->Triangles[i]);
-    }
-    const vtkIdType triangles = static_cast<vtkIdType>(part.Mesh->Triangles.size() / 3);
+    this->CopyPoints(part.Mesh->Samples, part.FirstPoint);
+    this->FindRanges(part, this->Ranges[index]);
+    const std::vector<int>& corners = part.Mesh->Triangles;
+    std::transform(corners.begin(), corners.end(), this->Connectivity->GetPointer(3 * part.FirstTriangle),
+      [&part](int corner) { return part.FirstPoint + corner; });
+    const auto triangles = static_cast<vtkIdType>(corners.size() / 3);
+    vtkIdType* offsets = this->Offsets->GetPointer(0);
     for (vtkIdType i = part.FirstTriangle; i < part.FirstTriangle + triangles; ++i)
     {
-      this->Offsets->SetValue(i, 3 * i);
-      this->Levels->SetValue(i, part.Level);
+      offsets[i] = 3 * i;
     }
+    std::fill_n(this->Levels->GetPointer(part.FirstTriangle), triangles, part.Level);
   }
 
   vtkSmartPointer<vtkPolyData> MakeBlock() const
   {
+    this->KeepRanges();
     auto block = vtkSmartPointer<vtkPolyData>::New();
-    vtkNew<vtkPoints> points;
-    points->SetData(this->Positions);
-    block->SetPoints(points);
+    block->SetPoints(littoral::PointsWithRanges(this->Positions));
     vtkNew<vtkCellArray> triangles;
     triangles->SetData(this->Offsets, this->Connectivity);
     block->SetPolys(triangles);
@@ -236,24 +268,95 @@ public:
   }
 
 private:
-  void CopyPoint(vtkIdType point, std::size_t sample)
+  /// An array of a frame. The next view may need some more.
+  template <typename Array>
+  static vtkSmartPointer<Array> New(littoral::FrameArrays& frame, const char* name, int components, vtkIdType tuples)
   {
-    const littoral::HeightSamples& samples = this->Pyramid.GetSamples();
-    const littoral::Vector3 position = samples.Position(sample);
-    std::copy_n(&position.x, 3, this->Positions->GetPointer(3 * point));
-    this->Elevation->SetValue(point, samples.Values[sample]);
-    std::copy_n(this->Pyramid.GetNormal(sample).data(), 3, this->Normals->GetPointer(3 * point));
-    float* coordinate = this->Coordinates->GetPointer(2 * point);
-    const std::size_t row = sample / samples.Width;
-    coordinate[0] = static_cast<float>(static_cast<double>(sample % samples.Width) / (samples.Width - 1));
-    coordinate[1] = static_cast<float>(static_cast<double>(row) / (samples.Height - 1));
+    return frame.New<Array>(name, components, tuples, 0, tuples / 8);
+  }
+
+  /// Ranges of a part, found while its points are in the cache.
+  struct PartRanges
+  {
+    littoral::TupleRanges Positions;
+    littoral::TupleRanges Elevation;
+    littoral::TupleRanges Normals;
+    littoral::TupleRanges Coordinates;
+    littoral::TupleRanges Colors;
+    littoral::TupleRanges Levels;
+  };
+
+  void FindRanges(const Part& part, PartRanges& ranges) const
+  {
+    const auto add = [&part](auto* array, littoral::TupleRanges& range) {
+      const vtkIdType components = array->GetNumberOfComponents();
+      const auto* first = array->GetPointer(components * part.FirstPoint);
+      range.AddTuples(
+        first, first + components * static_cast<vtkIdType>(part.Mesh->Samples.size()), static_cast<int>(components));
+    };
+    add(this->Positions.Get(), ranges.Positions);
+    add(this->Normals.Get(), ranges.Normals);
+    add(this->Coordinates.Get(), ranges.Coordinates);
     if (this->Painter)
     {
-      std::copy_n(this->Painter(sample).data(), 3, this->Colors->GetPointer(3 * point));
+      add(this->Colors.Get(), ranges.Colors);
+    }
+    ranges.Elevation.Components[0] = ranges.Positions.Components[2];
+    ranges.Elevation.AreFinite = ranges.Positions.AreFinite;
+    ranges.Levels.Components[0].Add(part.Level);
+  }
+
+  void KeepRanges() const
+  {
+    const auto keep = [this](vtkDataArray* array, littoral::TupleRanges PartRanges::*ranges) {
+      std::vector<littoral::TupleRanges> parts;
+      std::transform(this->Ranges.begin(), this->Ranges.end(), std::back_inserter(parts),
+        [ranges](const PartRanges& part) { return part.*ranges; });
+      littoral::KeepRangesOfParts(array, parts);
+    };
+    keep(this->Positions, &PartRanges::Positions);
+    keep(this->Elevation, &PartRanges::Elevation);
+    keep(this->Normals, &PartRanges::Normals);
+    keep(this->Coordinates, &PartRanges::Coordinates);
+    keep(this->Colors, &PartRanges::Colors);
+    keep(this->Levels, &PartRanges::Levels);
+  }
+
+  /// Copies samples to the points from the first on.
+  void CopyPoints(const std::vector<std::size_t>& samples, vtkIdType first)
+  {
+    const littoral::HeightSamples& grid = this->Pyramid.GetSamples();
+    const std::size_t width = static_cast<std::size_t>(grid.Width);
+    double* position = this->Positions->GetPointer(3 * first);
+    float* elevation = this->Elevation->GetPointer(first);
+    float* normal = this->Normals->GetPointer(3 * first);
+    float* coordinate = this->Coordinates->GetPointer(2 * first);
+    for (const std::size_t sample : samples)
+    {
+      const auto row = static_cast<double>(sample / width);
+      const auto column = static_cast<double>(sample % width);
+      *position++ = grid.Origin[0] + column * grid.Spacing[0];
+      *position++ = grid.Origin[1] + row * grid.Spacing[1];
+      *position++ = grid.Values[sample];
+      *elevation++ = grid.Values[sample];
+      for (const float part : this->Pyramid.GetNormal(sample))
+      {
+        *normal++ = part;
+      }
+      *coordinate++ = static_cast<float>(column / (grid.Width - 1));
+      *coordinate++ = static_cast<float>(row / (grid.Height - 1));
+    }
+    if (this->Painter)
+    {
+      unsigned char* color = this->Colors->GetPointer(3 * first);
+      std::for_each(samples.begin(), samples.end(),
+        [&](std::size_t sample) { color = std::copy_n(this->Painter(sample).data(), 3, color); });
     }
     for (const auto& pair : this->Carried)
     {
-      pair.second->SetTuple(point, static_cast<vtkIdType>(sample), pair.first);
+      vtkIdType point = first;
+      std::for_each(samples.begin(), samples.end(),
+        [&](std::size_t sample) { pair.second->SetTuple(point++, static_cast<vtkIdType>(sample), pair.first); });
     }
   }
 
@@ -268,17 +371,18 @@ private:
   vtkSmartPointer<vtkIdTypeArray> Connectivity;
   vtkSmartPointer<vtkUnsignedCharArray> Colors;
   CarriedArrays Carried;
+  std::vector<PartRanges> Ranges; ///< of parts
 };
 
 /// Makes a block of its parts, each on a thread of its own.
 vtkSmartPointer<vtkPolyData> MakeBlock(const Layout& layout, const littoral::TerrainPyramid& pyramid,
-  const GroundPainter& painter, vtkImageData* image, vtkDataArray* heights)
+  const GroundPainter& painter, vtkImageData* image, vtkDataArray* heights, littoral::FrameArrays& frame)
 {
-  BlockArrays arrays(layout, pyramid, painter, image, heights);
+  BlockArrays arrays(layout, pyramid, painter, image, heights, frame);
   littoral::SmpFor(layout.Parts.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
     {
-      arrays.CopyPart(layout.Parts[i]);
+      arrays.CopyPart(layout.Parts[i], i);
     }
   });
   return arrays.MakeBlock();
@@ -287,19 +391,18 @@ vtkSmartPointer<vtkPolyData> MakeBlock(const Layout& layout, const littoral::Ter
 /// Terrain as a view shows it: the patches of its tiles, sorted into blocks by level, seams last.
 struct ShownTerrain
 {
-  std::vector<littoral::TerrainPatch> Patches;
   std::vector<Layout> Layouts;
   double Tiles = 0.0;
   double LargestError = 0.0; ///< [pixels]
 
   explicit ShownTerrain(const littoral::TerrainPyramid& pyramid)
-    : Patches(pyramid.GetTiles().size())
-    , Layouts(static_cast<std::size_t>(pyramid.GetLevels()) + 1)
+    : Layouts(static_cast<std::size_t>(pyramid.GetLevels()) + 1)
   {
   }
 
   /// Sorts the patches.
-  void Sort(const littoral::TerrainPyramid& pyramid, const std::vector<int>& levels, const littoral::ViewFrustum& view)
+  void Sort(const littoral::TerrainPyramid& pyramid, const std::vector<int>& levels,
+    const std::vector<littoral::TerrainPatch>& patches, const littoral::ViewFrustum& view)
   {
     const std::vector<littoral::TerrainTile>& tiles = pyramid.GetTiles();
     for (std::size_t tile = 0; tile < tiles.size(); ++tile)
@@ -307,8 +410,8 @@ struct ShownTerrain
       const int level = levels[tile];
       if (level != littoral::Culled)
       {
-        this->Layouts[static_cast<std::size_t>(level)].Add(this->Patches[tile].Surface, level);
-        this->Layouts.back().Add(this->Patches[tile].Seams, level);
+        this->Layouts[static_cast<std::size_t>(level)].Add(patches[tile].Surface, level);
+        this->Layouts.back().Add(patches[tile].Seams, level);
         this->LargestError = std::max(this->LargestError, littoral::ScreenErrorOf(tiles[tile], level, view));
         this->Tiles += 1.0;
       }
@@ -458,6 +561,8 @@ void vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataAr
     return;
   }
   internals.Pyramid.reset();
+  internals.Colors.clear();
+  internals.Patches.clear();
   const double bytes = BytesASample(image) * static_cast<double>(image->GetNumberOfPoints());
   littoral::RequireMemory(bytes, "the terrain in levels", "take a part of it or a coarser one");
   this->CheckHeights(heights);
@@ -479,6 +584,7 @@ void vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataAr
     samples.Values[i] = static_cast<float>(heights->GetComponent(static_cast<vtkIdType>(i), 0));
   }
   internals.Pyramid.emplace(std::move(samples), this->TileSize, this->NumberOfLevels, littoral::AbortableFor(this));
+  internals.Patches.resize(internals.Pyramid->GetTiles().size());
   internals.Wetness = littoral::SpreadWetness(image, heights, littoral::AbortableFor(this));
   internals.Image = stamp;
   internals.Heights = heightsStamp;
@@ -525,20 +631,26 @@ int vtkTerrainLevelOfDetailFilter::RequestData(
   const littoral::TerrainPyramid& pyramid = *this->Internals->Pyramid;
   const littoral::ViewFrustum view(seen);
   const std::vector<int> levels = littoral::SelectLevels(pyramid, view, this->MakeRule());
-  ShownTerrain shown(pyramid);
+  std::vector<littoral::TerrainPatch>& patches = this->Internals->Patches;
   const auto makePatch = [&](std::size_t tile) {
-    if (levels[tile] != littoral::Culled)
+    if (levels[tile] == littoral::Culled)
     {
-      shown.Patches[tile] = littoral::MakePatch(pyramid, levels, tile);
+      patches[tile] = {};
+    }
+    else if (patches[tile].Levels != littoral::PatchLevelsOf(pyramid, levels, tile))
+    {
+      patches[tile] = littoral::MakePatch(pyramid, levels, tile);
     }
   };
   if (!littoral::RunWithProgress(this, levels.size(), 0.2, 0.6, makePatch))
   {
     return 1;
   }
-  shown.Sort(pyramid, levels, view);
-  const GroundPainter painter(pyramid, this->Internals->Wetness, image, this->GroundColors);
+  ShownTerrain shown(pyramid);
+  shown.Sort(pyramid, levels, patches, view);
+  const GroundPainter painter(pyramid, this->Internals->Wetness, image, this->GroundColors, this->Internals->Colors);
   const std::size_t blocks = shown.Layouts.size();
+  this->Internals->Arrays.BeginFrame();
   double polygons = 0.0;
   for (std::size_t block = 0; block < blocks; ++block)
   {
@@ -548,10 +660,12 @@ int vtkTerrainLevelOfDetailFilter::RequestData(
       return 1;
     }
     const std::string name = BlockName(static_cast<int>(block), pyramid.GetLevels());
-    littoral::AddBlock(output, name.c_str(), MakeBlock(shown.Layouts[block], pyramid, painter, image, heights));
+    littoral::AddBlock(
+      output, name.c_str(), MakeBlock(shown.Layouts[block], pyramid, painter, image, heights, this->Internals->Arrays));
     polygons += static_cast<double>(shown.Layouts[block].Triangles);
     this->UpdateProgress(0.6 + 0.4 * static_cast<double>(block + 1) / static_cast<double>(blocks));
   }
+  this->Internals->Arrays.EndFrame();
   const littoral::HeightSamples& samples = pyramid.GetSamples();
   AddCount(output, "TilesShown", shown.Tiles);
   AddCount(output, "TilesInAll", static_cast<double>(levels.size()));

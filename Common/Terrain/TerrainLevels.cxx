@@ -131,20 +131,13 @@ public:
     , Xs(Places(this->Tile.First[0], this->Tile.Last[0], this->Level))
     , Ys(Places(this->Tile.First[1], this->Tile.Last[1], this->Level))
   {
-    const int along = pyramid.GetTilesAlong(0);
-    const int x = static_cast<int>(tile) % along;
-    const int y = static_cast<int>(tile) / along;
-    const auto levelAt = [&](int i, int j) {
-      const bool isTile = i >= 0 && j >= 0 && i < along && j < pyramid.GetTilesAlong(1);
-      const int level = isTile ? levels[static_cast<std::size_t>(j) * along + i] : Culled;
-      return level == Culled ? this->Level : std::min(level, this->Level); // no gap to a coarser one from here
-    };
-    this->Neighbours = { levelAt(x, y - 1), levelAt(x + 1, y), levelAt(x, y + 1), levelAt(x - 1, y) };
+    this->Patch.Levels = PatchLevelsOf(pyramid, levels, tile);
   }
 
   TerrainPatch Build()
   {
     const int columns = static_cast<int>(this->Xs.size());
+    this->Patch.Surface.Samples.reserve(this->Xs.size() * this->Ys.size());
     for (const int y : this->Ys)
     {
       for (const int x : this->Xs)
@@ -154,6 +147,7 @@ public:
     }
     const int lastX = columns - 2;
     const int lastY = static_cast<int>(this->Ys.size()) - 2;
+    this->Patch.Surface.Triangles.reserve(6 * (this->Xs.size() - 1) * (this->Ys.size() - 1));
     for (int j = 0; j <= lastY; ++j)
     {
       for (int i = 0; i <= lastX; ++i)
@@ -187,7 +181,7 @@ private:
   /// here.
   std::vector<int> Edge(bool isOnRim, Side side, int cell)
   {
-    if (!isOnRim || this->Neighbours[side] >= this->Level)
+    if (!isOnRim || this->Patch.Levels[1 + side] >= this->Level)
     {
       return {};
     }
@@ -219,7 +213,7 @@ private:
     const bool alongX = side == Bottom || side == Top;
     const std::vector<int>& places = alongX ? this->Xs : this->Ys;
     Chain chain;
-    chain.Places = Places(places[cell], places[cell + 1], this->Neighbours[side]);
+    chain.Places = Places(places[cell], places[cell + 1], this->Patch.Levels[1 + side]);
     if (side == Top || side == Left)
     {
       std::reverse(chain.Places.begin(), chain.Places.end());
@@ -237,19 +231,24 @@ private:
   void AddTriangle(int a, const std::vector<int>& onAB, int b, const std::vector<int>& onBC, int c)
   {
     std::vector<int>& triangles = this->Patch.Surface.Triangles;
+    const auto add = [&triangles](int first, int second, int third) {
+      triangles.push_back(first);
+      triangles.push_back(second);
+      triangles.push_back(third);
+    };
     int last = a;
     for (const int vertex : onAB)
     {
-      triangles.insert(triangles.end(), { last, vertex, c });
+      add(last, vertex, c);
       last = vertex;
     }
     int before = b;
     for (const int vertex : onBC)
     {
-      triangles.insert(triangles.end(), { last, before, vertex });
+      add(last, before, vertex);
       before = vertex;
     }
-    triangles.insert(triangles.end(), { last, before, c });
+    add(last, before, c);
   }
 
   /// Leaves out triangles with a missing vertex, and the vertices that no triangle has then.
@@ -285,7 +284,6 @@ private:
   int Level;
   std::vector<int> Xs;
   std::vector<int> Ys;
-  std::array<int, 4> Neighbours{};
   TerrainPatch Patch;
 };
 
@@ -465,6 +463,20 @@ std::vector<int> SelectLevels(const TerrainPyramid& pyramid, const ViewFrustum& 
     levels.push_back(level);
   }
   return levels;
+}
+
+PatchLevels PatchLevelsOf(const TerrainPyramid& pyramid, const std::vector<int>& levels, std::size_t tile)
+{
+  const int along = pyramid.GetTilesAlong(0);
+  const int x = static_cast<int>(tile) % along;
+  const int y = static_cast<int>(tile) / along;
+  const int own = levels[tile];
+  const auto levelAt = [&](int i, int j) {
+    const bool isTile = i >= 0 && j >= 0 && i < along && j < pyramid.GetTilesAlong(1);
+    const int level = isTile ? levels[static_cast<std::size_t>(j) * along + i] : Culled;
+    return level == Culled ? own : std::min(level, own); // no gap to a coarser one from here
+  };
+  return { own, levelAt(x, y - 1), levelAt(x + 1, y), levelAt(x, y + 1), levelAt(x - 1, y) };
 }
 
 TerrainPatch MakePatch(const TerrainPyramid& pyramid, const std::vector<int>& levels, std::size_t tile)

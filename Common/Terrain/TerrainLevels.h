@@ -100,9 +100,16 @@ struct TerrainMesh
   std::vector<int> Triangles;
 };
 
+/// Levels by which a tile is meshed: its own, then those of its neighbours at the bottom, right, top and left, but its
+/// own where they are coarser or not shown.
+using PatchLevels = std::array<int, 5>;
+
+PatchLevels PatchLevelsOf(const TerrainPyramid& pyramid, const std::vector<int>& levels, std::size_t tile);
+
 /// A tile at its level, and what closes the gaps to its finer neighbours.
 struct TerrainPatch
 {
+  PatchLevels Levels{ Culled, Culled, Culled, Culled, Culled };
   TerrainMesh Surface;
   TerrainMesh Seams;
 };

@@ -58,9 +58,11 @@ public:
   void EndFrame();
 
   /// An array with a name and room for tuples, not filled. One of a state other than 0 is taken where an array of the
-  /// same state was, if it can be: IsFormer() tells whether it has the values of that one.
+  /// same state was, if it can be: IsFormer() tells whether it has the values of that one. New memory has room for
+  /// spare tuples, too, so that it fits later frames of somewhat more.
   template <typename Array>
-  vtkSmartPointer<Array> New(const char* name, int components, vtkIdType tuples, std::size_t state = 0)
+  vtkSmartPointer<Array> New(
+    const char* name, int components, vtkIdType tuples, std::size_t state = 0, vtkIdType spare = 0)
   {
     const auto fits = [&](const Frame& former) {
       return this->IsFree(former.Array, components, tuples) && Array::SafeDownCast(former.Array);
@@ -74,7 +76,7 @@ public:
     }
     if (!array)
     {
-      array = NewArray<Array>(name, components, tuples);
+      array = NewArray<Array>(name, components, tuples + spare);
     }
     SetTuples(array, tuples);
     array->SetName(name);

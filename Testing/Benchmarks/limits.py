@@ -10,27 +10,24 @@ import collections
 import os
 import re
 
-#: Of a benchmark (regular expressions of program and name), whose items or bytes each take `work`: rates of
+#: Of benchmarks (regular expressions of program and name), whose items or bytes each take `work`: rates of
 #: bench_machine on some threads (0: as many as VTK's filters use), with the amount of each.
 Rates = collections.namedtuple("Rates", "program name threads work reason")
 #: The time of another benchmark of the same program, so many times. \1 stands for the first group of the name.
 Twin = collections.namedtuple("Twin", "program name other times reason")
 
-#: Benchmarks of Common alone in programs of VTK's classes.
-KERNELS = r"(MoveParticles|StepForest|StepLinks|FunctionsAlone)\b"
 FUNCTIONS = {"SinesAndCosines": 1, "Exponentials": 1}
+ORBITS = "a sine with its cosine and an exponential for each particle and train (WaveOrbits), by SLEEF"
 LIMITS = (
     Rates("bench_sway", r"SkinTrees/size:250", 1, {"ReadMemory": 36, "WriteMemory": 24},
           "36 bytes a vertex are read (point and normal of floats, and its share of a run of SkinBinding) and 24 written"),
-    Rates("vtkbench_orbits", r"MoveParticles<float>/.*", 2, FUNCTIONS,
-          "a sine with its cosine and an exponential for each particle and train (WaveOrbits), by SLEEF"),
-    Rates("vtkbench_orbits", r"OrbitFilterFrame/.*", 0, FUNCTIONS,
-          "a sine with its cosine and an exponential for each particle and train (WaveOrbits), by SLEEF"),
-    Rates("vtkbench_particles", r"FogOfAll/.*", 0, {"ReadMemory": 12},
+    Rates("vtkbench_orbits", r"MoveParticles<float>/.*", 2, FUNCTIONS, ORBITS),
+    Rates("vtkbench_classes", r"By(Kernel|Class)<Orbits>/.*", 0, FUNCTIONS, ORBITS),
+    Rates("vtkbench_(particles|classes)", r"(FogOfAll|By(Kernel|Class)<Fog>)/.*", 0, {"ReadMemory": 12},
           "12 bytes a particle: its point is read once (vtkPoints of floats); the grid is small beside it"),
     Rates("vtkbench_scatter", r"AllInFull/.*", 0, {"WriteMemory": 1},
           "each byte of the output is written once; the prototypes stay in the cache"),
-    Rates("vtkbench_quadrats", r"ScatterPoints/.*", 0, {"WriteMemory": 56},
+    Rates("vtkbench_(quadrats|classes)", r"(ScatterPoints|By(Kernel|Class)<Quadrats>)/.*", 0, {"WriteMemory": 56},
           "56 bytes a point are written: its place as doubles, two ids, and its cell of two ids (vtkQuadratPointSource)"),
     Twin("bench_terrain", r"FillPoints/threads:1/size:1048576/real_time", "AddSameBytes/real_time", 1.0,
          "one addition for each line and point, in the cache"),
@@ -75,7 +72,7 @@ def share_by_twin(limit, result, results):
 def share_of(result, results):
     """Time at the limit over time of a result, and the limit; None where none is known or was measured."""
     for limit in LIMITS:
-        if result.program == limit.program and re.fullmatch(limit.name, result.name):
+        if re.fullmatch(limit.program, result.program) and re.fullmatch(limit.name, result.name):
             share = (share_by_rates if isinstance(limit, Rates) else share_by_twin)(limit, result, results)
             return (share, limit) if share else None
     return None

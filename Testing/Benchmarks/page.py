@@ -83,34 +83,31 @@ def of_kernels(results):
     notes = [f"{number}. {reason}" for number, reason in enumerate(reasons, 1)]
     return ["Share: the time at the limit over the time taken; the number names the limit below. Times are real times "
             "where the name says so, else those of the processor.", "",
-            *table(("program", "benchmark", "time [ms]", "rate", "share of the limit"), rows), *notes, "",
-            *of_shares(results)]
+            *table(("program", "benchmark", "time [ms]", "rate", "share of the limit"), rows), *notes, ""]
 
 
-def is_kernel(result):
-    """Whether a benchmark calls Common alone: those of VTK's classes are in programs of their own, but for kernels."""
-    return not result.program.startswith("vtk") or bool(re.match(limits.KERNELS, result.name))
+#: Least rate of a kernel that its class is to have.
+LEAST_SHARE = 0.7
 
 
-def of_shares(results):
-    """Best shares of each limit by kernels and by the classes that call them."""
-    best = {}
-    for result in results:
-        known = limits.share_of(result, results) if result.program != "bench_machine" else None
-        if known:
-            shares = best.setdefault(known[1].reason, {})
-            kind = is_kernel(result)
-            shares[kind] = max(shares.get(kind, (0.0, "")), (known[0], result.name))
-    if not best:
-        return []
-
-    def cells(shares, kind):
-        share, name = shares.get(kind, (0.0, ""))
-        return (f"{100.0 * share:.3g} %", name) if name else ("", "")
-
-    rows = [(reason, *cells(shares, True), *cells(shares, False)) for reason, shares in best.items()]
-    return ["Best shares of each limit, by kernels and by classes:", "",
-            *table(("limit", "kernel", "benchmark", "class", "benchmark"), rows)]
+def of_classes(results):
+    """Kernels beside the classes that call them, at the same work on as many threads (vtkbench_classes)."""
+    ran = {result.name: result for result in results if result.program == "vtkbench_classes"}
+    rows = []
+    for name, kernel in ran.items():
+        owner = ran.get(name.replace("ByKernel<", "ByClass<"))
+        if not name.startswith("ByKernel<") or not owner:
+            continue
+        limits_of = [limits.share_of(one, results) for one in (kernel, owner)]
+        share = kernel.time / owner.time
+        rows.append((re.search("<(.*)>", name)[1], figures(kernel.time), figures(owner.time), f"{100.0 * share:.3g} %",
+                     "" if share >= LEAST_SHARE else f"below {100.0 * LEAST_SHARE:.0f} %",
+                     *(f"{100.0 * known[0]:.3g} %" if known else "" for known in limits_of)))
+    if not rows:
+        return ["Classes were not set beside their kernels.", ""]
+    return ["A kernel of Common alone, in memory that it has already, and the update of the class that calls it; share: the "
+            "kernel's time over the class's. Where a limit is known, the share of it of each.", "",
+            *table(("work", "kernel [ms]", "class [ms]", "share", "", "kernel, of its limit", "class, of its limit"), rows)]
 
 
 def of_threads(threads):
@@ -190,6 +187,7 @@ def page(results, charts, sets, threads, scenes, silence, peers=(), no_peers="")
     """The whole report."""
     lines = ["# Benchmarks of Littoral", "", "## Machine", "", *table(("what", "which"), machine()),
              "## Limits of the machine", "", *of_machine(results), "## Kernels", "", *of_kernels(results),
+             "## Classes beside their kernels", "", *of_classes(results),
              "## Sets of instructions", "", *of_sets(sets), "## Two threads", "", *of_threads(threads),
              "## Beside other tools", "", *of_peers(peers, no_peers, results),
              "## The papers", "", *papers.lines(results, table),

@@ -6,8 +6,8 @@ Papers give frames a second, drawing included, on computers of their time; here 
 which draw nothing. So the ratios of a table are to be compared, and most of all those of what is counted.
 """
 
-#: Numbers of trees here: that of Setas et al., figure 9, and 100 times as many.
-TREES_SIZES = 1000, 100000
+#: Numbers of trees here: fewer than Setas et al., figure 9, theirs, and more.
+TREES_SIZES = 100, 1000, 100000, 1000000
 #: Their frames a second with 1000 trees, by (levels, cells), as the text has them.
 TREES = {(0, 0): 0.9, (1, 0): 3.7, (0, 1): 5.2, (1, 1): 12.2}
 #: Coulais et al., table 1: frames a second by (levels, selection of trains), at distances [m].
@@ -127,7 +127,7 @@ def of_trees(ran, table):
         raise KeyError("Trees")
     return ["Figure 9 of Setas et al., on an SGI Indigo IRIS XS24, at 1000 trees: the frame rates that the text gives, on a "
             "random path, with two levels. Here: means over 90 views from evenly spread places within 500 m x 500 m, or as "
-            "dense a forest of more, with three levels; without levels over four views, at 1000 trees alone: more in full "
+            "dense a forest of more, with three levels; without levels over four views, up to 1000 trees: more in full "
             "are counted, not made.", "",
             *table(("trees", "with", "paper [1/s]", "gain, paper", "here [1000 polygons a view]", "gain in polygons",
                     "updates here [1/s]", "gain in time"), rows)]

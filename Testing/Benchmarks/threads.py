@@ -7,10 +7,8 @@ import statistics
 
 #: Programs and benchmarks, each of another class.
 CLASSES = {
-    "vtkbench_orbits": r"^OrbitFilterFrame/",
-    "vtkbench_particles": r"^FogOfAll/size:1000000/|^DriftedParticles/",
-    "vtkbench_quadrats": r"^MeasurePairs/size:10000/|^DrawProcess/process:1/size:1048576/|^JudgePattern/size:560/",
-    "vtkbench_seaweed": r"^StepForest/size:10000/|^Pictures/method:0/size:10000/",
+    "vtkbench_classes": r"^ByClass<",
+    "vtkbench_quadrats": r"^DrawProcess/process:1/size:1048576/|^JudgePattern/size:560/",
 }
 ROUNDS = 3
 

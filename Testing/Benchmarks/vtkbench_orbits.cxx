@@ -2,17 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Speed of a frame of particles in 30 trains, and of what the functions alone take.
 #include "Sea/WaveOrbits.h"
-#include "vtkParticleOrbitFilter.h"
 #include "vtkSeaStateSource.h"
 
-#include "vtkFloatArray.h"
 #include "vtkNew.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <thread>
@@ -102,32 +97,6 @@ void FunctionsAlone(benchmark::State& state)
   state.SetItemsProcessed(state.iterations() * Count * 30l);
 }
 BENCHMARK(FunctionsAlone)->Unit(benchmark::kMillisecond)->UseRealTime();
-
-/// The whole filter, with its arrays.
-void OrbitFilterFrame(benchmark::State& state)
-{
-  const std::vector<float> centers = Centers<float>();
-  vtkNew<vtkFloatArray> array;
-  array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(Count);
-  std::copy(centers.begin(), centers.end(), array->GetPointer(0));
-  vtkNew<vtkPoints> points;
-  points->SetData(array);
-  vtkNew<vtkPolyData> particles;
-  particles->SetPoints(points);
-  vtkNew<vtkSeaStateSource> sea;
-  sea->SetWaterDepth(20.0);
-  vtkNew<vtkParticleOrbitFilter> orbits;
-  orbits->SetInputData(0, particles);
-  orbits->SetSeaStateConnection(sea->GetOutputPort());
-  double time = 0.0;
-  for (auto _ : state)
-  {
-    orbits->UpdateTimeStep(time += 0.04);
-  }
-  state.SetItemsProcessed(state.iterations() * Count * sea->GetNumberOfTrains());
-}
-BENCHMARK(OrbitFilterFrame)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// A sea of many trains: the spectrum, the number of trains.
 void SeaOfManyTrains(benchmark::State& state)

@@ -11,6 +11,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -173,6 +174,8 @@ bool SameBlocks(Filter* one, Filter* two)
     good &= SameBytes(a->GetPolys()->GetConnectivityArray(), b->GetPolys()->GetConnectivityArray());
     good &= SameBytes(a->GetPointData()->GetNormals(), b->GetPointData()->GetNormals());
     good &= SameBytes(a->GetCellData()->GetArray("Level"), b->GetCellData()->GetArray("Level"));
+    good &= SameBytes(a->GetPolys()->GetOffsetsArray(), b->GetPolys()->GetOffsetsArray());
+    good &= SameBytes(a->GetPointData()->GetArray("RGB"), b->GetPointData()->GetArray("RGB"));
   }
   return good;
 }
@@ -247,6 +250,65 @@ bool Reproducible()
   heights->Modified();
   two->Update();
   good &= Check(PointsAreThoseOfTheImage(BlockOf(two, 0), image), "the terrain of before is shown");
+  return good;
+}
+
+/// Whether the ranges of arrays are those of their values.
+bool RangesAreTrue(vtkFieldData* arrays)
+{
+  bool good = true;
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = arrays->GetArray(i);
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+    {
+      double low = VTK_DOUBLE_MAX;
+      double high = -low;
+      for (vtkIdType tuple = 0; tuple < array->GetNumberOfTuples(); ++tuple)
+      {
+        low = std::min(low, array->GetComponent(tuple, c));
+        high = std::max(high, array->GetComponent(tuple, c));
+      }
+      good &= Check(array->GetRange(c)[0] == low && array->GetRange(c)[1] == high, array->GetName());
+    }
+  }
+  return good;
+}
+
+/// A walk of an eye: what a filter keeps from view to view shows nowhere, and a picture that is held stays.
+bool Walk()
+{
+  const auto image = Hills();
+  image->GetPointData()->RemoveArray("RGB"); // colors are found
+  vtkNew<Filter> walking;
+  walking->SetInputData(image);
+  LookAcross(walking);
+  bool good = true;
+  vtkNew<vtkMultiBlockDataSet> held;
+  vtkNew<vtkDoubleArray> copy;
+  for (int step = 0; step < 6; ++step)
+  {
+    vtkNew<Filter> fresh;
+    fresh->SetInputData(image);
+    LookAcross(fresh);
+    for (Filter* filter : { walking.Get(), fresh.Get() })
+    {
+      filter->SetViewPoint(1400.0 + 35.0 * step, -500.0, 400.0);
+      filter->Update();
+    }
+    good &= Check(SameBlocks(walking, fresh), "a view depends on those before");
+    good &= RangesAreTrue(BlockOf(walking, 0)->GetPointData()) && RangesAreTrue(BlockOf(walking, 0)->GetCellData());
+    if (step > 0)
+    {
+      vtkPoints* points = vtkPolyData::SafeDownCast(held->GetBlock(0))->GetPoints();
+      good &= Check(SameBytes(points->GetData(), copy), "a later view changes a picture that is held");
+    }
+    if (step % 2 == 0)
+    {
+      held->ShallowCopy(walking->GetOutput());
+      copy->DeepCopy(BlockOf(walking, 0)->GetPoints()->GetData());
+    }
+  }
   return good;
 }
 
@@ -472,7 +534,7 @@ void AddBlock(vtkRenderer* renderer, vtkPolyData* block, const std::array<double
 
 int TestTerrainLevelOfDetail(int argc, char* argv[])
 {
-  if (!Data() || !DetailFactor() || !Reproducible() || !Pieces() || !DefaultArray() || !BadInput() ||
+  if (!Data() || !DetailFactor() || !Reproducible() || !Walk() || !Pieces() || !DefaultArray() || !BadInput() ||
     !ScreenErrorHolds())
   {
     return EXIT_FAILURE;
