@@ -22,6 +22,8 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double RoundingSlack = 1e-9;
 /// Time of a curve above which curves are made one by one.
 constexpr std::chrono::milliseconds LongestCurve(25);
+/// Time of curves one after the other, up to which one loop makes all.
+constexpr std::chrono::seconds ShortLoop(1);
 
 /// The two-sided ranks of numbers, 1 for the lowest and the highest; equal ones have the mean of theirs.
 std::vector<double> TwoSidedRanks(const std::vector<double>& values)
@@ -183,23 +185,29 @@ NumberRows SimulateCurves(
     curves[number] = curve(static_cast<int>(number), inner);
   };
   const Clock::time_point begin = Clock::now();
-  bool isSlow = true; // until the first is known
-  std::size_t done = 0;
+  if (own > 0)
+  {
+    simulate(0, parallel);
+  }
+  const auto first = Clock::now() - begin;
+  const bool isSlow = first > LongestCurve;
+  // Each loop ends with threads that wait for the last one.
+  const std::size_t longestLoop = first * own < ShortLoop ? own : (own + PollsOfCurves - 1) / PollsOfCurves;
+  std::size_t done = std::min<std::size_t>(own, 1);
   for (std::size_t part = 1; part <= PollsOfCurves; ++part)
   {
-    const std::size_t end = own * part / PollsOfCurves;
+    const std::size_t end = std::min(own, part * longestLoop);
     for (; done < end && isSlow; ++done)
     {
       simulate(done, parallel);
-      isSlow = done > 0 || Clock::now() - begin > LongestCurve;
     }
-    ForRanges(parallel, end - done, 1, [&](std::size_t from, std::size_t to) {
+    ForRanges(parallel, end - std::min(done, end), 1, [&](std::size_t from, std::size_t to) {
       for (std::size_t n = done + from; n < done + to; ++n)
       {
         simulate(n, SerialFor);
       }
     });
-    done = end;
+    done = std::max(done, end);
     poll();
   }
   share.Complete(curves);

@@ -46,7 +46,9 @@ bool ForBatches(std::size_t count, const std::function<bool(std::size_t done)>& 
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::duration<double> longest(0.05);
   const std::size_t smallest = NumberOfThreads();
+  constexpr std::chrono::duration<double> shortest(1e-4); // of a part, which a call of a thread is small beside
   std::size_t batch = smallest;
+  std::size_t shortPart = 1;
   for (std::size_t done = 0; done < count;)
   {
     if (!proceeds(done))
@@ -55,13 +57,15 @@ bool ForBatches(std::size_t count, const std::function<bool(std::size_t done)>& 
     }
     EndIfShortOfMemory();
     const std::size_t end = done + std::min(batch, count - done);
-    // Small parts, for pieces of the same batch can take unlike times.
-    const std::size_t grain = std::max<std::size_t>(1, (end - done) / (8 * smallest));
+    // Small parts, for pieces of the same batch can take unlike times, and all threads wait for the last.
+    const std::size_t grain = std::min(shortPart, std::max<std::size_t>(1, (end - done) / (8 * smallest)));
     const Clock::time_point begin = Clock::now();
     OnThreads(done, end, grain, task);
     const auto elapsed = Clock::now() - begin;
     // Short batches grow fast: each takes a call of the threads.
     const std::size_t growth = elapsed < longest / 24 ? 8 : elapsed < longest / 3 ? 2 : 1;
+    const std::chrono::duration<double> piece = elapsed * smallest / static_cast<double>(end - done);
+    shortPart = static_cast<std::size_t>(std::max(1.0, shortest / std::max(piece, shortest * 1e-6)));
     batch = elapsed > longest ? std::max(smallest, batch / 2) : growth * batch;
     done = end;
   }
