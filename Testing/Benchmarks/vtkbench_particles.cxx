@@ -41,13 +41,14 @@ vtkNew<vtkPolyData> Particles(int count = Count)
 
 struct Scene
 {
-  vtkNew<vtkPolyData> Water = Particles();
+  vtkNew<vtkPolyData> Water;
   vtkNew<vtkSeaStateSource> Sea;
   vtkNew<vtkParticleLevelOfDetailFilter> Levels;
   vtkNew<vtkParticleOrbitFilter> Orbits;
 
   /// The eye is some distance before the water; 0: 5 m within it.
-  explicit Scene(double distance = 0.0)
+  explicit Scene(double distance = 0.0, int count = Count)
+    : Water(Particles(count))
   {
     this->Levels->SetInputData(0, this->Water);
     this->Levels->SetSeaStateConnection(this->Sea->GetOutputPort());
@@ -132,21 +133,25 @@ BENCHMARK(NewView)->Unit(benchmark::kMillisecond)->UseRealTime();
 /// A new view at a new time: levels and orbits.
 void FrameWithLevels(benchmark::State& state)
 {
-  Scene scene(static_cast<double>(state.range(0)));
+  Scene scene(static_cast<double>(state.range(0)), static_cast<int>(state.range(1)));
   scene.Play(state, scene.Orbits);
   state.counters["work"] = Counter(scene.Levels, "TrainSums") / Counter(scene.Levels, "TrainSumsInAll");
   state.counters["shown"] = Counter(scene.Levels, "ParticlesShown");
 }
-BENCHMARK(FrameWithLevels)->ArgName("distance")->Arg(0)->Arg(12)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(FrameWithLevels)
+  ->ArgNames({ "distance", "size" })
+  ->ArgsProduct({ { 0, 12 }, { Count, 10 * Count } })
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
 
 /// All particles in all trains at a new time.
 void FrameWithout(benchmark::State& state)
 {
-  Scene scene;
+  Scene scene(0.0, static_cast<int>(state.range(0)));
   scene.Orbits->SetInputData(0, scene.Water);
   scene.Play(state, scene.Orbits);
 }
-BENCHMARK(FrameWithout)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(FrameWithout)->ArgName("size")->Arg(Count)->Arg(10 * Count)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// The fog of all particles.
 void FogOfAll(benchmark::State& state)
