@@ -202,7 +202,7 @@ NumberRows SimulateCurves(
     done = end;
     poll();
   }
-  share.Complete(curves);
+  share.CompleteFirst(curves);
   return curves;
 }
 
