@@ -49,13 +49,13 @@ def sites(pv, quadrats=100):
     return pv.QuadratPoints(Size=[1000.0, 1000.0], Quadrats=[quadrats, quadrats], MeanPerQuadrat=10.0)
 
 
-def forest(pv, quadrats=100):
-    shrub = pv.ReevesTree(Preset="Shrub", NumberOfLeaves=60)
+def forest(pv, quadrats=80):
+    shrub = pv.ReevesTree(Preset="Shrub", NumberOfLeaves=20)
     return pv.PlantScatter(Sites=sites(pv, quadrats), Prototypes=shrub, OutputForm="Instances", UseCulling=0)
 
 
-def leaves(pv, quadrats=100):
-    return pv.ForestDensity(Input=forest(pv, quadrats), CellSize=[20.0, 20.0, 1.0])
+def leaves(pv, quadrats=80):
+    return pv.ForestDensity(Input=forest(pv, quadrats), CellSize=[40.0, 40.0, 2.0])
 
 
 def wind(pv):
@@ -109,7 +109,7 @@ WRITERS = {
 
 def planes(rank, other, seen):
     """The own lines of the planes that the other makes, of every third block of them."""
-    return seen[rank]["wind"] / RANKS
+    return seen[rank]["output"] / RANKS
 
 
 def views(rank, other, seen):
@@ -134,8 +134,8 @@ def parts_twice(rank, other, seen):
 
 
 #: Bytes that a rank needs of another one, as their classes say.
-NEEDS = {"wind": planes, "sections of a wind": planes, "scatter to instances": views, "leaf area in cells": views,
-         "K and g": curves, "verdict": curves, **dict.fromkeys(WRITERS, parts), "wind.bts": parts_twice}
+NEEDS = {"wind": planes, "scatter to instances": views, "K and g": curves, "verdict": curves,
+         **dict.fromkeys(WRITERS, parts), "wind.bts": parts_twice}
 
 
 def exchanges(controller, rank):
@@ -195,6 +195,12 @@ def gathering(controller):
     return Gathering()
 
 
+def update_input(algorithm, rank, port=0):
+    """Makes the part of an input before what comes of it: the bytes of an algorithm are its own."""
+    if port < algorithm.GetNumberOfInputPorts() and algorithm.GetNumberOfInputConnections(port):
+        algorithm.GetInputAlgorithm(port, 0).UpdatePiece(rank, RANKS, 0)
+
+
 def counted(controller, task):
     """Bytes that a task receives of each rank."""
     controller.Barrier()
@@ -208,15 +214,13 @@ def shared_cases(controller, rank):
     import littoral
     from vtk_proxies import VtkProxies
 
-    made = []
-    pv = VtkProxies(made.append)
+    pv = VtkProxies()
     for name, make in {**CASES, "gathered": lambda pv: gathering(controller)}.items():
-        made.clear()
         algorithm = make(pv)
+        update_input(algorithm, rank)
         got = counted(controller, lambda: algorithm.UpdatePiece(rank, RANKS, 0))
         assert not algorithm.GetErrorCode(), name
         seen = {"received": got, "output": bytes_of(algorithm)}
-        seen.update({"wind": bytes_of(one) for one in made if one.IsA("vtkWindFieldSource")})
         if NEEDS.get(name) is curves:
             laws = algorithm.GetOutput(0).GetNumberOfRows() if name == "verdict" else 1
             seen.update(steps=algorithm.GetOutput(1 if name == "verdict" else 0).GetNumberOfRows(),
@@ -248,8 +252,7 @@ def other_cases(controller, rank):
         if not row.is_of_files and row.name not in SHARING:
             algorithm = recipes.source(row.name)
             for port in range(algorithm.GetNumberOfInputPorts()):
-                if algorithm.GetNumberOfInputConnections(port):
-                    algorithm.GetInputAlgorithm(port, 0).UpdatePiece(rank, RANKS, 0)
+                update_input(algorithm, rank, port)
             got = counted(controller, lambda: algorithm.UpdatePiece(rank, RANKS, 0))
             yield row.name, {"received": got, "output": bytes_of(algorithm)}
 
