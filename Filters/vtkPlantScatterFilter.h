@@ -57,7 +57,7 @@
  * sites of vtkQuadratPointSource where these come directly: each reads a run of them, and deals out the plants in the
  * cells of others, which are few. Else a piece reads all sites, and the first one looks whether all of
  * them can have a plant. Prototypes and the terrain are whole on each rank; where ranks share the sites, and all plant
- * sources have changed on all of them, each draws some of the pictures from afar, and gets those of the others, 65 kB
+ * sources have changed on all of them, each draws some of the pictures from afar, and gets those of the others, 86 kB
  * each. Defaults of inherited properties: NearDistance 30 m, FarDistance 130 m. A property or a site value out of
  * range, or a site beyond the terrain, is reported as one error.
  */

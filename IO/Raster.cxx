@@ -8,6 +8,7 @@
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Memory.h"
 #include "RasterAxes.h"
+#include "RasterTiles.h"
 
 #include <algorithm>
 #include <cctype>
@@ -605,6 +606,23 @@ public:
     this->Place(target);
   }
 
+  /// Throws where tiles of a mosaic are not those that it says: of those in a window, or after a projection of all.
+  void CheckTiles(const std::array<int, 4>& window) const
+  {
+    void* file = this->Chain.front().get();
+    PixelWindow pixels{ 0, GDALGetRasterXSize(file) - 1, 0, GDALGetRasterYSize(file) - 1 };
+    if (this->Chain.size() < 3)
+    {
+      const int last = this->Grid.Points[1] - 1;
+      pixels = this->IsSouthFirst ? window : PixelWindow{ window[0], window[1], last - window[3], last - window[2] };
+    }
+    const std::string reason = WhyOtherTiles(file, this->Options.Band, pixels);
+    if (!reason.empty())
+    {
+      throw RasterError(reason);
+    }
+  }
+
   /// Measure of the coordinates where the file names no system. A variable of netCDF that GDAL leaves without a place
   /// takes it from its coordinate variables.
   PlaceUnit PlaceByAxes()
@@ -694,6 +712,7 @@ double Raster::WorkBytes(int width) const
 bool Raster::Read(const std::array<int, 4>& window, float* heights, const RasterProgress& progress)
 {
   Internals& own = *this->Own;
+  own.CheckTiles(window);
   own.Messages.Forget();
   // By blocks alone: GDAL 3.10 projects a whole grid of few rows at once, with kernels of other widths than its parts.
   const CPLConfigOptionSetter byBlocks("GDAL_VRT_WARP_USE_DATASET_RASTERIO", "NO", false);

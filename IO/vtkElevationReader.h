@@ -22,7 +22,8 @@
  * system, unit.
  *
  * Any subextent can be requested; only that part of the file is read. A file that is missing, cut off or of another
- * kind, and a coordinate system that cannot be read, are reported as one error.
+ * kind, a tile of a mosaic (VRT) that is gone or has not the size that the mosaic says, and a coordinate system that
+ * cannot be read, are reported as one error.
  *
  * @sa vtkElevationWriter vtkCovarianceFitFilter
  */

@@ -9,8 +9,8 @@
  * is no error: Write() returns 0, and the error code is vtkErrorCode::UserError.
  *
  * On several ranks each makes its part of the input, and the first one writes what it gathers of them: the bytes that
- * one rank writes. What one rank cannot do ends on all of them, with one error on the first. Write() must be called on
- * all of them.
+ * one rank writes. The others receive nothing of it. What one rank cannot do ends on all of them, with one error on the
+ * first. Write() must be called on all of them.
  */
 #ifndef vtkSingleFileWriter_h
 #define vtkSingleFileWriter_h

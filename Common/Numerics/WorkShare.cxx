@@ -16,6 +16,14 @@ void WorkShare::Complete(NumberRows& rows) const
   }
 }
 
+void WorkShare::CompleteFirst(NumberRows& rows) const
+{
+  if (this->Ranks > 1)
+  {
+    this->Collect(rows);
+  }
+}
+
 NumberRows WorkShare::Gather(std::vector<double> row) const
 {
   NumberRows rows(this->Ranks);

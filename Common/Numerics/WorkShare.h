@@ -26,13 +26,18 @@ struct WorkShare
   std::function<void(NumberRows& rows)> Exchange; ///< completes the rows by those of the others; called by all of them
   /// Row n that is sent goes to process n; what each has sent is received.
   std::function<void(const SingleRows& sent, SingleRows& received)> Deal;
+  std::function<void(NumberRows& rows)> Collect; ///< completes the rows of the first process alone; called by all
 
+  bool IsFirst() const { return this->Rank == 0; }
   /// Number of own rows of so many.
   std::size_t OwnOf(std::size_t rows) const { return (rows + this->Ranks - 1 - this->Rank) / this->Ranks; }
   /// Number of the own row n among those of all.
   std::size_t RowOf(std::size_t own) const { return this->Rank + this->Ranks * own; }
 
   void Complete(NumberRows& rows) const;
+
+  /// Completes the rows of the first process; the others keep their own ones alone.
+  void CompleteFirst(NumberRows& rows) const;
 
   /// A row of each process, in their order.
   NumberRows Gather(std::vector<double> row) const;

@@ -210,7 +210,7 @@ NumberRows SimulateCurves(
     done = std::max(done, end);
     poll();
   }
-  share.Complete(curves);
+  share.CompleteFirst(curves);
   return curves;
 }
 

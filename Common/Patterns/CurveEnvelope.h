@@ -64,7 +64,7 @@ inline constexpr int PollsOfCurves = 4;
 
 /// Curves of so many simulations, side by side on all threads of the loop; or, where the first takes longer than a
 /// batch of a loop should, one by one, each on all threads, so that the loop can be ended within one. Processes share
-/// them.
+/// them: the first gets those of the others, which have their own alone.
 NumberRows SimulateCurves(const CurveOfNumber& curve, int simulations, const Poll& poll = NoPoll,
   const ParallelFor& parallel = SerialFor, const WorkShare& share = {});
 

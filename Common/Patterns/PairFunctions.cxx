@@ -288,7 +288,7 @@ public:
   bool HasMarks() const { return this->WantsMarks; }
 
 private:
-  /// Brings the blocks of other processes in.
+  /// Brings the blocks of other processes in, on the first one.
   void CompleteBlocks(std::vector<PairSums>& blocks) const
   {
     if (this->Options.Share.Ranks < 2)
@@ -297,8 +297,8 @@ private:
     }
     NumberRows rows(blocks.size());
     std::transform(blocks.begin(), blocks.end(), rows.begin(), [](const PairSums& block) { return block.Row(); });
-    this->Options.Share.Complete(rows);
-    for (std::size_t block = 0; block < blocks.size(); ++block)
+    this->Options.Share.CompleteFirst(rows);
+    for (std::size_t block = 0; this->Options.Share.IsFirst() && block < blocks.size(); ++block)
     {
       blocks[block].Take(rows[block]);
     }

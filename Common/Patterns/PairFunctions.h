@@ -66,7 +66,7 @@ struct PairOptions
   std::vector<double> Weights;
   /// Areas up to Maximum and the half width, for many patterns in one window; null: found anew for each pattern.
   std::shared_ptr<const CommonAreaTable> Areas;
-  WorkShare Share; ///< blocks of points that processes share
+  WorkShare Share; ///< blocks of points that processes share; the first one has the functions
 };
 
 /// Why the options cannot be, in words for a user; empty when they can.

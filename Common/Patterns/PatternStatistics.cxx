@@ -272,8 +272,8 @@ CurveEnvelope PatternStatistics::Compare(const std::vector<double>& measured, co
 {
   const CurveOfNumber simulate = [&](
                                    int number, const ParallelFor& inner) { return this->Simulate(law, number, inner); };
-  return FindCurveEnvelope(
-    measured, SimulateCurves(simulate, this->Options.Simulations, poll, parallel, share), this->Options.Level);
+  const NumberRows curves = SimulateCurves(simulate, this->Options.Simulations, poll, parallel, share);
+  return share.IsFirst() ? FindCurveEnvelope(measured, curves, this->Options.Level) : CurveEnvelope();
 }
 
 }

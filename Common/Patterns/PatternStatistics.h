@@ -92,13 +92,14 @@ public:
   /// The distances of all curves [m].
   std::vector<double> GetDistances() const;
 
-  /// All functions that the pattern admits. Processes share the pairs.
+  /// All functions that the pattern admits. Processes share the pairs; the first one has the functions.
   FunctionCurves Measure(const ParallelFor& parallel = SerialFor, const WorkShare& share = {}) const;
 
   /**
    * The measured curve of the chosen function beside those of simulations: of patterns of a law, without one of as many
    * points, uniform in the window; for the mark correlation the same points with marks in a random order, for cross
-   * functions with species in a random order. The poll comes PollsOfCurves times. Processes share the simulations.
+   * functions with species in a random order. The poll comes PollsOfCurves times. Processes share the simulations;
+   * the first one has the envelope.
    */
   CurveEnvelope Compare(const std::vector<double>& measured, const PatternLaw* law, const Poll& poll = NoPoll,
     const ParallelFor& parallel = SerialFor, const WorkShare& share = {}) const;

@@ -79,8 +79,8 @@ public:
     const auto curve = [&](const std::vector<PlanePosition>& points, const ParallelFor& inner) {
       return this->CurveOf(points, inner);
     };
-    const auto curves = SimulateCurves(pattern, curve, this->Options.Simulations, poll, parallel, share);
-    return FindCurveEnvelope(this->Measured, curves, this->Options.Level);
+    const NumberRows curves = SimulateCurves(pattern, curve, this->Options.Simulations, poll, parallel, share);
+    return share.IsFirst() ? FindCurveEnvelope(this->Measured, curves, this->Options.Level) : CurveEnvelope();
   }
 
 private:

@@ -82,7 +82,8 @@ struct PatternJudgement
  * lengths (CurveEnvelope), the same for all. g has the same kernel in all of them, and both have the translation
  * correction, whatever the fits have. What is best has the largest p, of equal ones the fewest parameters.
  *
- * The poll comes PollsOfCurves times in the simulations of each. Processes share the simulations, and each fits all.
+ * The poll comes PollsOfCurves times in the simulations of each. Processes share the simulations, and each fits all;
+ * the first one has the judgement.
  *
  * As parameters were fitted to the same pattern, the test rejects less often than its level says (Baddeley et al.
  * 2017).

@@ -56,7 +56,7 @@ void WindField::ShareBlocks(
   const std::size_t kept = this->NumberOfKept();
   for (std::size_t process = 0; kept > 0 && process < share.Ranks; ++process)
   {
-    const WorkShare other{ process, share.Ranks, {}, {} };
+    const WorkShare other{ process, share.Ranks, {}, {}, {} };
     const float* next = planes.Received[process].data();
     for (std::size_t own = first; own < std::min(end, other.OwnOf(blocks)); ++own)
     {
@@ -141,7 +141,7 @@ std::vector<float> WindField::MakeShared(const WorkShare& share, const ParallelF
   for (int component = 0; component < WindComponents; ++component)
   {
     this->BeginComponent(component);
-    const WorkShare most{ 0, share.Ranks, {}, {} }; // the first process has the most blocks
+    const WorkShare most{ 0, share.Ranks, {}, {}, {} }; // the first process has the most blocks
     for (std::size_t first = 0; first < most.OwnOf(this->NumberOfBlocks()); first += this->BlocksAtOnce())
     {
       this->ShareBlocks(first, planes, share, parallel);

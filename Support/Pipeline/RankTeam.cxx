@@ -29,6 +29,7 @@ namespace
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 constexpr int DealTag = 4401;
+constexpr int CollectTag = 4402;
 constexpr std::size_t LengthOfReason = 256; ///< with its end
 constexpr const char* WordOfAbort = "aborted";
 
@@ -229,22 +230,41 @@ bool RankTeam::Agree(std::uint64_t input)
 WorkShare RankTeam::Share()
 {
   return this->IsShared ? WorkShare{ this->Rank, this->Ranks, [this](NumberRows& rows) { this->Exchange(rows); },
-    [this](const SingleRows& sent, SingleRows& received) { this->Deal(sent, received); } }
+    [this](const SingleRows& sent, SingleRows& received) { this->Deal(sent, received); },
+    [this](NumberRows& rows) { this->Collect(rows); } }
                         : WorkShare{};
 }
 
-/// Own rows, each after its length, to all; then those of all into their places.
-void RankTeam::Exchange(NumberRows& rows)
+/// Own rows, each after its length.
+std::vector<double> RankTeam::OwnNumbers(const NumberRows& rows) const
 {
-  this->GoOn();
-  const WorkShare share{ this->Rank, this->Ranks, {}, {} };
-  std::vector<double> sent;
+  const WorkShare share{ this->Rank, this->Ranks, {}, {}, {} };
+  std::vector<double> numbers;
   for (std::size_t own = 0; own < share.OwnOf(rows.size()); ++own)
   {
     const std::vector<double>& row = rows[share.RowOf(own)];
-    sent.push_back(static_cast<double>(row.size()));
-    sent.insert(sent.end(), row.begin(), row.end());
+    numbers.push_back(static_cast<double>(row.size()));
+    numbers.insert(numbers.end(), row.begin(), row.end());
   }
+  return numbers;
+}
+
+/// The same of a rank, into their places.
+void RankTeam::TakeNumbers(const double* next, std::size_t rank, NumberRows& rows) const
+{
+  const WorkShare share{ rank, this->Ranks, {}, {}, {} };
+  for (std::size_t own = 0; own < share.OwnOf(rows.size()); ++own)
+  {
+    const auto count = static_cast<std::size_t>(*next++);
+    rows[share.RowOf(own)].assign(next, next + count);
+    next += count;
+  }
+}
+
+void RankTeam::Exchange(NumberRows& rows)
+{
+  this->GoOn();
+  const std::vector<double> sent = this->OwnNumbers(rows);
   const auto length = static_cast<vtkIdType>(sent.size());
   std::vector<vtkIdType> lengths(this->Ranks);
   this->Controller->AllGather(&length, lengths.data(), 1);
@@ -254,14 +274,36 @@ void RankTeam::Exchange(NumberRows& rows)
   this->Controller->AllGatherV(sent.data(), all.data(), length, lengths.data(), offsets.data());
   for (std::size_t rank = 0; rank < this->Ranks; ++rank)
   {
-    const WorkShare other{ rank, this->Ranks, {}, {} };
-    const double* next = &all[static_cast<std::size_t>(offsets[rank])];
-    for (std::size_t own = 0; own < other.OwnOf(rows.size()); ++own)
+    this->TakeNumbers(&all[static_cast<std::size_t>(offsets[rank])], rank, rows);
+  }
+}
+
+/// Rank by rank, so that the first has the numbers of one other at a time.
+void RankTeam::Collect(NumberRows& rows)
+{
+  this->GoOn();
+  std::vector<double> numbers;
+  if (!this->IsFirst())
+  {
+    numbers = this->OwnNumbers(rows);
+    const auto length = static_cast<vtkIdType>(numbers.size());
+    this->Controller->Send(&length, 1, 0, CollectTag);
+    if (length > 0)
     {
-      const auto count = static_cast<std::size_t>(*next++);
-      rows[other.RowOf(own)].assign(next, next + count);
-      next += count;
+      this->Controller->Send(numbers.data(), length, 0, CollectTag);
     }
+    return;
+  }
+  for (std::size_t rank = 1; rank < this->Ranks; ++rank)
+  {
+    vtkIdType length = 0;
+    this->Controller->Receive(&length, 1, static_cast<int>(rank), CollectTag);
+    numbers.resize(static_cast<std::size_t>(length));
+    if (length > 0)
+    {
+      this->Controller->Receive(numbers.data(), length, static_cast<int>(rank), CollectTag);
+    }
+    this->TakeNumbers(numbers.data(), rank, rows);
   }
 }
 

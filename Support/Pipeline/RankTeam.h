@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 class vtkInformation;
 class vtkInformationVector;
@@ -59,7 +60,10 @@ private:
   void GoOn();
   [[noreturn]] void End(const std::string& reason) const;
   void Leave(const std::string& reason);
+  std::vector<double> OwnNumbers(const NumberRows& rows) const;
+  void TakeNumbers(const double* next, std::size_t rank, NumberRows& rows) const;
   void Exchange(NumberRows& rows);
+  void Collect(NumberRows& rows);
   void Deal(const SingleRows& sent, SingleRows& received);
 
   vtkMultiProcessController* Controller;

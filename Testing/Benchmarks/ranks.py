@@ -94,10 +94,10 @@ CASES = {"terrain": terrain, "wind": wind, "sections of a wind": sections, "poin
 TOGETHER = ("wind", "sections of a wind", "K and g", "scatter to instances", "leaf area in cells")
 
 
-def build_waiting(folder):
-    """The library that tells waiting apart, in a folder; None where no compiler makes it."""
-    library = os.path.join(folder, "libmpi_waiting.so")
-    source = Path(__file__).resolve().parent / "mpi_waiting.c"
+def build_preloaded(folder, name="mpi_waiting"):
+    """The library that tells waiting apart, or counts what is received; None where no compiler makes it."""
+    library = os.path.join(folder, f"lib{name}.so")
+    source = Path(__file__).resolve().parent / f"{name}.c"
     if not shutil.which("mpicc"):
         return None
     made = subprocess.run(["mpicc", "-O2", "-shared", "-fPIC", "-o", library, source], capture_output=True, check=False)
@@ -114,9 +114,9 @@ def seconds_waited():
     return waited()
 
 
-def on_ranks(ranks, waiting, *command):
-    """Command line that starts a command on some ranks, with the library that tells waiting apart, if any."""
-    return ["mpirun", "-np", str(ranks), *(["env", f"LD_PRELOAD={waiting}"] if waiting else []), *command]
+def on_ranks(ranks, preloaded, *command):
+    """Command line that starts a command on some ranks, with such a library, if any."""
+    return ["mpirun", "-np", str(ranks), *(["env", f"LD_PRELOAD={preloaded}"] if preloaded else []), *command]
 
 
 def update(name, scale, piece, pieces):
@@ -153,7 +153,7 @@ def measured_together(name, scale, ranks):
     """What each rank takes."""
     with tempfile.TemporaryDirectory() as folder:
         ranks_yield = {**os.environ, "OMPI_MCA_mpi_yield_when_idle": "1"}  # else one that waits takes a whole core
-        waiting = build_waiting(folder) if ranks > 1 else None
+        waiting = build_preloaded(folder) if ranks > 1 else None
         subprocess.run(on_ranks(ranks, waiting, sys.executable, __file__, name, str(scale), folder), check=True,
                        env=ranks_yield)
         return [json.loads(Path(folder, str(rank)).read_text()) for rank in range(ranks)]

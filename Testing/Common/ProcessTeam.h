@@ -34,7 +34,8 @@ public:
     {
       processes.emplace_back([this, rank, &task] {
         task({ rank, this->Ranks, [this, rank](NumberRows& rows) { this->Exchange(rank, rows); },
-          [this, rank](const SingleRows& sent, SingleRows& received) { this->Deal(rank, sent, received); } });
+          [this, rank](const SingleRows& sent, SingleRows& received) { this->Deal(rank, sent, received); },
+          [this, rank](NumberRows& rows) { this->Collect(rank, rows); } });
       });
     }
     for (std::thread& process : processes)
@@ -68,6 +69,16 @@ private:
       rows[n] = this->Rows[n % this->Ranks][n];
     }
     this->Meet();
+  }
+
+  void Collect(std::size_t rank, NumberRows& rows)
+  {
+    NumberRows all = rows;
+    this->Exchange(rank, all);
+    if (rank == 0)
+    {
+      rows = all;
+    }
   }
 
   void Deal(std::size_t rank, const SingleRows& sent, SingleRows& received)

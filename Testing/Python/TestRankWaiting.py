@@ -78,7 +78,7 @@ def main():
         print("there is no MPI in this VTK or Python")
         sys.exit(125)
     with tempfile.TemporaryDirectory() as folder:
-        waiting = ranks.build_waiting(folder)
+        waiting = ranks.build_preloaded(folder)
         if not waiting or not shutil.which("mpirun"):
             print("there is no mpirun or no compiler for MPI")
             sys.exit(125)

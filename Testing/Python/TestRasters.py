@@ -581,6 +581,30 @@ class BadFiles(Rasters):
                 with self.subTest(name=os.path.basename(name), share=share):
                     self.refuses("cut off or damaged|no whole raster", cut)
 
+    def test_tiles_of_a_mosaic(self):
+        """A tile that is gone or of another size is told, where it is asked for; the others are read."""
+        heights = RANDOM.uniform(100.0, 200.0, size=(30, 60)).astype(np.float32)
+
+        def tile(number, rows, columns):
+            values = np.resize(heights[:, 20 * number:20 * number + 20], (rows, columns))
+            return create(self.path(f"tile{number}.tif"), values, (5e5 + 200.0 * number, 10.0, 0.0, 4e6, 0.0, -10.0))
+
+        mosaic = self.path("mosaic.vrt")
+        gdal.BuildVRT(mosaic, [tile(number, 30, 20) for number in range(3)]).FlushCache()
+        np.testing.assert_array_equal(array_from_image(read_elevation(mosaic)), heights[::-1])
+        for rows, columns in (30, 7), (29, 20), (60, 40):
+            tile(1, rows, columns)
+            self.refuses(f"mosaic anew: its tile tile1.tif has {columns} x {rows} pixels and not 20 x 30", mosaic)
+        reader = littoral.vtkElevationReader()
+        reader.SetFileName(mosaic)
+        for extent, is_read in ((0, 19, 0, 29, 0, 0), True), ((10, 20, 0, 0, 0, 0), False), ((40, 59, 3, 4, 0, 0), True):
+            with self.subTest(extent=extent):
+                messages = errors.kept(reader)
+                reader.UpdateExtent(extent)
+                self.assertEqual(messages == [], is_read, messages)
+        os.remove(self.path("tile1.tif"))
+        self.refuses("tile1.tif: No such file", mosaic)
+
     def test_sizes_beyond_memory(self):
         """Small files that claim much, and spacings that make much of little, are refused before memory is taken."""
         claims = self.path("claims.asc")

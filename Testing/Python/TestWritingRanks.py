@@ -9,6 +9,7 @@ No rank takes the memory of the whole.
 
 The file starts itself on one rank and on several; each writes what it has seen."""
 
+import contextlib
 import hashlib
 import json
 import os
@@ -32,6 +33,10 @@ HAS_TILES = hasattr(littoral, "vtkForestTilesWriter")
 HAS_VOLUMES = hasattr(littoral, "vtkVDBVolumeWriter")
 HAS_NETCDF = hasattr(littoral, "vtkOceanCurrentReader")
 HAS_RASTERS = hasattr(littoral, "vtkElevationWriter")
+FOLDERS = contextlib.ExitStack()  # of inputs, until the end
+TILE = ('<SimpleSource><SourceFilename relativeToVRT="1">{number}.tif</SourceFilename><SourceBand>1</SourceBand>'
+        '<SourceProperties RasterXSize="20" RasterYSize="30"/><SrcRect xOff="0" yOff="0" xSize="20" ySize="30"/>'
+        '<DstRect xOff="0" yOff="{row}" xSize="20" ySize="30"/></SimpleSource>')
 
 
 class Messages:
@@ -242,6 +247,7 @@ def bad_files(rank, ranks):
         yield "array.tif", unnamed, "no point array 'Absent'"
         yield "none.tif", writer("vtkElevationWriter", None), "there is no input"
         yield "empty.tif", writer("vtkElevationWriter", vtkImageData()), "the image has no points"
+        yield "tiles.tif", writer("vtkElevationWriter", mosaic()), failed
         yield "nowhere/heights.tif", writer("vtkElevationWriter", Image((30, 40, 1), heights)), "there is no folder"
     yield "failed.bts", writer("vtkWindFieldWriter", Image((40, 7, 6), velocities, fails=last, fields=WIND)), failed
     yield "failed.bdf", writer("vtkForestDensityWriter", Image((9, 12, 7), leaves, fails=last)), failed
@@ -259,6 +265,23 @@ def bad_files(rank, ranks):
         fill = spoiled_smoke if last else smoke
         yield "spoiled.vdb", writer("vtkVDBVolumeWriter", Image((40, 20, 16), fill)), "not a finite"
         yield "none.vdb", writer("vtkVDBVolumeWriter", None), "input"
+
+
+def mosaic():
+    """The reader of three tiles, of which the northernmost, in the part of the last rank, has another size."""
+    folder = FOLDERS.enter_context(tempfile.TemporaryDirectory())
+    tiles = ""
+    for number, rows in enumerate((29, 30, 30)):
+        image = fill_image(vtkImageData(), [0, 19, 0, rows - 1, 0, 0], heights)
+        tile = writer("vtkElevationWriter", image, FileName=os.path.join(folder, f"{number}.tif"), Controller=None)
+        assert tile.Write() == 1
+        tiles += TILE.format(number=number, row=30 * number)
+    with open(os.path.join(folder, "mosaic.vrt"), "w") as file:
+        file.write(f'<VRTDataset rasterXSize="20" rasterYSize="90"><GeoTransform>0,2,0,0,0,-3</GeoTransform>'
+                   f'<VRTRasterBand dataType="Float32" band="1">{tiles}</VRTRasterBand></VRTDataset>')
+    reader = littoral.vtkElevationReader()
+    reader.SetFileName(file.name)
+    return reader
 
 
 def late(fails):

@@ -392,7 +392,8 @@ TEST(PairFunctions, HaveTheSameBytesOnAnyThreads)
   }
 }
 
-// Each process makes its rows alone, and with those of the others it has the bytes of one that makes them all.
+// Each process makes its rows alone, and the first one, with those of the others, has the bytes of one that makes them
+// all.
 TEST(PairFunctions, HaveTheSameBytesOnAnyProcesses)
 {
   const ObservationWindow window;
@@ -407,7 +408,7 @@ TEST(PairFunctions, HaveTheSameBytesOnAnyProcesses)
   for (std::size_t rank = 0; rank < 4; ++rank)
   {
     options.Share.Rank = rank;
-    options.Share.Exchange = [&](NumberRows& rows) {
+    options.Share.Collect = [&](NumberRows& rows) {
       all.resize(rows.size());
       for (std::size_t n = rank; n < rows.size(); n += 4)
       {
@@ -417,8 +418,9 @@ TEST(PairFunctions, HaveTheSameBytesOnAnyProcesses)
     };
     FindPairFunctions(points, marks, window, options);
   }
+  options.Share.Rank = 0;
   EXPECT_EQ(all.size(), 6u); // blocks of 256 points
-  options.Share.Exchange = [&](NumberRows& rows) { rows = all; };
+  options.Share.Collect = [&](NumberRows& rows) { rows = all; };
   const PairFunctions shared = FindPairFunctions(points, marks, window, options);
   EXPECT_EQ(shared.K, alone.K);
   EXPECT_EQ(shared.MarkCorrelation, alone.MarkCorrelation);
