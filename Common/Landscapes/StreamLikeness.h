@@ -13,7 +13,7 @@
 namespace littoral
 {
 
-/// What a few valleys decide on small ground, where water leaves at the border.
+/// Statistics that a few valleys decide on small ground, where water leaves at the border.
 struct StreamMeasures
 {
   GroundMeasures Heights;                ///< of the ground as it is
@@ -28,10 +28,10 @@ StreamMeasures MeasureStreams(
   const GridSamples& ground, const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
 
 /**
- * How far each measure of a ground is from that of a place, over how far it may be: concavity by 0.1, steepness by 15
- * %, drainage density by 20 %, relief off streams by 20 %, Hack's exponent by 0.05, hypsometric integral by 0.03,
- * skewness of heights by 0.15; and the share of sunk cells over the place's, or over 0.05. What the place does not tell
- * is left out; what the ground lacks is infinite.
+ * Distances of the measures of a ground from those of a place, each over its tolerance: 0.1 of concavity, 0.05 of
+ * Hack's exponent, 0.03 of the hypsometric integral, 0.15 of the skewness of heights, and over those of the place 0.15
+ * of steepness, 0.2 of drainage density and of relief off streams; and the share of sunk cells over the place's, or
+ * over 0.05. What the place does not tell is left out; what the ground lacks is infinite.
  */
 std::vector<double> StreamMisfits(const StreamMeasures& ground, const StreamMeasures& place);
 
