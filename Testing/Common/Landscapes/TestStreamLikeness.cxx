@@ -20,12 +20,12 @@ using namespace littoral::testing;
 namespace
 {
 
-/// Measures of streams S = k A^-c, with relief and heights.
-StreamMeasures Streams(double concavity, double steepness)
+/// Measures of streams S = k A^-c of so many cells at most, with relief and heights.
+StreamMeasures Streams(double concavity, double steepness, double most)
 {
   StreamMeasures measures;
   measures.Filled.Concavity = concavity;
-  for (double cells = 100.0; cells < 2000.0; cells *= 1.5)
+  for (double cells = 100.0; cells < most; cells *= 1.5)
   {
     measures.Filled.SlopeArea.push_back({ cells, steepness * std::pow(cells, -concavity), 10.0 });
   }
@@ -43,7 +43,7 @@ StreamMeasures Streams(double concavity, double steepness)
 
 TEST(StreamLikeness, MisfitsAreOfToleranceLength)
 {
-  const StreamMeasures place = Streams(0.4, 0.8);
+  const StreamMeasures place = Streams(0.4, 0.8, 2000.0);
   StreamMeasures ground = place;
   ground.Heights.DepressionFraction = 0.0;
   for (const double misfit : StreamMisfits(ground, place))
@@ -51,7 +51,7 @@ TEST(StreamLikeness, MisfitsAreOfToleranceLength)
     EXPECT_NEAR(misfit, 0.0, 1e-12);
   }
   // 0.1 of concavity, half as steep again, a tenth more channels, relief twice as high, and so on
-  ground = Streams(0.4, 1.2);
+  ground = Streams(0.4, 1.2, 9000.0);
   ground.Filled.Concavity = 0.5;
   ground.Density = 1.1e-3;
   ground.Hack = 0.5;
@@ -75,7 +75,7 @@ TEST(StreamLikeness, MisfitsAreOfToleranceLength)
 TEST(StreamLikeness, WhatThePlaceDoesNotTellIsLeftOut)
 {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  StreamMeasures place = Streams(0.4, 0.8);
+  StreamMeasures place = Streams(0.4, 0.8, 2000.0);
   StreamMeasures ground = place;
   ground.Density = none;
   EXPECT_TRUE(std::isinf(StreamMisfits(ground, place)[2]));
