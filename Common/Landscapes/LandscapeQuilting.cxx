@@ -38,8 +38,11 @@ constexpr double SteepnessTolerance = 0.15;
 
 /// Quilts of small ground from which the one with the place's streams is taken: as many as have so many cells, but one
 /// at least and not more than these.
-constexpr double DrawnCells = 131072.0;
+constexpr double DrawnCells = 450000.0;
 constexpr int MostDraws = 8;
+
+/// Cells of ground whose streams have 1000 cells and more, and not 100.
+constexpr std::size_t LargeGround = 100000;
 
 /// Part of the work of a quilt that is done when its pieces are laid.
 constexpr double QuiltWork = 0.5;
@@ -331,14 +334,18 @@ Quilted LikestOf(int draws, const Quilting& quilting, const GridSamples& place, 
   {
     return drawn(0);
   }
-  const StreamMeasures streams = MeasureStreams(place, parallel, poll);
+  const bool isLarge = std::min(place.Values.size(), terrain.Values.size()) >= LargeGround;
+  const auto measuresOf = [&](const GridSamples& ground) {
+    return MeasureStreams(ground, isLarge ? 1000 : 100, parallel, poll);
+  };
+  const StreamMeasures streams = measuresOf(place);
   Quilted likest;
   std::vector<double> least;
   const auto isMet = [](double misfit) { return misfit <= 1.0; };
   for (int draw = 0; draw == 0 || (draw < draws && !std::all_of(least.begin(), least.end(), isMet)); ++draw)
   {
     Quilted quilted = drawn(draw);
-    std::vector<double> misfits = StreamMisfits(MeasureStreams(quilted.Ground, parallel, poll), streams);
+    std::vector<double> misfits = StreamMisfits(measuresOf(quilted.Ground), streams);
     misfits.push_back(quilted.SemivarianceMisfit);
     if (draw == 0 || SumOfMisfits(misfits) < SumOfMisfits(least))
     {

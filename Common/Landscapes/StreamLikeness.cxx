@@ -18,7 +18,7 @@ namespace littoral
 namespace
 {
 
-constexpr CellIndex StreamCells = 100;
+constexpr CellIndex HackCells = 100;
 constexpr int ReliefCells = 10;
 
 constexpr double ConcavityTolerance = 0.1;
@@ -56,15 +56,16 @@ double ReliefOff(const StreamMeasures& ground, const StreamMeasures& place)
 
 }
 
-StreamMeasures MeasureStreams(const GridSamples& ground, const ParallelFor& parallel, const Poll& poll)
+StreamMeasures MeasureStreams(
+  const GridSamples& ground, CellIndex streamCells, const ParallelFor& parallel, const Poll& poll)
 {
   const OutletMask border = BorderOutlets(ground.Width, ground.Height);
   StreamMeasures measures;
   measures.Heights = MeasureGround(ground, border, parallel, poll);
   FlowRouting routing = RouteFlow(ground, border, parallel, poll, FlatWays::Shortest);
   std::vector<CellIndex> cells = FlowAccumulation(routing, poll);
-  measures.Hack = HackExponent(LongestFlowLengths(routing, CellLattice(ground)), cells, StreamCells);
-  measures.Relief = HeightsAboveStreams(ground, routing, cells, StreamCells, ReliefCells);
+  measures.Hack = HackExponent(LongestFlowLengths(routing, CellLattice(ground)), cells, HackCells);
+  measures.Relief = HeightsAboveStreams(ground, routing, cells, streamCells, ReliefCells);
   GridSamples filled = ground;
   filled.Values = FloodDepressions(ground, border, poll).SpillElevation;
   measures.Filled = MeasureGround(filled, border, parallel, poll);

@@ -20,12 +20,12 @@ struct StreamMeasures
   GroundMeasures Filled;                 ///< of filled ground
   double Density = 0.0;                  ///< of channels on filled ground [1/m]; NaN without a break of slopes
   double Hack = 0.0;                     ///< exponent of Hack's law; NaN without a stream
-  std::vector<StreamDistanceBin> Relief; ///< heights above streams of 100 cells, 1 to 10 cells off them
+  std::vector<StreamDistanceBin> Relief; ///< heights above streams, 1 to 10 cells off them
 };
 
-/// Measures of ground without missing heights.
+/// Measures of ground without missing heights. Relief is off streams of so many cells and more.
 StreamMeasures MeasureStreams(
-  const GridSamples& ground, const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
+  const GridSamples& ground, CellIndex streamCells, const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
 
 /**
  * Distances of the measures of a ground from those of a place, each over its tolerance: 0.1 of concavity, 0.05 of
