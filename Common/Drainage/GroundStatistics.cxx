@@ -17,6 +17,28 @@ namespace
 constexpr std::size_t ThresholdPercent = 99;
 constexpr int ReliefCells = 10;
 
+/// Sorts in runs, which are merged.
+void SortPolled(std::vector<double>& values, const Poll& poll)
+{
+  constexpr std::size_t run = std::size_t{ 1 } << 16;
+  const auto at = [&](std::size_t place) {
+    return values.begin() + static_cast<std::ptrdiff_t>(std::min(place, values.size()));
+  };
+  for (std::size_t begin = 0; begin < values.size(); begin += run)
+  {
+    poll();
+    std::sort(at(begin), at(begin + run));
+  }
+  for (std::size_t length = run; length < values.size(); length *= 2)
+  {
+    for (std::size_t begin = 0; begin + length < values.size(); begin += 2 * length)
+    {
+      poll();
+      std::inplace_merge(at(begin), at(begin + length), at(begin + 2 * length));
+    }
+  }
+}
+
 /// Calls visit(cell) for the cells that have all four neighbours, row by row.
 template <typename Visit>
 void ForEachInner(const GridSamples& heights, const Visit& visit, const Poll& poll = NoPoll)
@@ -101,27 +123,28 @@ std::vector<double> GradientsOf(const GridSamples& heights, const Poll& poll)
   return PresentValues(slopes);
 }
 
-std::vector<double> LaplaciansOf(const GridSamples& heights)
+std::vector<double> LaplaciansOf(const GridSamples& heights, const Poll& poll)
 {
   std::vector<double> curvatures;
   const std::vector<double>& z = heights.Values;
   const std::size_t row = heights.Width;
-  ForEachInner(heights, [&](std::size_t cell) {
+  const auto add = [&](std::size_t cell) {
     // (z_e - 2z + z_w)/dx^2 + (z_n - 2z + z_s)/dy^2
     const double x = (z[cell + 1] - z[cell]) - (z[cell] - z[cell - 1]);
     const double y = (z[cell + row] - z[cell]) - (z[cell] - z[cell - row]);
     curvatures.push_back(x / (heights.Spacing[0] * heights.Spacing[0]) + y / (heights.Spacing[1] * heights.Spacing[1]));
-  });
+  };
+  ForEachInner(heights, add, poll);
   return PresentValues(curvatures);
 }
 
-std::vector<double> EvenQuantiles(std::vector<double> values, int count)
+std::vector<double> EvenQuantiles(std::vector<double> values, int count, const Poll& poll)
 {
   if (values.empty())
   {
     return {};
   }
-  std::sort(values.begin(), values.end());
+  SortPolled(values, poll);
   std::vector<double> quantiles;
   for (int k = 0; k < count; ++k)
   {

@@ -32,10 +32,10 @@ SampleShape ShapeOf(const std::vector<double>& values, const Poll& poll = NoPoll
 std::vector<double> GradientsOf(const GridSamples& heights, const Poll& poll = NoPoll);
 
 /// Curvature of the inner cells, the five-point Laplacian [1/m], row by row: above 0 in valleys.
-std::vector<double> LaplaciansOf(const GridSamples& heights);
+std::vector<double> LaplaciansOf(const GridSamples& heights, const Poll& poll = NoPoll);
 
 /// Quantiles at 0, 1/n, 2/n ... 1 with n = count - 1, linear between the values in their order; count at least 2.
-std::vector<double> EvenQuantiles(std::vector<double> values, int count);
+std::vector<double> EvenQuantiles(std::vector<double> values, int count, const Poll& poll = NoPoll);
 
 /// Hack's exponent h (1957), longest flow length L ~ A^h, by least squares of logarithms over the cells that drain
 /// `threshold` cells or more; NaN where there are none.

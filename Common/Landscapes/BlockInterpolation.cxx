@@ -96,28 +96,34 @@ GridSamples CubicRefinement(const GridSamples& coarse, int factor, const Paralle
   return fine;
 }
 
-void HoldBlockMeans(GridSamples& fine, const GridSamples& coarse, int factor, int passes, const ParallelFor& parallel)
+void HoldBlockMeans(
+  GridSamples& fine, const GridSamples& coarse, int factor, int passes, const ParallelFor& parallel, const Poll& poll)
 {
   for (int pass = 0; pass < passes; ++pass)
   {
-    GridSamples missing = BlockMeans(fine, factor);
+    GridSamples missing = BlockMeans(fine, factor, poll);
     for (std::size_t n = 0; n < missing.Values.size(); ++n)
     {
       missing.Values[n] = coarse.Values[n] - missing.Values[n];
     }
     const GridSamples change = CubicRefinement(missing, factor, parallel);
-    for (std::size_t n = 0; n < fine.Values.size(); ++n)
-    {
-      fine.Values[n] += change.Values[n];
-    }
+    poll();
+    parallel(fine.Values.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        fine.Values[n] += change.Values[n];
+      }
+    });
   }
 }
 
-void LimitBlockShifts(GridSamples& fine, const GridSamples& coarse, int factor, const std::vector<double>& limits)
+void LimitBlockShifts(
+  GridSamples& fine, const GridSamples& coarse, int factor, const std::vector<double>& limits, const Poll& poll)
 {
-  const GridSamples means = BlockMeans(fine, factor);
+  const GridSamples means = BlockMeans(fine, factor, poll);
   for (int j = 0; j < fine.Height; ++j)
   {
+    poll();
     for (int i = 0; i < fine.Width; ++i)
     {
       const std::size_t block = static_cast<std::size_t>(j / factor) * coarse.Width + i / factor;

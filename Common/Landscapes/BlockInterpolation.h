@@ -20,11 +20,12 @@ GridSamples CubicRefinement(const GridSamples& coarse, int factor, const Paralle
  * Brings the means of squares of `factor` times `factor` cells to those of coarse cells (back-projection): each pass
  * adds the cubic refinement of what is missing. Eight passes leave 1/300 of what is missing of a single cell.
  */
-void HoldBlockMeans(
-  GridSamples& fine, const GridSamples& coarse, int factor, int passes, const ParallelFor& parallel = SerialFor);
+void HoldBlockMeans(GridSamples& fine, const GridSamples& coarse, int factor, int passes,
+  const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
 
 /// Moves the means of blocks that are more than `limits` [m] from those of the coarse cells back to the limit.
-void LimitBlockShifts(GridSamples& fine, const GridSamples& coarse, int factor, const std::vector<double>& limits);
+void LimitBlockShifts(GridSamples& fine, const GridSamples& coarse, int factor, const std::vector<double>& limits,
+  const Poll& poll = NoPoll);
 
 }
 

@@ -170,7 +170,7 @@ std::vector<int> LeastPath(std::vector<float> values, int width, int height)
 class Quilter
 {
 public:
-  Quilter(const GridSamples& place, const GridSamples& guide, int side, int seed, const ParallelFor& parallel)
+  Quilter(const GridSamples& place, const GridSamples& guide, int side, int seed, int draw, const ParallelFor& parallel)
     : Place(place)
     , Guide(guide)
     , Side(side)
@@ -180,6 +180,7 @@ public:
     , Rows(PiecesAlong(guide.Height + Margin))
     , Width(Columns * Step() + Overlap + Margin)
     , Random(seed, RandomPurpose::LandscapePieces)
+    , FirstObject(static_cast<std::uint64_t>(draw) << 32U)
     , Parallel(parallel)
   {
     this->SetPlace();
@@ -275,7 +276,7 @@ private:
   Corner CornerOf(int row, int column) const
   {
     const auto shift = [&](int line, std::size_t axis) {
-      const double part = this->Random.UniformPair(static_cast<std::uint64_t>(line), ShiftDraw)[axis];
+      const double part = this->Random.UniformPair(this->FirstObject + line, ShiftDraw)[axis];
       return static_cast<int>(part * (this->Margin + 1));
     };
     return { column * this->Step() + shift(row, 0), row * this->Step() + shift(column, 1) };
@@ -331,7 +332,7 @@ private:
     const auto most = static_cast<std::size_t>(this->CountY); // one row of a place that is wide and low
     const std::size_t step = std::min(most, (this->Costs.size() + MaximumPieces - 1) / MaximumPieces);
     const auto number = static_cast<std::uint64_t>(row * this->Columns + column);
-    const std::size_t first = this->Random.Words(number, 1)[0] % step;
+    const std::size_t first = this->Random.Words(this->FirstObject + number, 1)[0] % step;
     const std::size_t rows = (most + step - 1 - first) / step;
     SquareCosts square{ this->GuideOf(to), this->OverlapOf(to), this->AllowedPieces(to, row, column, first, step) };
     square.OfGuide = GuideWeight / static_cast<float>(std::max<std::size_t>(1, square.Guide.size()));
@@ -479,7 +480,7 @@ private:
         good.push_back(piece);
       }
     }
-    const double chance = this->Random.UniformPair(static_cast<std::uint64_t>(number), 0)[0];
+    const double chance = this->Random.UniformPair(this->FirstObject + number, 0)[0];
     const std::size_t piece = good[static_cast<std::size_t>(chance * static_cast<double>(good.size()))];
     return { static_cast<int>(piece % this->CountX), static_cast<int>(piece / this->CountX) };
   }
@@ -610,6 +611,7 @@ private:
   int Rows;
   int Width; ///< of the ground with its margin
   RandomStream Random;
+  std::uint64_t FirstObject; ///< of a draw
   const ParallelFor& Parallel;
   /// Values of the place by which pieces are compared: heights, and differences of soft ones to the next cell along x
   /// and y, each over a scale; and, in a place with standing water, 1 there and 0 on land.
@@ -640,9 +642,9 @@ double GuideSmoothing(const GridSamples& place)
 }
 
 GridSamples QuiltGround(const GridSamples& place, const GridSamples& guide, int side, int seed,
-  const ParallelFor& parallel, const CarvingProgress& progress)
+  const ParallelFor& parallel, const CarvingProgress& progress, int draw)
 {
-  return Quilter(place, guide, side, seed, parallel).Quilt(progress);
+  return Quilter(place, guide, side, seed, draw, parallel).Quilt(progress);
 }
 
 }

@@ -35,9 +35,10 @@ double GuideSmoothing(const GridSamples& place);
  *
  * The place and the guide have cells of one size and no missing heights; the result has the guide's grid. The smooth
  * guide is followed as far as there are pieces for it. Same bytes for any threads; the progress is told once a piece.
+ * Quilts of two draws share no numbers.
  */
 GridSamples QuiltGround(const GridSamples& place, const GridSamples& guide, int side, int seed,
-  const ParallelFor& parallel = SerialFor, const CarvingProgress& progress = NoProgress);
+  const ParallelFor& parallel = SerialFor, const CarvingProgress& progress = NoProgress, int draw = 0);
 
 }
 

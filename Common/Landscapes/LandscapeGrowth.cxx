@@ -364,7 +364,7 @@ private:
     this->Guide = BlockMeans(this->Wide, factor);
     this->SetGivenOfLevel();
     this->Mesh = JitteredMesh(this->Guide.Width, this->Guide.Height, this->Guide.Spacing, this->Seed, factor,
-      PointsOnLines(this->GivenOfLevel, this->Guide.Width, this->Guide.Height, this->Guide.Spacing));
+      PointsOnLines(this->GivenOfLevel, this->Guide.Width, this->Guide.Height, this->Guide.Spacing), this->Parallel);
     this->Courses = CoursesOn(this->Mesh, this->GivenOfLevel);
     this->SetRock();
     this->SetFactorsOfLevel();

@@ -56,23 +56,24 @@ double ReferenceSlope(const GroundMeasures& ground)
 
 }
 
-LandscapeMeasures MeasureLandscape(const GridSamples& heights, const ParallelFor& parallel)
+LandscapeMeasures MeasureLandscape(const GridSamples& heights, const ParallelFor& parallel, const Poll& poll)
 {
   LandscapeMeasures measures;
-  const std::vector<double> slopes = GradientsOf(heights);
-  measures.MeanSlope = ShapeOf(slopes).Mean;
-  measures.Slopes = EvenQuantiles(slopes, SlopeQuantiles);
+  const std::vector<double> slopes = GradientsOf(heights, poll);
+  measures.MeanSlope = ShapeOf(slopes, poll).Mean;
+  measures.Slopes = EvenQuantiles(slopes, SlopeQuantiles, poll);
   const auto gentle =
     std::count_if(slopes.begin(), slopes.end(), [&](double slope) { return slope < 0.25 * measures.MeanSlope; });
   measures.GentleFraction = static_cast<double>(gentle) / static_cast<double>(slopes.size());
   measures.BlockVariation = BlockVariationOf(slopes, heights.Width - 2, heights.Height - 2);
+  poll();
   GridSamples smooth = heights;
   SmoothGrid(smooth.Values, smooth.Width, smooth.Height, CurvatureCells, parallel);
-  measures.CurvatureDeviation = ShapeOf(LaplaciansOf(smooth)).StandardDeviation;
+  measures.CurvatureDeviation = ShapeOf(LaplaciansOf(smooth, poll), poll).StandardDeviation;
   const OutletMask border = BorderOutlets(heights.Width, heights.Height);
   GridSamples filled = heights;
-  filled.Values = FloodDepressions(heights, border).SpillElevation;
-  const GroundMeasures ground = MeasureGround(filled, border, parallel);
+  filled.Values = FloodDepressions(heights, border, poll).SpillElevation;
+  const GroundMeasures ground = MeasureGround(filled, border, parallel, poll);
   measures.Concavity = ground.Concavity;
   measures.ChannelSlope = ReferenceSlope(ground);
   return measures;

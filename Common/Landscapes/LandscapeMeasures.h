@@ -26,7 +26,8 @@ struct LandscapeMeasures
 };
 
 /// Statistics of a grid without missing values, of three rows and columns or more.
-LandscapeMeasures MeasureLandscape(const GridSamples& heights, const ParallelFor& parallel = SerialFor);
+LandscapeMeasures MeasureLandscape(
+  const GridSamples& heights, const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
 
 /// Kolmogorov's distance of two samples by as many even quantiles of each: the largest difference of their shares.
 double KolmogorovDistance(const std::vector<double>& one, const std::vector<double>& other);

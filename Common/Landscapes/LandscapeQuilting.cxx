@@ -13,6 +13,7 @@
 #include "Landscapes/PlaceMatching.h"
 #include "Landscapes/RiverSteepness.h"
 #include "Landscapes/ShallowDepressions.h"
+#include "Landscapes/StreamLikeness.h"
 #include "Numerics/ParameterCheck.h"
 #include "Terrain/GridHoles.h"
 
@@ -35,7 +36,15 @@ constexpr double SemivarianceTolerance = 0.1;
 constexpr double SlopeTolerance = 0.05;
 constexpr double SteepnessTolerance = 0.15;
 
-/// Part of the work that is done when the pieces are laid.
+/// Quilts of small ground from which the one with the place's streams is taken: as many as have so many cells, but one
+/// at least and not more than these.
+constexpr double DrawnCells = 450000.0;
+constexpr int MostDraws = 8;
+
+/// Cells of ground whose streams have 1000 cells and more, and not 100.
+constexpr std::size_t LargeGround = 100000;
+
+/// Part of the work of a quilt that is done when its pieces are laid.
 constexpr double QuiltWork = 0.5;
 
 /// Least slope of rivers over the place's mean slope.
@@ -198,6 +207,161 @@ FlowRouting Drain(GridSamples& ground, const std::vector<std::uint8_t>& dry, dou
   return routing;
 }
 
+/// A quilt that is drained.
+struct Quilted
+{
+  GridSamples Ground;
+  double SemivarianceMisfit = 0.0; ///< over its tolerance
+  int Rounds = 0;
+};
+
+/// Quilts of a place.
+class Quilting
+{
+public:
+  Quilting(const GridSamples& place, int seed, const ParallelFor& parallel, const Poll& poll)
+    : Place(place)
+    , Target(TargetOf(place, {}, parallel))
+    , Matching(place, this->Target)
+    , Rivers(place, parallel, poll)
+    , SlopeOfPlace(MeanSlope(place, poll))
+    , Smoothing(GuideSmoothing(place))
+    , Seed(seed)
+    , Parallel(parallel)
+  {
+  }
+
+  const GroundMeasures& Wanted() const { return this->Target.Measures; }
+
+  /// The quilt of a draw along the long waves of a terrain.
+  Quilted Draw(const GridSamples& terrain, int draw, const CarvingProgress& progress) const;
+
+private:
+  const GridSamples& Place;
+  CarvingTarget Target;
+  PlaceMatching Matching;
+  RiverSteepness Rivers;
+  double SlopeOfPlace;
+  double Smoothing; ///< of the guide [cells]
+  int Seed;
+  const ParallelFor& Parallel;
+};
+
+Quilted Quilting::Draw(const GridSamples& terrain, int draw, const CarvingProgress& progress) const
+{
+  double done = 0.0;
+  const Poll poll = [&] { progress(done); };
+  const ParallelFor& parallel = this->Parallel;
+  const double shortest = 1.0 / (4.0 * this->Smoothing * std::max(terrain.Spacing[0], terrain.Spacing[1]));
+  LongWaves waves(terrain, this->Target, shortest, this->Seed, parallel, poll);
+  GridSamples guide = Smooth(waves.Heights(parallel), this->Smoothing, parallel);
+  const GridSamples quilt = QuiltGround(
+    this->Place, guide, PieceSideFor(this->Place), this->Seed, parallel,
+    [&](double part) { progress(QuiltWork * part); }, draw);
+  done = QuiltWork;
+  const GridSamples smooth = Smooth(quilt, this->Smoothing, parallel);
+  double least = std::numeric_limits<double>::infinity();
+  double cut = FirstCut;
+  double limit = GreatestLimit;
+  const OutletMask border = BorderOutlets(terrain.Width, terrain.Height);
+  const double sunkOfPlace = this->Wanted().DepressionFraction;
+  double letBe = sunkOfPlace;
+  FlowRouting routing;
+  Quilted best;
+  while (true)
+  {
+    done = QuiltWork + (1.0 - QuiltWork) * best.Rounds / MaximumRounds;
+    GridSamples ground = Sum(quilt, guide, smooth, parallel);
+    this->Matching.Match(ground, 1.0, parallel, poll);
+    GridSamples filled = WithHeights(ground,
+      routing.Order.empty() ? FloodDepressions(ground, border, poll).SpillElevation
+                            : SpillElevationsBy(routing, ground, poll));
+    std::vector<double> pits = ShallowDepressions(ground, filled.Values, letBe, poll);
+    Add(ground.Values, pits, 1.0, parallel);
+    const std::vector<std::uint8_t> dry = DryCells(ground, filled.Values, pits, poll);
+    filled.Values = std::vector<double>();
+    routing = {};
+    routing = Drain(ground, dry, LeastSlopeFactor * this->SlopeOfPlace, cut, this->Rivers.Law(limit), parallel, poll);
+    Add(ground.Values, pits, -1.0, parallel);
+    pits = std::vector<double>();
+    if (this->Rivers.IsKnown())
+    {
+      this->Matching.Match(ground, 1.0, parallel, poll); // a monotone map turns no water
+    }
+    const double steep = MeanSlope(ground, poll) / this->SlopeOfPlace;
+    filled.Values = SpillElevationsBy(routing, ground, poll);
+    const double steepOfRivers = this->Rivers.RatioOf(filled, parallel, poll);
+    const double sunk = ShareBelow(ground, filled, poll);
+    filled.Values = std::vector<double>();
+    const double semivarianceMisfit = this->Matching.SemivarianceError(ground, parallel) / SemivarianceTolerance;
+    const double misfit = std::max({ semivarianceMisfit, std::abs(steep - 1.0) / SlopeTolerance,
+      std::abs(steepOfRivers - 1.0) / SteepnessTolerance, sunk / std::max(SunkTolerance, sunkOfPlace) });
+    ++best.Rounds;
+    const bool isLast = misfit <= 1.0 || best.Rounds == MaximumRounds;
+    if (!isLast)
+    {
+      // what is filled is flat, and what is cut is steep
+      cut = std::clamp(cut + CutGain * (1.0 - steep), 0.0, 1.0);
+      limit = std::clamp(limit / steepOfRivers, LeastLimit, GreatestLimit);
+      letBe = std::min(MostLetBe * sunkOfPlace, letBe * SunkAim * sunkOfPlace / std::max(sunk, LeastSunk));
+      waves.Correct(ground, this->Wanted(), parallel, poll);
+      guide = Smooth(waves.Heights(parallel), this->Smoothing, parallel);
+    }
+    if (misfit < least)
+    {
+      least = misfit;
+      best.SemivarianceMisfit = semivarianceMisfit;
+      best.Ground = std::move(ground);
+    }
+    if (isLast)
+    {
+      return best;
+    }
+  }
+}
+
+/// The first draw whose streams are the place's, or the one whose misfits are least.
+Quilted LikestOf(int draws, const Quilting& quilting, const GridSamples& place, const GridSamples& terrain,
+  const ParallelFor& parallel, const CarvingProgress& progress)
+{
+  double done = 0.0;
+  const Poll poll = [&] { progress(done); };
+  const auto drawn = [&](int draw) {
+    done = static_cast<double>(draw) / draws;
+    return quilting.Draw(terrain, draw, [&](double part) { progress(done + part / draws); });
+  };
+  if (draws == 1)
+  {
+    return drawn(0);
+  }
+  const bool isLarge = std::min(place.Values.size(), terrain.Values.size()) >= LargeGround;
+  const auto measuresOf = [&](const GridSamples& ground) {
+    return MeasureStreams(ground, isLarge ? 1000 : 100, parallel, poll);
+  };
+  const StreamMeasures streams = measuresOf(place);
+  Quilted likest;
+  std::vector<double> least;
+  const auto isMet = [](double misfit) { return misfit <= 1.0; };
+  for (int draw = 0; draw == 0 || (draw < draws && !std::all_of(least.begin(), least.end(), isMet)); ++draw)
+  {
+    Quilted quilted = drawn(draw);
+    std::vector<double> misfits = StreamMisfits(measuresOf(quilted.Ground), streams);
+    misfits.push_back(quilted.SemivarianceMisfit);
+    if (draw == 0 || SumOfMisfits(misfits) < SumOfMisfits(least))
+    {
+      least = std::move(misfits);
+      likest = std::move(quilted);
+    }
+  }
+  return likest;
+}
+
+int DrawsOf(const GridSamples& terrain)
+{
+  const auto cells = static_cast<double>(terrain.Values.size());
+  return static_cast<int>(std::clamp(DrawnCells / cells, 1.0, static_cast<double>(MostDraws)));
+}
+
 }
 
 std::string WhyNoQuilt(const GridSamples& terrain, const GridSamples& place)
@@ -226,80 +390,17 @@ CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& measured, 
   poll();
   const OutletMask rim = RimOutlets(given);
   FillHoles(terrain, poll);
-  const CarvingTarget target = TargetOf(place, {}, parallel);
-  const PlaceMatching matching(place, target);
-  const int side = PieceSideFor(place);
-  const double smoothing = GuideSmoothing(place);
-  const double shortest = 1.0 / (4.0 * smoothing * std::max(terrain.Spacing[0], terrain.Spacing[1]));
-  LongWaves waves(terrain, target, shortest, seed, parallel, poll);
-  GridSamples guide = Smooth(waves.Heights(parallel), smoothing, parallel);
-  const GridSamples quilt =
-    QuiltGround(place, guide, side, seed, parallel, [&](double part) { progress(QuiltWork * part); });
-  done = QuiltWork;
-  const GridSamples smooth = Smooth(quilt, smoothing, parallel);
-  const RiverSteepness rivers(place, parallel, poll);
-  const double meanSlope = MeanSlope(place, poll);
-  double least = std::numeric_limits<double>::infinity();
-  double cut = FirstCut;
-  double limit = GreatestLimit;
-  const OutletMask border = BorderOutlets(terrain.Width, terrain.Height);
-  const double sunkOfPlace = target.Measures.DepressionFraction;
-  double letBe = sunkOfPlace;
-  FlowRouting routing;
-  CarvingReport report;
-  while (true)
-  {
-    done = QuiltWork + (1.0 - QuiltWork) * report.Iterations / MaximumRounds;
-    GridSamples ground = Sum(quilt, guide, smooth, parallel);
-    matching.Match(ground, 1.0, parallel, poll);
-    GridSamples filled = WithHeights(ground,
-      routing.Order.empty() ? FloodDepressions(ground, border, poll).SpillElevation
-                            : SpillElevationsBy(routing, ground, poll));
-    std::vector<double> pits = ShallowDepressions(ground, filled.Values, letBe, poll);
-    Add(ground.Values, pits, 1.0, parallel);
-    const std::vector<std::uint8_t> dry = DryCells(ground, filled.Values, pits, poll);
-    filled.Values = std::vector<double>();
-    routing = {};
-    routing = Drain(ground, dry, LeastSlopeFactor * meanSlope, cut, rivers.Law(limit), parallel, poll);
-    Add(ground.Values, pits, -1.0, parallel);
-    pits = std::vector<double>();
-    if (rivers.IsKnown())
-    {
-      matching.Match(ground, 1.0, parallel, poll); // a monotone map turns no water
-    }
-    const double steep = MeanSlope(ground, poll) / meanSlope;
-    filled.Values = SpillElevationsBy(routing, ground, poll);
-    const double steepOfRivers = rivers.RatioOf(filled, parallel, poll);
-    const double sunk = ShareBelow(ground, filled, poll);
-    filled.Values = std::vector<double>();
-    const double misfit = std::max(
-      { matching.SemivarianceError(ground, parallel) / SemivarianceTolerance, std::abs(steep - 1.0) / SlopeTolerance,
-        std::abs(steepOfRivers - 1.0) / SteepnessTolerance, sunk / std::max(SunkTolerance, sunkOfPlace) });
-    ++report.Iterations;
-    const bool isLast = misfit <= 1.0 || report.Iterations == MaximumRounds;
-    if (!isLast)
-    {
-      // what is filled is flat, and what is cut is steep
-      cut = std::clamp(cut + CutGain * (1.0 - steep), 0.0, 1.0);
-      limit = std::clamp(limit / steepOfRivers, LeastLimit, GreatestLimit);
-      letBe = std::min(MostLetBe * sunkOfPlace, letBe * SunkAim * sunkOfPlace / std::max(sunk, LeastSunk));
-      waves.Correct(ground, target.Measures, parallel, poll);
-      guide = Smooth(waves.Heights(parallel), smoothing, parallel);
-    }
-    if (misfit < least)
-    {
-      least = misfit;
-      terrain = std::move(ground);
-    }
-    if (isLast)
-    {
-      break;
-    }
-  }
+  const Quilting quilting(place, seed, parallel, poll);
+  Quilted likest = LikestOf(DrawsOf(terrain), quilting, place, terrain, parallel, progress);
+  done = 1.0;
+  terrain = std::move(likest.Ground);
   TakeHoles(given, terrain, poll);
-  report.Before = MeasureGround(given, rim, parallel, poll, target.Measures.MaximumArea);
-  report.After = MeasureGround(terrain, rim, parallel, poll, target.Measures.MaximumArea);
-  report.UnmetTargets = UnmetTargets(report.After, target.Measures);
+  CarvingReport report;
+  report.Iterations = likest.Rounds;
+  const GroundMeasures& wanted = quilting.Wanted();
+  report.Before = MeasureGround(given, rim, parallel, poll, wanted.MaximumArea);
+  report.After = MeasureGround(terrain, rim, parallel, poll, wanted.MaximumArea);
+  report.UnmetTargets = UnmetTargets(report.After, wanted);
   report.HasConverged = report.UnmetTargets.empty();
   return report;
 }

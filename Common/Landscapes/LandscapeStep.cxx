@@ -51,7 +51,7 @@ std::string WhyInvalid(const LandscapeLaw& law)
 
 void StepLandscape(const PointMesh& mesh, const MeshDrainage& drainage, const LandscapeLaw& law, double uplift,
   const std::vector<double>& hardness, double time, std::vector<double>& heights, const ParallelFor& parallel,
-  const RockFactors& factors)
+  const RockFactors& factors, const Poll& poll)
 {
   std::vector<double> start(heights.size());
   std::vector<double> incision(heights.size(), 0.0);
@@ -87,10 +87,12 @@ void StepLandscape(const PointMesh& mesh, const MeshDrainage& drainage, const La
     heights[point] = std::clamp(equation.Right / equation.Left, bed + law.MinimumSlope * distance,
       bed + std::max(law.MinimumSlope, law.ThresholdSlope) * distance);
   };
+  SteppedPoll steps(poll);
   for (int pass = 0; pass < Passes; ++pass)
   {
     for (const CellIndex point : drainage.Order)
     {
+      steps.Step();
       if (drainage.Link[point] >= 0)
       {
         solve(point, drainage.Link[point]);

@@ -44,7 +44,7 @@ std::string WhyInvalid(const LandscapeLaw& law);
 /// its receiver. `uplift` is U [m/a], `hardness` h at each point, positive; the rim stays.
 void StepLandscape(const PointMesh& mesh, const MeshDrainage& drainage, const LandscapeLaw& law, double uplift,
   const std::vector<double>& hardness, double time, std::vector<double>& heights,
-  const ParallelFor& parallel = SerialFor, const RockFactors& factors = {});
+  const ParallelFor& parallel = SerialFor, const RockFactors& factors = {}, const Poll& poll = NoPoll);
 
 }
 

@@ -190,7 +190,7 @@ GridSamples PartOf(const GridSamples& grid, int x, int y, int width, int height,
   return part;
 }
 
-GridSamples BlockMeans(const GridSamples& grid, int factor)
+GridSamples BlockMeans(const GridSamples& grid, int factor, const Poll& poll)
 {
   GridSamples coarse;
   coarse.Width = grid.Width / factor;
@@ -199,6 +199,7 @@ GridSamples BlockMeans(const GridSamples& grid, int factor)
   coarse.Values.assign(static_cast<std::size_t>(coarse.Width) * coarse.Height, 0.0);
   for (int j = 0; j < coarse.Height * factor; ++j)
   {
+    poll();
     for (int i = 0; i < coarse.Width * factor; ++i)
     {
       coarse.At(i / factor, j / factor) += grid.At(i, j) / (factor * factor);

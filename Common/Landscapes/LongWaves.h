@@ -51,7 +51,7 @@ GridSamples WithEdges(const GridSamples& grid, int before, int afterX, int after
 GridSamples PartOf(const GridSamples& grid, int x, int y, int width, int height, const Poll& poll = NoPoll);
 
 /// Means of squares of `factor` times `factor` cells, of which the grid has whole numbers.
-GridSamples BlockMeans(const GridSamples& grid, int factor);
+GridSamples BlockMeans(const GridSamples& grid, int factor, const Poll& poll = NoPoll);
 
 /// Values at twice as many cells along each axis, linear between the middles of cells.
 std::vector<double> Refined(const std::vector<double>& values, int width, int height);

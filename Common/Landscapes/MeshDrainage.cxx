@@ -80,8 +80,9 @@ CellIndex LinkTo(const PointMesh& mesh, CellIndex point, CellIndex neighbour)
 }
 
 /// Fills depressions, w = max(z, w of the point before), and returns the links towards the point before.
-std::vector<CellIndex> FloodMesh(const PointMesh& mesh, std::vector<double>& heights)
+std::vector<CellIndex> FloodMesh(const PointMesh& mesh, std::vector<double>& heights, const Poll& poll)
 {
+  SteppedPoll steps(poll);
   using Front = std::pair<double, CellIndex>;
   std::priority_queue<Front, std::vector<Front>, std::greater<>> open;
   std::vector<CellIndex> back(heights.size(), Unreached);
@@ -95,6 +96,7 @@ std::vector<CellIndex> FloodMesh(const PointMesh& mesh, std::vector<double>& hei
   }
   while (!open.empty())
   {
+    steps.Step();
     const auto [level, point] = open.top();
     open.pop();
     for (CellIndex link = mesh.First[point]; link < mesh.First[point + 1]; ++link)
@@ -127,8 +129,10 @@ using FloodFront = std::priority_queue<FloodWay, std::vector<FloodWay>, std::gre
 
 /// As FloodMesh(), but up given rivers from their lower ends alone, and over ridges or into the sides of rivers only
 /// once nothing else is left.
-std::vector<CellIndex> FloodCourses(const PointMesh& mesh, const MeshCourses& courses, std::vector<double>& heights)
+std::vector<CellIndex> FloodCourses(
+  const PointMesh& mesh, const MeshCourses& courses, std::vector<double>& heights, const Poll& poll)
 {
+  SteppedPoll steps(poll);
   FloodFront open;
   FloodFront closed;
   std::vector<CellIndex> back(heights.size(), Unreached);
@@ -142,6 +146,7 @@ std::vector<CellIndex> FloodCourses(const PointMesh& mesh, const MeshCourses& co
   }
   while (!open.empty() || !closed.empty())
   {
+    steps.Step();
     FloodFront& front = open.empty() ? closed : open;
     const FloodWay way = front.top();
     front.pop();
@@ -169,8 +174,8 @@ std::vector<CellIndex> FloodCourses(const PointMesh& mesh, const MeshCourses& co
 
 }
 
-MeshDrainage DrainMesh(
-  const PointMesh& mesh, const std::vector<double>& heights, const ParallelFor& parallel, const MeshCourses& courses)
+MeshDrainage DrainMesh(const PointMesh& mesh, const std::vector<double>& heights, const ParallelFor& parallel,
+  const MeshCourses& courses, const Poll& poll)
 {
   MeshDrainage drainage;
   drainage.Link.resize(heights.size());
@@ -178,26 +183,31 @@ MeshDrainage DrainMesh(
   {
     std::vector<double> filled = heights;
     const std::vector<CellIndex> back =
-      courses.IsEmpty() ? FloodMesh(mesh, filled) : FloodCourses(mesh, courses, filled);
+      courses.IsEmpty() ? FloodMesh(mesh, filled, poll) : FloodCourses(mesh, courses, filled, poll);
     FindLinks(mesh, filled, courses, parallel, drainage.Link);
     for (std::size_t n = 0; n < back.size(); ++n)
     {
       drainage.Link[n] = drainage.Link[n] < 0 ? back[n] : drainage.Link[n];
     }
   }
+  poll();
   std::vector<CellIndex> receivers(heights.size());
-  for (CellIndex n = 0; n < mesh.Count(); ++n)
-  {
-    receivers[n] = drainage.Link[n] < 0 ? n : mesh.Neighbour[drainage.Link[n]];
-  }
-  drainage.Order = StackOrder(receivers);
+  ForPolled(receivers.size(), poll, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      receivers[n] = drainage.Link[n] < 0 ? static_cast<CellIndex>(n) : mesh.Neighbour[drainage.Link[n]];
+    }
+  });
+  drainage.Order = StackOrder(receivers, poll);
   drainage.Area = mesh.Area;
-  for (std::size_t k = drainage.Order.size(); k-- > 0;)
-  {
-    // A_r += A, from the divides downstream
-    const CellIndex point = drainage.Order[k];
-    drainage.Area[receivers[point]] += receivers[point] == point ? 0.0 : drainage.Area[point];
-  }
+  ForPolled(drainage.Order.size(), poll, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+    {
+      // A_r += A, from the divides downstream
+      const CellIndex point = drainage.Order[drainage.Order.size() - 1 - k];
+      drainage.Area[receivers[point]] += receivers[point] == point ? 0.0 : drainage.Area[point];
+    }
+  });
   return drainage;
 }
 

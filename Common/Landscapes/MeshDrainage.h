@@ -29,7 +29,7 @@ struct MeshDrainage
  * leaves over their lowest point, and a river that ends where all ways out cross it leaves its course there.
  */
 MeshDrainage DrainMesh(const PointMesh& mesh, const std::vector<double>& heights,
-  const ParallelFor& parallel = SerialFor, const MeshCourses& courses = {});
+  const ParallelFor& parallel = SerialFor, const MeshCourses& courses = {}, const Poll& poll = NoPoll);
 
 }
 

@@ -3,21 +3,19 @@
 #include "Landscapes/PointMesh.h"
 
 #include "Drainage/ValleySpreading.h"
+#include "Landscapes/VoronoiTiles.h"
 #include "Numerics/RandomStream.h"
-
-#include <boost/polygon/voronoi.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace littoral
 {
 
 namespace
 {
-
-using Diagram = boost::polygon::voronoi_diagram<double>;
 
 /// Part of a cell's sides in which its point lies.
 constexpr double InnerPart = 0.9;
@@ -33,26 +31,25 @@ constexpr double LargestRatio = 100.0;
 /// Least area of a cell of Voronoi over the grid's.
 constexpr double LeastArea = 0.05;
 
-using IntegerPoint = boost::polygon::point_data<std::int32_t>;
-
-std::vector<IntegerPoint> JitteredPoints(
-  const PointMesh& mesh, double unit, int seed, int draw, const std::vector<HeldPoint>& held)
+CellPoints JitteredPoints(const PointMesh& mesh, double unit, int seed, int draw, const std::vector<HeldPoint>& held,
+  const ParallelFor& parallel)
 {
+  const auto unitsOf = [&](double metres) { return static_cast<std::int32_t>(std::lround(metres / unit)); };
   const RandomStream random(seed, RandomPurpose::LandscapePoints);
-  std::vector<IntegerPoint> points;
-  const CellIndex count = mesh.Width * mesh.Height;
-  for (CellIndex n = 0; n < count; ++n)
-  {
-    const std::array<double, 2> u = random.UniformPair(n, draw);
-    const int column = n % mesh.Width;
-    const int row = n / mesh.Width;
-    const double jitter = mesh.IsRim(n) ? 0.0 : InnerPart;
-    // x = (i + j (u - 1/2)) dx
-    const double x = (column + jitter * (u[0] - 0.5)) * mesh.Spacing[0];
-    const double y = (row + jitter * (u[1] - 0.5)) * mesh.Spacing[1];
-    points.emplace_back(
-      static_cast<std::int32_t>(std::lround(x / unit)), static_cast<std::int32_t>(std::lround(y / unit)));
-  }
+  CellPoints points{ mesh.Width, mesh.Height, { mesh.Spacing[0] / unit, mesh.Spacing[1] / unit }, {} };
+  points.Places.resize(static_cast<std::size_t>(mesh.Width) * mesh.Height);
+  parallel(points.Places.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t place = begin; place < end; ++place)
+    {
+      const auto n = static_cast<CellIndex>(place);
+      const std::array<double, 2> u = random.UniformPair(n, draw);
+      const double jitter = mesh.IsRim(n) ? 0.0 : InnerPart;
+      // x = (i + j (u - 1/2)) dx
+      const double x = (n % mesh.Width + jitter * (u[0] - 0.5)) * mesh.Spacing[0];
+      const double y = (n / mesh.Width + jitter * (u[1] - 0.5)) * mesh.Spacing[1];
+      points.Places[place] = { unitsOf(x), unitsOf(y) };
+    }
+  });
   for (const HeldPoint& point : held)
   {
     if (!mesh.IsRim(point.Cell))
@@ -61,61 +58,74 @@ std::vector<IntegerPoint> JitteredPoints(
       const auto unitsAlong = [&](int axis) {
         const double aside =
           std::clamp(point.Place[axis] / mesh.Spacing[axis] - cell[axis], -LargestAside, LargestAside);
-        return static_cast<std::int32_t>(std::lround((cell[axis] + aside) * mesh.Spacing[axis] / unit));
+        return unitsOf((cell[axis] + aside) * mesh.Spacing[axis]);
       };
-      points[point.Cell] = IntegerPoint(unitsAlong(0), unitsAlong(1));
+      points.Places[point.Cell] = { unitsAlong(0), unitsAlong(1) };
     }
   }
   return points;
 }
 
-double LengthOf(const Diagram::edge_type& edge)
-{
-  return edge.is_finite()
-    ? std::hypot(edge.vertex1()->x() - edge.vertex0()->x(), edge.vertex1()->y() - edge.vertex0()->y())
-    : 0.0;
-}
-
-/// Calls visit(point, neighbour, edge) for the links of all points, point by point.
+/// Calls visit(point, neighbour, distance, edge) for the links of the points of a tile, point by point.
 template <typename Visit>
-void ForEachLink(const PointMesh& mesh, const Diagram& diagram, const Visit& visit)
+void ForEachLink(const PointMesh& mesh, const VoronoiTile& tile, const Visit& visit)
 {
   const double longest = LongestLink * std::max(mesh.Spacing[0], mesh.Spacing[1]);
-  for (const Diagram::cell_type& cell : diagram.cells())
+  auto count = tile.SideCounts.begin();
+  auto side = tile.Sides.begin();
+  for (int row = tile.First[1]; row < tile.End[1]; ++row)
   {
-    const auto point = static_cast<CellIndex>(cell.source_index());
-    const Diagram::edge_type* edge = cell.incident_edge();
-    do
+    for (int column = tile.First[0]; column < tile.End[0]; ++column)
     {
-      const auto neighbour = static_cast<CellIndex>(edge->twin()->cell()->source_index());
-      const double distance = std::hypot(
-        mesh.Points[neighbour][0] - mesh.Points[point][0], mesh.Points[neighbour][1] - mesh.Points[point][1]);
-      if (distance <= longest)
+      const CellIndex point = row * mesh.Width + column;
+      for (const auto end = side + *count++; side != end; ++side)
       {
-        visit(point, neighbour, distance, LengthOf(*edge));
+        const double distance = std::hypot(mesh.Points[side->Neighbour][0] - mesh.Points[point][0],
+          mesh.Points[side->Neighbour][1] - mesh.Points[point][1]);
+        if (distance <= longest)
+        {
+          visit(point, side->Neighbour, distance, side->Length);
+        }
       }
-      edge = edge->next();
     }
-    while (edge != cell.incident_edge());
   }
 }
 
-void AddLinks(PointMesh& mesh, const Diagram& diagram, double unit)
+/// Makes a vector of zeros longer.
+template <typename Value>
+void Lengthen(std::vector<Value>& values, std::size_t count, const Poll& poll)
 {
-  mesh.First.assign(static_cast<std::size_t>(mesh.Count()) + 1, 0);
-  ForEachLink(mesh, diagram, [&](CellIndex point, CellIndex, double, double) { ++mesh.First[point + 1]; });
-  for (CellIndex n = 0; n < mesh.Count(); ++n)
-  {
-    mesh.First[n + 1] += mesh.First[n];
-  }
+  values.reserve(count);
+  ForPolled(count, poll, [&](std::size_t, std::size_t end) { values.resize(end); });
+}
+
+void AddLinks(
+  PointMesh& mesh, const std::vector<VoronoiTile>& tiles, double unit, const ParallelFor& parallel, const Poll& poll)
+{
+  const auto forLinks = [&](const auto& visit) {
+    parallel(tiles.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t tile = begin; tile < end; ++tile)
+      {
+        ForEachLink(mesh, tiles[tile], visit);
+      }
+    });
+  };
+  Lengthen(mesh.First, static_cast<std::size_t>(mesh.Count()) + 1, poll);
+  forLinks([&](CellIndex point, CellIndex, double, double) { ++mesh.First[point + 1]; });
+  ForPolled(mesh.First.size() - 1, poll, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      mesh.First[n + 1] += mesh.First[n];
+    }
+  });
   const auto links = static_cast<std::size_t>(mesh.First.back());
-  mesh.Neighbour.resize(links);
-  mesh.Distance.resize(links);
-  mesh.EdgeRatio.resize(links);
+  Lengthen(mesh.Neighbour, links, poll);
+  Lengthen(mesh.Distance, links, poll);
+  Lengthen(mesh.EdgeRatio, links, poll);
+  Lengthen(mesh.Area, mesh.Points.size(), poll);
   const double cell = mesh.Spacing[0] * mesh.Spacing[1];
-  mesh.Area.assign(mesh.Count(), 0.0);
   std::vector<CellIndex> next(mesh.First.begin(), mesh.First.end() - 1);
-  ForEachLink(mesh, diagram, [&](CellIndex point, CellIndex neighbour, double distance, double edge) {
+  forLinks([&](CellIndex point, CellIndex neighbour, double distance, double edge) {
     const CellIndex link = next[point]++;
     mesh.Neighbour[link] = neighbour;
     mesh.Distance[link] = distance;
@@ -123,37 +133,25 @@ void AddLinks(PointMesh& mesh, const Diagram& diagram, double unit)
     // two triangles with the edge as base and half the distance as height: e d / 4 on this side
     mesh.Area[point] += 0.25 * mesh.EdgeRatio[link] * distance * distance;
   });
-  for (double& area : mesh.Area)
-  {
-    area = std::max(area, LeastArea * cell);
-  }
-}
-
-/// Triangles about each vertex of Voronoi's cells, a fan where more than three cells meet.
-void AddTriangles(PointMesh& mesh, const Diagram& diagram)
-{
-  for (const Diagram::vertex_type& vertex : diagram.vertices())
-  {
-    const Diagram::edge_type* first = vertex.incident_edge();
-    const auto pointOf = [](const Diagram::edge_type* edge) {
-      return static_cast<CellIndex>(edge->cell()->source_index());
-    };
-    for (const Diagram::edge_type* edge = first->rot_next(); edge->rot_next() != first; edge = edge->rot_next())
+  ForPolled(mesh.Area.size(), poll, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
     {
-      mesh.Corners.push_back({ pointOf(first), pointOf(edge), pointOf(edge->rot_next()) });
+      mesh.Area[n] = std::max(mesh.Area[n], LeastArea * cell);
     }
-  }
+  });
 }
 
 /// Nodes of half a cell's spacing, over the same rectangle.
-GridSamples HalfCells(const PointMesh& mesh, const std::vector<double>& heights)
+GridSamples HalfCells(const PointMesh& mesh, const std::vector<double>& heights, const Poll& poll)
 {
   GridSamples fine;
   fine.Width = 2 * mesh.Width - 1;
   fine.Height = 2 * mesh.Height - 1;
   fine.Spacing = { 0.5 * mesh.Spacing[0], 0.5 * mesh.Spacing[1] };
+  fine.Values.reserve(static_cast<std::size_t>(fine.Width) * fine.Height);
   for (int j = 0; j < fine.Height; ++j)
   {
+    poll();
     for (int i = 0; i < fine.Width; ++i)
     {
       fine.Values.push_back(heights[static_cast<std::size_t>(j / 2) * mesh.Width + i / 2]);
@@ -199,42 +197,52 @@ bool PointMesh::IsRim(CellIndex point) const
   return i == 0 || j == 0 || i == this->Width - 1 || j == this->Height - 1;
 }
 
-PointMesh JitteredMesh(
-  int width, int height, const std::array<double, 2>& spacing, int seed, int draw, const std::vector<HeldPoint>& held)
+PointMesh JitteredMesh(int width, int height, const std::array<double, 2>& spacing, int seed, int draw,
+  const std::vector<HeldPoint>& held, const ParallelFor& parallel, const Poll& poll)
 {
   PointMesh mesh;
   mesh.Width = width;
   mesh.Height = height;
   mesh.Spacing = spacing;
   const double unit = std::min(spacing[0], spacing[1]) / UnitsACell;
-  const std::vector<IntegerPoint> points = JitteredPoints(mesh, unit, seed, draw, held);
-  for (const IntegerPoint& point : points)
-  {
-    mesh.Points.push_back({ point.x() * unit, point.y() * unit });
-  }
-  Diagram diagram;
-  boost::polygon::construct_voronoi(points.begin(), points.end(), &diagram);
-  AddLinks(mesh, diagram, unit);
-  AddTriangles(mesh, diagram);
+  const CellPoints points = JitteredPoints(mesh, unit, seed, draw, held, parallel);
+  Lengthen(mesh.Points, points.Places.size(), poll);
+  parallel(mesh.Points.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      mesh.Points[n] = { points.Places[n][0] * unit, points.Places[n][1] * unit };
+    }
+  });
+  VoronoiCells cells = VoronoiCellsOf(points, parallel, poll);
+  mesh.Corners = std::move(cells.Triangles);
+  AddLinks(mesh, cells.Tiles, unit, parallel, poll);
   return mesh;
 }
 
-GridSamples GridOf(const PointMesh& mesh, const std::vector<double>& heights)
+GridSamples GridOf(
+  const PointMesh& mesh, const std::vector<double>& heights, const ParallelFor& parallel, const Poll& poll)
 {
-  GridSamples fine = HalfCells(mesh, heights);
-  for (const std::array<CellIndex, 3>& corners : mesh.Corners)
-  {
-    const auto& [a, b, c] = corners;
-    FillTriangle({ mesh.Points[a], mesh.Points[b], mesh.Points[c] }, { heights[a], heights[b], heights[c] }, fine);
-  }
-  SmoothGrid(fine.Values, fine.Width, fine.Height, 1.0);
+  GridSamples fine = HalfCells(mesh, heights, poll);
+  ForPolled(mesh.Corners.size(), poll, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      const auto& [a, b, c] = mesh.Corners[n];
+      FillTriangle({ mesh.Points[a], mesh.Points[b], mesh.Points[c] }, { heights[a], heights[b], heights[c] }, fine);
+    }
+  });
+  SmoothGrid(fine.Values, fine.Width, fine.Height, 1.0, parallel);
   GridSamples grid;
   grid.Width = mesh.Width;
   grid.Height = mesh.Height;
   grid.Spacing = mesh.Spacing;
-  for (CellIndex n = 0; n < mesh.Count(); ++n)
+  grid.Values.reserve(heights.size());
+  for (int row = 0; row < mesh.Height; ++row)
   {
-    grid.Values.push_back(fine.At(2 * (n % mesh.Width), 2 * (n / mesh.Width)));
+    poll();
+    for (int column = 0; column < mesh.Width; ++column)
+    {
+      grid.Values.push_back(fine.At(2 * column, 2 * row));
+    }
   }
   return grid;
 }

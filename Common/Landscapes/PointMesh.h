@@ -4,6 +4,7 @@
 #define LittoralPointMesh_h
 
 #include "Drainage/CellLattice.h"
+#include "Numerics/Parallel.h"
 #include "Terrain/GridSamples.h"
 
 #include <array>
@@ -44,10 +45,11 @@ struct HeldPoint
 /// Points that are uniform in the inner nine tenths of each cell's sides, by a seed and a draw: meshes of two draws
 /// share no numbers. Points that are held stand at their places, or as near to them as these inner parts go.
 PointMesh JitteredMesh(int width, int height, const std::array<double, 2>& spacing, int seed, int draw = 0,
-  const std::vector<HeldPoint>& held = {});
+  const std::vector<HeldPoint>& held = {}, const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
 
 /// Grid of the heights of a mesh: linear in each triangle, at every half cell, then smoothed over half a cell.
-GridSamples GridOf(const PointMesh& mesh, const std::vector<double>& heights);
+GridSamples GridOf(const PointMesh& mesh, const std::vector<double>& heights, const ParallelFor& parallel = SerialFor,
+  const Poll& poll = NoPoll);
 
 }
 

@@ -78,21 +78,26 @@ void GrowWithin(GridSamples& fine, const GridSamples& coarse, int factor, const 
 {
   const LandscapeLaw law = LawForZoom(coarse, measures);
   const double time = parameters.Growth * measures.MeanSlope * MeanSpacing(coarse) / Steps;
-  const PointMesh mesh = JitteredMesh(fine.Width, fine.Height, fine.Spacing, parameters.Seed, factor);
+  double done = 0.0;
+  const Poll poll = [&] { progress(done); };
+  const PointMesh mesh =
+    JitteredMesh(fine.Width, fine.Height, fine.Spacing, parameters.Seed, factor, {}, parallel, poll);
   GridSamples heights = fine; // of the points, each in its cell
-  for (CellIndex n = 0; n < mesh.Count(); ++n)
-  {
-    heights.Values[n] = HeightAt(fine, mesh.Points[n]);
-  }
+  parallel(heights.Values.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      heights.Values[n] = HeightAt(fine, mesh.Points[n]);
+    }
+  });
   const std::vector<double> rock(heights.Values.size(), 1.0);
   for (int step = 0; step < Steps; ++step)
   {
-    progress(static_cast<double>(step) / Steps);
-    const MeshDrainage drainage = DrainMesh(mesh, heights.Values, parallel);
-    StepLandscape(mesh, drainage, law, 0.0, rock, time, heights.Values, parallel);
-    HoldBlockMeans(heights, coarse, factor, 1, parallel);
+    done = static_cast<double>(step) / Steps;
+    const MeshDrainage drainage = DrainMesh(mesh, heights.Values, parallel, {}, poll);
+    StepLandscape(mesh, drainage, law, 0.0, rock, time, heights.Values, parallel, {}, poll);
+    HoldBlockMeans(heights, coarse, factor, 1, parallel, poll);
   }
-  fine = GridOf(mesh, heights.Values);
+  fine = GridOf(mesh, heights.Values, parallel, poll);
 }
 
 /// Zooms by one factor a terrain without missing heights.
@@ -102,17 +107,19 @@ GridSamples ZoomOnce(const GridSamples& terrain, int factor, const ZoomParameter
   double done = 0.0;
   const Poll poll = [&] { progress(done); };
   const int margin = std::min({ Margin, terrain.Width - 1, terrain.Height - 1 });
-  const GridSamples coarse = WithMargins(terrain, margin, margin, margin);
+  const GridSamples coarse = WithMargins(terrain, margin, margin, margin, poll);
   GridSamples fine = CubicRefinement(coarse, factor, parallel);
-  HoldBlockMeans(fine, coarse, factor, FirstPasses, parallel);
+  HoldBlockMeans(fine, coarse, factor, FirstPasses, parallel, poll);
   Breach(fine, poll);
   if (parameters.Growth > 0.0)
   {
-    GrowWithin(fine, coarse, factor, parameters, MeasureLandscape(terrain, parallel), parallel, progress);
-    HoldBlockMeans(fine, coarse, factor, LastPasses, parallel);
+    const LandscapeMeasures measures = MeasureLandscape(terrain, parallel, poll);
+    GrowWithin(fine, coarse, factor, parameters, measures, parallel, progress);
+    HoldBlockMeans(fine, coarse, factor, LastPasses, parallel, poll);
   }
   done = 1.0;
-  GridSamples ground = PartOf(fine, margin * factor, margin * factor, terrain.Width * factor, terrain.Height * factor);
+  GridSamples ground =
+    PartOf(fine, margin * factor, margin * factor, terrain.Width * factor, terrain.Height * factor, poll);
   Breach(ground, poll);
   return ground;
 }
@@ -124,16 +131,16 @@ void LimitShifts(GridSamples& fine, const GridSamples& coarse, int factor, doubl
   std::transform(limits.begin(), limits.end(), limits.begin(), [&](double relief) { return share * relief; });
   for (int round = 0; round < LimitRounds; ++round)
   {
-    LimitBlockShifts(fine, coarse, factor, limits);
+    LimitBlockShifts(fine, coarse, factor, limits, poll);
     Breach(fine, poll);
   }
-  LimitBlockShifts(fine, coarse, factor, limits);
+  LimitBlockShifts(fine, coarse, factor, limits, poll);
 }
 
 /// Measures shifts, and makes missing what is missing in the coarse terrain.
-void Finish(ZoomedTerrain& zoomed, const GridSamples& given, const GridSamples& filled, int factor)
+void Finish(ZoomedTerrain& zoomed, const GridSamples& given, const GridSamples& filled, int factor, const Poll& poll)
 {
-  const GridSamples means = BlockMeans(zoomed.Heights, factor);
+  const GridSamples means = BlockMeans(zoomed.Heights, factor, poll);
   const std::vector<double> relief = ReliefAround(filled);
   for (std::size_t n = 0; n < relief.size(); ++n)
   {
@@ -143,6 +150,7 @@ void Finish(ZoomedTerrain& zoomed, const GridSamples& given, const GridSamples& 
   }
   for (int j = 0; j < zoomed.Heights.Height; ++j)
   {
+    poll();
     for (int i = 0; i < zoomed.Heights.Width; ++i)
     {
       const double height = given.At(i / factor, j / factor);
@@ -241,8 +249,9 @@ ZoomedTerrain ZoomTerrain(const GridSamples& given, const ZoomParameters& parame
       zoomed.Heights, factor, parameters, parallel, [&](double now) { progress(std::min(work + part * now, 1.0)); });
     work += part;
   }
-  LimitShifts(zoomed.Heights, coarse, parameters.Factor, parameters.MaximumShift, [&] { progress(1.0); });
-  Finish(zoomed, given, coarse, parameters.Factor);
+  const Poll poll = [&] { progress(1.0); };
+  LimitShifts(zoomed.Heights, coarse, parameters.Factor, parameters.MaximumShift, poll);
+  Finish(zoomed, given, coarse, parameters.Factor, poll);
   return zoomed;
 }
 

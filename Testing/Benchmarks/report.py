@@ -41,7 +41,7 @@ SLOWER = 1.10  # time over that of the earlier run, above which a benchmark is l
 SCENES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "bench_scenes.py")
 
 #: With --quick: what is left out, the scenes, and the frames of each. The examples take a minute to build.
-SLOW = ("Abort", "HearTwin", "SwayForest", "AllInFull", "FirstViewOfForest", "in full:1000",
+SLOW = ("Abort", "Hear", "SwayForest", "AllInFull", "FirstViewOfForest", "in full:1000",
         "Carve.*/size:(262144|1048576)", "size:4194304", "size:16777216", "size:10000000", "Nodes/size:1000000",
         "JudgePattern/size:2250", "trees:100000")
 QUICK_SCENES, ALL_SCENES = ("SwayingForest", "Underwater"), ("forest", "underwater")

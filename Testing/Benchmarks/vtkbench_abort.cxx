@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Time from an abort, asked for by another thread, to the return of the update: its mean, and the longest of five
-// moments within a request that takes long [s]. Of twins of terrains, the longest time of the calling thread from a
-// look for an abort to the next within the whole request [s].
+// moments within a request that takes long [s]. Of twins and zooms of terrains, the longest time of the
+// calling thread from a look for an abort to the next within the whole request [s].
 #include "vtkBeamTreeDeformationFilter.h"
 #include "vtkCovarianceFitFilter.h"
 #include "vtkCurrentDriftFilter.h"
@@ -19,6 +19,7 @@
 #include "vtkSeaweedDeformationFilter.h"
 #include "vtkSeaweedSource.h"
 #include "vtkSuspendedParticleSource.h"
+#include "vtkTerrainZoomFilter.h"
 #include "vtkTurningBandsTerrainSource.h"
 #include "vtkWindFieldSource.h"
 
@@ -245,35 +246,53 @@ struct Reports
   }
 };
 
-/// A quilted twin of hills of 256 x 256 cells.
-void HearTwin(benchmark::State& state)
+/// The longest time without a report of an algorithm.
+void Hear(benchmark::State& state, vtkAlgorithm* algorithm)
 {
-  const auto hills = [](int width, int seed) {
-    auto terrain = vtkSmartPointer<vtkTurningBandsTerrainSource>::New();
-    terrain->SetWholeExtent(0, width - 1, 0, width - 1, 0, 0);
-    terrain->SetSeed(seed);
-    terrain->Update();
-    return terrain;
-  };
-  const auto terrain = hills(static_cast<int>(state.range(0)), 1);
-  const auto place = hills(256, 2);
-  vtkNew<vtkDrainageFilter> twin;
-  twin->SetInputConnection(0, terrain->GetOutputPort());
-  twin->SetInputConnection(1, place->GetOutputPort());
-  twin->SetMethodToQuilting();
   Reports reports;
   vtkNew<vtkCallbackCommand> hear;
   hear->SetClientData(&reports);
   hear->SetCallback([](vtkObject*, unsigned long, void* heard, void*) { static_cast<Reports*>(heard)->Hear(); });
-  twin->AddObserver(vtkCommand::ProgressEvent, hear);
+  algorithm->AddObserver(vtkCommand::ProgressEvent, hear);
   for (auto _ : state)
   {
     reports = Reports();
-    twin->Modified();
-    twin->Update();
+    algorithm->Modified();
+    algorithm->Update();
     reports.Hear();
   }
   state.counters["longest"] = reports.Longest;
+}
+
+vtkSmartPointer<vtkTurningBandsTerrainSource> Hills(int width, int seed)
+{
+  auto terrain = vtkSmartPointer<vtkTurningBandsTerrainSource>::New();
+  terrain->SetWholeExtent(0, width - 1, 0, width - 1, 0, 0);
+  terrain->SetSeed(seed);
+  terrain->Update();
+  return terrain;
+}
+
+/// A quilted twin of hills of 256 x 256 cells.
+void HearTwin(benchmark::State& state)
+{
+  const auto terrain = Hills(static_cast<int>(state.range(0)), 1);
+  const auto place = Hills(256, 2);
+  vtkNew<vtkDrainageFilter> twin;
+  twin->SetInputConnection(0, terrain->GetOutputPort());
+  twin->SetInputConnection(1, place->GetOutputPort());
+  twin->SetMethodToQuilting();
+  Hear(state, twin);
+}
+
+/// Hills of cells of a quarter of the side.
+void HearZoom(benchmark::State& state)
+{
+  const auto terrain = Hills(static_cast<int>(state.range(0)) / 4, 1);
+  vtkNew<vtkTerrainZoomFilter> zoom;
+  zoom->SetInputConnection(terrain->GetOutputPort());
+  zoom->SetFactor(4);
+  Hear(state, zoom);
 }
 
 BENCHMARK(AbortTerrain)->Iterations(5)->UseManualTime();
@@ -291,6 +310,7 @@ BENCHMARK(AbortSeaSurface)->Iterations(5)->UseManualTime();
 BENCHMARK(AbortDrift)->Iterations(5)->UseManualTime();
 BENCHMARK(AbortSeaweed)->Iterations(5)->UseManualTime();
 BENCHMARK(HearTwin)->Arg(1024)->Arg(4096)->Iterations(1)->MeasureProcessCPUTime()->Unit(benchmark::kSecond);
+BENCHMARK(HearZoom)->Arg(1024)->Arg(4096)->Iterations(1)->MeasureProcessCPUTime()->Unit(benchmark::kSecond);
 
 }
 

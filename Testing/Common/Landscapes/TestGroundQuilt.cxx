@@ -302,6 +302,7 @@ TEST(GroundQuilt, SeedsDifferAndThreadsDoNot)
     EXPECT_EQ(QuiltGround(place, guide, 20, 1, OnThreads(threads)).Values, one.Values);
   }
   EXPECT_NE(QuiltGround(place, guide, 20, 2).Values, one.Values);
+  EXPECT_NE(QuiltGround(place, guide, 20, 1, SerialFor, NoProgress, 1).Values, one.Values);
 }
 
 TEST(LandscapeQuilting, LandscapeDrainsAndIsLikeThePlace)
