@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: python3
 """What ranks have together is what one has alone: lengths, areas and volumes of all cells, integrals of all arrays and
-numbers of rows of each class's outputs, in 1, 2 and 3 pieces."""
+numbers of rows of each class's outputs, in 1, 2 and 3 pieces; and images have the values of the whole in ghosts, too."""
 
 import os
 import sys
@@ -92,8 +92,61 @@ def integrals(made, pieces):
     return sums
 
 
+def working(name):
+    """A working object of a class of its own."""
+    made = make(name, **recipes.settings(name))
+    for port, other in enumerate(recipes.inputs(name)):
+        made.SetInputConnection(port, recipes.source(other).GetOutputPort())
+    return made
+
+
+def box_of(image, extent):
+    """The values of each array of points in an extent, but for marks of ghosts."""
+    first = image.GetExtent()
+    rows = tuple(slice(extent[2 * axis] - first[2 * axis], extent[2 * axis + 1] + 1 - first[2 * axis]) for axis in (2, 1, 0))
+    points = image.GetPointData()
+    return {points.GetArrayName(n): vtk_to_numpy(points.GetArray(n)).reshape(*image.GetDimensions()[::-1], -1)[rows]
+            for n in range(points.GetNumberOfArrays()) if points.GetArrayName(n) != "vtkGhostType"}
+
+
 class Pieces(unittest.TestCase):
     """All classes with outputs."""
+
+    def test_ghosts_of_images(self):
+        """A piece with a level of ghosts has a row of its neighbours more, with the values of the whole; of all cells
+        those that are no ghosts are there once."""
+        vtkOutputWindow.SetInstance(vtkStringOutputWindow())
+        images = 0
+        for name in introspection.all_classes():
+            if not getattr(littoral, name)().GetNumberOfOutputPorts():
+                continue
+            made = working(name)
+            made.Update()
+            whole = made.GetOutputDataObject(0)
+            if not isinstance(whole, vtkImageData) or whole.GetNumberOfCells() < 9:
+                continue
+            images += 1
+            alone = vtkImageData()
+            alone.DeepCopy(whole)
+            cells = 0
+            for piece in range(3):
+                with self.subTest(name, piece=piece):
+                    made.UpdatePiece(piece, 3, 0)
+                    own = whole.GetExtent()
+                    made.UpdatePiece(piece, 3, 1)
+                    part = made.GetOutputDataObject(0)
+                    extent = part.GetExtent()
+                    all_points = alone.GetExtent()
+                    for axis in range(3):
+                        low, high = 2 * axis, 2 * axis + 1
+                        self.assertEqual(extent[low], max(all_points[low], own[low] - 1))
+                        self.assertEqual(extent[high], min(all_points[high], own[high] + 1))
+                    there = box_of(part, extent)
+                    for array, values in box_of(alone, extent).items():
+                        numpy.testing.assert_array_equal(there[array], values, err_msg=array)
+                    cells += int((vtk_to_numpy(part.GetCellGhostArray()) == 0).sum())
+            self.assertEqual(cells, alone.GetNumberOfCells(), name)
+        self.assertGreater(images, 4)
 
     def test_each(self):
         vtkOutputWindow.SetInstance(vtkStringOutputWindow())
@@ -103,9 +156,7 @@ class Pieces(unittest.TestCase):
             if not getattr(littoral, name)().GetNumberOfOutputPorts():
                 continue
             with self.subTest(name):
-                made = make(name, **recipes.settings(name))
-                for port, other in enumerate(recipes.inputs(name)):
-                    made.SetInputConnection(port, recipes.source(other).GetOutputPort())
+                made = working(name)
                 whole = integrals(made, 1)
                 measured += len(whole)
                 for pieces in 2, 3:
