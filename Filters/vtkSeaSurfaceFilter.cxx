@@ -12,6 +12,8 @@
 #include "Sea/SeaSurface.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
@@ -120,6 +122,59 @@ vtkSmartPointer<vtkCellArray> TrianglesOf(const littoral::SeaSurfaceGrid& grid, 
   return triangles;
 }
 
+/// The sectors of a piece, and numbers of those of its neighbors before and behind it.
+struct Part
+{
+  int First;
+  int Own;
+  int Before;
+  int Behind;
+
+  int Count() const { return this->Before + this->Own + this->Behind; }
+  bool IsGhost(int sector) const { return sector < this->Before || sector >= this->Before + this->Own; }
+};
+
+/// A level of ghosts is a sector on each side, as long as there are others.
+Part PartOf(vtkInformation* information, int sectors)
+{
+  const littoral::PieceRange own = littoral::RequestedPart(information, sectors);
+  Part part{ static_cast<int>(own.Begin), static_cast<int>(own.End - own.Begin), 0, 0 };
+  const int levels = std::max(0, information->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()));
+  if (part.Own > 0)
+  {
+    part.Before = std::min(levels, sectors - part.Own);
+    part.Behind = std::min(levels, sectors - part.Own - part.Before);
+  }
+  return part;
+}
+
+/// Marks the triangles of neighbors, and the points that the piece behind or the first one has.
+void MarkGhosts(const Part& part, bool isClosed, vtkPolyData* surface)
+{
+  const auto marks = [](vtkIdType count) {
+    auto made = littoral::NewArray<vtkUnsignedCharArray>(vtkDataSetAttributes::GhostArrayName(), 1, count);
+    made->FillValue(0);
+    return made;
+  };
+  const auto cells = marks(surface->GetNumberOfCells());
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfTuples(); ++cell)
+  {
+    // one triangle a sector at the center, then two on each ring
+    const vtkIdType column = cell < part.Count() ? cell : (cell - part.Count()) / 2 % part.Count();
+    cells->SetValue(cell, part.IsGhost(static_cast<int>(column)) ? vtkDataSetAttributes::DUPLICATECELL : 0);
+  }
+  const int columns = part.Count() + (isClosed ? 0 : 1);
+  const auto points = marks(surface->GetNumberOfPoints());
+  points->SetValue(0, part.First == 0 ? 0 : vtkDataSetAttributes::DUPLICATEPOINT);
+  for (vtkIdType point = 1; point < points->GetNumberOfTuples(); ++point)
+  {
+    const bool isGhost = part.IsGhost(static_cast<int>((point - 1) % columns));
+    points->SetValue(point, isGhost ? vtkDataSetAttributes::DUPLICATEPOINT : 0);
+  }
+  surface->GetCellData()->AddArray(cells);
+  surface->GetPointData()->AddArray(points);
+}
+
 }
 
 //----------------------------------------------------------------------------
@@ -195,11 +250,16 @@ int vtkSeaSurfaceFilter::RequestData(
   const littoral::SeaState sea = littoral::ReadSeaState(littoral::InputOf<vtkTable>(inputVector[0], "Input"));
   littoral::Require(this->WhyBadProperties(time));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  const littoral::PieceRange part = littoral::RequestedPart(information, this->Sectors);
-  const littoral::SeaSurfaceGrid grid(this->MakeParameters(), static_cast<int>(part.Begin), static_cast<int>(part.End));
+  const Part part = PartOf(information, this->Sectors);
+  const int first = part.First - part.Before + this->Sectors; // around the disk
+  const littoral::SeaSurfaceGrid grid(this->MakeParameters(), first, first + part.Count());
   if (grid.GetNumberOfPoints() > 0)
   {
     this->MakeSurface(sea, grid, time, output);
+  }
+  if (part.Count() > part.Own)
+  {
+    MarkGhosts(part, part.Count() == this->Sectors, output);
   }
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
   littoral::KeepRanges(output, littoral::PollOf(this));

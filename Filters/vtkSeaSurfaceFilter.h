@@ -12,8 +12,9 @@
  * `Displacement` (see FoamLifetime). Waves are left out where they are shorter than four spacings; at Center all waves
  * of at least 4 Spacing are there.
  *
- * Pieces are sectors of the disk; they share the points between them. A property out of range or a table that is no sea
- * state is reported as one error. Coulais et al., eq. 2, as vtkParticleOrbitFilter moves points at sea level.
+ * Pieces are sectors of the disk; they share the points between them. A level of ghosts is a sector on each side. A
+ * property out of range or a table that is no sea state is reported as one error. Coulais et al., eq. 2, as
+ * vtkParticleOrbitFilter moves points at sea level.
  *
  * @sa vtkSeaStateSource vtkParticleOrbitFilter
  */

@@ -350,6 +350,35 @@ void vtkWindFieldSource::CopyVelocities(
 }
 
 //----------------------------------------------------------------------------
+namespace
+{
+
+/// Marks what belongs to other pieces, in place of VTK, which takes all pieces of images for blocks: so it must not
+/// know of these ghosts, and asks for them anew at each update.
+void MarkGhosts(vtkInformation* info, vtkImageData* image)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformationIntegerKey* mode = vtkExtentTranslator::UPDATE_SPLIT_MODE();
+  if (info->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()) < 1 || !info->Has(mode))
+  {
+    return;
+  }
+  std::array<int, 6> whole{};
+  std::array<int, 6> own{};
+  info->Get(Pipeline::WHOLE_EXTENT(), whole.data());
+  vtkNew<vtkExtentTranslator> translator;
+  const int hasPart = translator->PieceToExtentThreadSafe(info->Get(Pipeline::UPDATE_PIECE_NUMBER()),
+    info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()), 0, whole.data(), own.data(), info->Get(mode), 0);
+  if (hasPart != 0)
+  {
+    image->GenerateGhostArray(own.data());
+    info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  }
+}
+
+}
+
+//----------------------------------------------------------------------------
 int vtkWindFieldSource::RequestData(vtkInformation* request, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkInformation* info = outputVector->GetInformationObject(0);
@@ -398,6 +427,7 @@ int vtkWindFieldSource::RequestData(vtkInformation* request, vtkInformationVecto
   AddNumber(fields, "ConvectionSpeed", littoral::ConvectionSpeed(recipe.Model));
   AddNumber(fields, "Period", grid.Period());
   littoral::WriteWindModel(recipe.Model, output);
+  MarkGhosts(info, output);
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -283,10 +283,30 @@ def check_forests(folder, ranks):
     assert sum(reads["measured trees"]) == plants["measured trees"] > 300, f"{reads}, {plants}"
 
 
+def run_uneven(folder, rank, ranks):
+    """Writes what a rank has of a forest whose sites come in parts on all ranks but one, which needs them all, and says."""
+    name, scatter = next(one for one in forests() if one[0] == ("a terrain through the sites" if rank == 1 else "many sites"))
+    messages = Messages(scatter)
+    scatter.UpdatePiece(rank, ranks, 0)
+    with open(os.path.join(folder, f"uneven {rank}"), "w") as file:
+        json.dump([name, bytes_of(scatter.GetOutputDataObject(0))[0], " ".join(messages.texts)], file)
+
+
+def check_uneven(folder, ranks):
+    """The first rank says what to do, and those with a part have no plants."""
+    for rank in range(ranks):
+        with open(os.path.join(folder, f"uneven {rank}")) as file:
+            name, plants, said = json.load(file)
+        print(f"uneven, rank {rank}: {name}, {plants} plants; {said}")
+        assert ("Not all ranks have a part of the sites" in said) == (rank == 0), said
+        assert (plants > 0) == (rank == 1), f"rank {rank} has {plants} plants"
+
+
 def run(folder, rank, ranks):
     """Writes what a rank has of each case, its processor time and its messages."""
     if ranks > 1:
         run_images(folder, rank, ranks)
+        run_uneven(folder, rank, ranks)
     lines = []
     for name, filter in cases(rank):
         messages = Messages(filter)
@@ -318,6 +338,7 @@ def seen(ranks, launcher=()):
         if ranks > 1:
             check_images(folder, ranks)
             check_forests(folder, ranks)
+            check_uneven(folder, ranks)
         for rank in range(ranks):
             with open(os.path.join(folder, str(rank))) as file:
                 for name, *rest in json.load(file):
