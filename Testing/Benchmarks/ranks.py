@@ -8,7 +8,8 @@ in these numbers, and neither is the sending of data. Those that exchange number
 by MPI, with all of that. A rank that waits for another does so busily, which is no work: where there is mpicc,
 mpi_waiting.c tells it apart, and a row of what is left follows that of the whole. Strong scaling divides the same work;
 weak scaling gives n ranks n times the work. T(n) = s + p / n is fitted to the processor time of the rank that takes
-longest.
+longest. Charts of both, ranks-strong.svg and ranks-weak.svg in the current folder, have that time over the time of one
+rank.
 """
 
 import ctypes
@@ -22,6 +23,8 @@ import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+import scaling  # noqa: E402
 
 RANKS = (1, 2, 3)
 PROJECTED = (64, 1024)
@@ -201,22 +204,36 @@ def line_of(name, strong, weak, seconds):
 
 
 def print_lines(name):
-    """Rows of a case: of all processor time, and without waiting where it is told apart."""
+    """Rows of a case: of all processor time, and without waiting where it is told apart. Returns its scaling: names, and
+    times over that of one rank by ranks, strong and weak."""
     strong = {n: measured(name, 1, n) for n in RANKS}
     weak = measured(name, RANKS[-1], RANKS[-1])
-    print(line_of(name, strong, weak, "seconds"), flush=True)
+    kinds = {"seconds": name}
     if any(one["work"] < one["seconds"] for one in strong.values()):
-        print(line_of(f"{name}, without waiting", strong, weak, "work"), flush=True)
+        kinds["work"] = f"{name}, without waiting"
+    found = []
+    for key, words in kinds.items():
+        print(line_of(words, strong, weak, key), flush=True)
+        alone = strong[1][key]
+        found.append((words, [(n, strong[n][key] / alone) for n in RANKS], [(1, 1.0), (RANKS[-1], weak[key] / alone)]))
+    return found
+
+
+def write_charts(found):
+    """Charts of strong and of weak scaling."""
+    for kind, index, what in (("strong", 1, "the same work"), ("weak", 2, "n times the work")):
+        series = [scaling.Series("ranks", one[0], one[index]) for one in found]
+        Path(f"ranks-{kind}.svg").write_text(
+            scaling.chart(f"A rank of n, {what}: time over that of one rank alone", series, "ranks"))
 
 
 def main(names):
-    """The table of the cases, as text of Markdown."""
+    """The table of the cases, as text of Markdown, and the charts."""
     head = ["what", "CPU [s]", *(f"{n} ranks" for n in RANKS[1:]), "memory [MB]", *(f"{n} ranks" for n in RANKS[1:]),
             "thrice the work on 3", "s / (s + p)", *(f"gain on {n}" for n in PROJECTED)]
     print("| " + " | ".join(head) + " |")
     print("|" + "---|" * len(head), flush=True)
-    for name in names or CASES:
-        print_lines(name)
+    write_charts([one for name in names or CASES for one in print_lines(name)])
 
 
 if __name__ == "__main__":

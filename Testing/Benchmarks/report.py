@@ -158,7 +158,7 @@ def write_report(results, sets, both, scenes, silence, others, filename):
     series = scaling.series_of(results)
     for program in dict.fromkeys(one.program for one in series):
         charts.append(f"{stem}-{program}.svg")
-        write(charts[-1], scaling.chart(program, [one for one in series if one.program == program]))
+        write(charts[-1], scaling.chart(f"{program}: time [ms]", [one for one in series if one.program == program]))
     write(f"{stem}.md", page.page(results, [os.path.basename(name) for name in charts], sets, both, scenes, silence,
                                     *others))
     write(filename, table_of(results))

@@ -53,8 +53,8 @@ def decades(values):
     return low, max(low + 1, math.ceil(math.log10(max(values)) - 1e-9))
 
 
-def chart(title, series):
-    """SVG of times over sizes, both axes logarithmic."""
+def chart(title, series, across="size"):
+    """SVG of times over sizes, or of what else a title says, both axes logarithmic, with exponents."""
     low_x, high_x = decades([size for one in series for size, _ in one.points])
     low_y, high_y = decades([time for one in series for _, time in one.points])
 
@@ -72,8 +72,8 @@ def chart(title, series):
     parts = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{HEIGHT}" '
              'font-family="sans-serif" font-size="13" fill="none">',
              f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>', '<g fill="#333">',
-             text(LEFT, 20, f"{title}: time [ms], with exponents", 'font-weight="bold"'),
-             text((LEFT + WIDTH - RIGHT) / 2, HEIGHT - 8, "size", 'text-anchor="middle"')]
+             text(LEFT, 20, f"{title}, with exponents", 'font-weight="bold"'),
+             text((LEFT + WIDTH - RIGHT) / 2, HEIGHT - 8, across, 'text-anchor="middle"')]
     for power in range(low_x, high_x + 1):
         x, y = at(10.0 ** power, 10.0 ** low_y)
         parts.append(text(x, float(y) + 18, f"1e{power}", 'text-anchor="middle"'))
@@ -87,8 +87,9 @@ def chart(title, series):
         parts.append(line(at(10.0 ** low_x, 10.0 ** power), at(10.0 ** high_x, 10.0 ** power), "#e0e0e0"))
     for rank, one in enumerate(series):
         color = COLORS[rank % len(COLORS)]
+        dashes = ' stroke-dasharray="7 4"' if rank // len(COLORS) % 2 else ""
         places = [at(*point) for point in one.points]
-        parts.append(f'<polyline points="{" ".join(map(",".join, places))}" stroke="{color}" stroke-width="2"/>')
+        parts.append(f'<polyline points="{" ".join(map(",".join, places))}" stroke="{color}" stroke-width="2"{dashes}/>')
         parts += [f'<circle cx="{x}" cy="{y}" r="4" fill="{color}"/>' for x, y in places]
         words = f"{one.name.removesuffix('/real_time')}: {exponent_of(one.points):.2f}"
         parts.append(text(WIDTH - RIGHT + 10, TOP + 18 * (rank + 1), words, f'fill="{color}"'))

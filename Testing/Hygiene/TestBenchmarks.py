@@ -399,6 +399,20 @@ class Benchmarks(unittest.TestCase):
         self.assertEqual(s, 0.0)
         self.assertGreater(p, 10.0)
 
+    def test_charts_show_strong_and_weak_scaling(self):
+        import ranks
+
+        here = os.getcwd()
+        self.addCleanup(os.chdir, here)
+        os.chdir(self.folder)
+        # Half on two ranks, a quarter on four: an exponent of -1; four times the work in the same time: 0.
+        ranks.write_charts([("tide", [(1, 1.0), (2, 0.5), (4, 0.25)], [(1, 1.0), (4, 1.0)])])
+        for kind, exponent in (("strong", "-1.00"), ("weak", "0.00")):
+            chart = xml.etree.ElementTree.fromstring(self.text(f"ranks-{kind}.svg"))
+            words = [text.text for text in chart.iter("{http://www.w3.org/2000/svg}text")]
+            self.assertIn(f"tide: {exponent}", words)
+            self.assertIn("ranks", words)
+
     def test_quick_leaves_out_what_takes_long_unless_asked(self):
         self.make("bench_waves", PROGRAM.format(python=sys.executable).replace("--benchmark_min_time", "--benchmark_filter"))
         self.report([result("Swell", 1.0)], "--quick")
