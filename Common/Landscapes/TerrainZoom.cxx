@@ -9,6 +9,7 @@
 #include "Landscapes/LandscapeStep.h"
 #include "Landscapes/LongWaves.h"
 #include "Numerics/ParameterCheck.h"
+#include "Numerics/PolledMemory.h"
 
 #include <algorithm>
 #include <array>
@@ -82,14 +83,16 @@ void GrowWithin(GridSamples& fine, const GridSamples& coarse, int factor, const 
   const Poll poll = [&] { progress(done); };
   const PointMesh mesh =
     JitteredMesh(fine.Width, fine.Height, fine.Spacing, parameters.Seed, factor, {}, parallel, poll);
-  GridSamples heights = fine; // of the points, each in its cell
+  // heights of the points, each in its cell
+  GridSamples heights{ fine.Width, fine.Height, fine.Spacing, CopyOf(fine.Values, poll) };
   parallel(heights.Values.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)
     {
       heights.Values[n] = HeightAt(fine, mesh.Points[n]);
     }
   });
-  const std::vector<double> rock(heights.Values.size(), 1.0);
+  std::vector<double> rock = CopyOf(heights.Values, poll);
+  std::fill(rock.begin(), rock.end(), 1.0);
   for (int step = 0; step < Steps; ++step)
   {
     done = static_cast<double>(step) / Steps;
@@ -108,7 +111,7 @@ GridSamples ZoomOnce(const GridSamples& terrain, int factor, const ZoomParameter
   const Poll poll = [&] { progress(done); };
   const int margin = std::min({ Margin, terrain.Width - 1, terrain.Height - 1 });
   const GridSamples coarse = WithMargins(terrain, margin, margin, margin, poll);
-  GridSamples fine = CubicRefinement(coarse, factor, parallel);
+  GridSamples fine = CubicRefinement(coarse, factor, parallel, poll);
   HoldBlockMeans(fine, coarse, factor, FirstPasses, parallel, poll);
   Breach(fine, poll);
   if (parameters.Growth > 0.0)
