@@ -8,6 +8,7 @@
 #include "Landscapes/LandscapeMeasures.h"
 #include "Landscapes/LandscapeStep.h"
 #include "Landscapes/LongWaves.h"
+#include "Landscapes/VoronoiTiles.h"
 #include "Numerics/ParameterCheck.h"
 #include "Numerics/PolledMemory.h"
 
@@ -188,9 +189,10 @@ std::string WhyInvalid(const GridSamples& coarse, const ZoomParameters& paramete
   return check.Reason();
 }
 
-double ZoomMemory(int width, int height, int factor)
+double ZoomMemory(int width, int height, int factor, const std::array<double, 2>& spacing)
 {
-  constexpr double bytesPerPoint = 900.0; // as in GrowthMemory()
+  // of long cells Boost's diagram is of all points, as in GrowthMemory()
+  const double bytesPerPoint = AreTiled(spacing) ? 350.0 : 900.0;
   return bytesPerPoint * factor * factor * (width + 2.0 * Margin) * (height + 2.0 * Margin);
 }
 
