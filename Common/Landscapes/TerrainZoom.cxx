@@ -82,8 +82,7 @@ void GrowWithin(GridSamples& fine, const GridSamples& coarse, int factor, const 
   const double time = parameters.Growth * measures.MeanSlope * MeanSpacing(coarse) / Steps;
   double done = 0.0;
   const Poll poll = [&] { progress(done); };
-  const PointMesh mesh =
-    JitteredMesh(fine.Width, fine.Height, fine.Spacing, parameters.Seed, factor, {}, parallel, poll);
+  PointMesh mesh = JitteredMesh(fine.Width, fine.Height, fine.Spacing, parameters.Seed, factor, {}, parallel, poll);
   // heights of the points, each in its cell
   GridSamples heights{ fine.Width, fine.Height, fine.Spacing, CopyOf(fine.Values, poll) };
   parallel(heights.Values.size(), [&](std::size_t begin, std::size_t end) {
@@ -102,6 +101,10 @@ void GrowWithin(GridSamples& fine, const GridSamples& coarse, int factor, const 
     HoldBlockMeans(heights, coarse, factor, 1, parallel, poll);
   }
   fine = GridOf(mesh, heights.Values, parallel, poll);
+  GiveBack(mesh.Corners, poll);
+  GiveBack(mesh.EdgeRatio, poll);
+  GiveBack(mesh.Distance, poll);
+  GiveBack(mesh.Neighbour, poll);
 }
 
 /// Zooms by one factor a terrain without missing heights.

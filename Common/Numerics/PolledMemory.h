@@ -19,6 +19,14 @@ void Lengthen(std::vector<Value>& values, std::size_t count, const Poll& poll)
   ForPolled(count, poll, [&](std::size_t, std::size_t end) { values.resize(end); });
 }
 
+/// Gives the memory of a vector back, which takes long, too.
+template <typename Value>
+void GiveBack(std::vector<Value>& values, const Poll& poll)
+{
+  std::vector<Value>().swap(values);
+  poll();
+}
+
 template <typename Value>
 std::vector<Value> CopyOf(const std::vector<Value>& values, const Poll& poll)
 {
