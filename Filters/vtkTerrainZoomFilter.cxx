@@ -137,8 +137,9 @@ int vtkTerrainZoomFilter::RequestData(vtkInformation*, vtkInformationVector** in
     littoral::Require(littoral::WhyInvalid(parameters));
     auto* image = littoral::InputOf<vtkImageData>(inputs[0], "Terrain");
     const int* size = image->GetDimensions();
-    const double memory =
-      littoral::ZoomMemory(size[0], size[1], this->Factor) / std::max(1.0, static_cast<double>(size[0]) * size[1]);
+    const double* spacing = image->GetSpacing();
+    const double memory = littoral::ZoomMemory(size[0], size[1], this->Factor, { spacing[0], spacing[1] }) /
+      std::max(1.0, static_cast<double>(size[0]) * size[1]);
     const littoral::GridSamples coarse = littoral::ReadHeights(image, this->GetInputArrayToProcess(0, inputs),
       this->GetInputArrayInformation(0), "Terrain", { memory, "zooming it" });
     littoral::Require(littoral::WhyInvalid(coarse, parameters));

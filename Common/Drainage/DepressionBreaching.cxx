@@ -4,6 +4,7 @@
 
 #include "Drainage/CellLattice.h"
 #include "Drainage/FloodQueue.h"
+#include "Numerics/PolledMemory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +68,7 @@ public:
   /// Lowest pits first, so that higher ones find their channels.
   void CutAtLeastCost(std::size_t maximumVisits, const std::vector<std::uint8_t>& dry)
   {
-    const std::vector<double> uncut = this->Heights;
+    const std::vector<double> uncut = CopyOf(this->Heights, this->Called);
     this->Called();
     if (!this->FindClearPits(dry))
     {
@@ -75,7 +76,7 @@ public:
       this->SortPits();
     }
     this->Called();
-    this->Visits.assign(this->Lattice.Count(), {});
+    Lengthen(this->Visits, this->Heights.size(), this->Called);
     this->Called();
     const std::vector<CellIndex> pits = this->Pits;
     for (const CellIndex pit : pits)

@@ -3,6 +3,7 @@
 #include "Landscapes/BlockInterpolation.h"
 
 #include "Landscapes/LongWaves.h"
+#include "Numerics/PolledMemory.h"
 
 #include <algorithm>
 #include <array>
@@ -62,14 +63,14 @@ double Interpolated(const CubicWeights& weights, int count, const Values& at)
 
 }
 
-GridSamples CubicRefinement(const GridSamples& coarse, int factor, const ParallelFor& parallel)
+GridSamples CubicRefinement(const GridSamples& coarse, int factor, const ParallelFor& parallel, const Poll& poll)
 {
   const std::vector<CubicWeights> across = WeightsAlong(coarse.Width, factor);
   const std::vector<CubicWeights> along = WeightsAlong(coarse.Height, factor);
   GridSamples rows;
   rows.Width = coarse.Width * factor;
   rows.Height = coarse.Height;
-  rows.Values.resize(static_cast<std::size_t>(rows.Width) * rows.Height);
+  Lengthen(rows.Values, static_cast<std::size_t>(rows.Width) * rows.Height, poll);
   parallel(static_cast<std::size_t>(rows.Height), [&](std::size_t begin, std::size_t end) {
     for (int j = static_cast<int>(begin); j < static_cast<int>(end); ++j)
     {
@@ -83,7 +84,7 @@ GridSamples CubicRefinement(const GridSamples& coarse, int factor, const Paralle
   fine.Width = rows.Width;
   fine.Height = coarse.Height * factor;
   fine.Spacing = { coarse.Spacing[0] / factor, coarse.Spacing[1] / factor };
-  fine.Values.resize(static_cast<std::size_t>(fine.Width) * fine.Height);
+  Lengthen(fine.Values, static_cast<std::size_t>(fine.Width) * fine.Height, poll);
   parallel(static_cast<std::size_t>(fine.Height), [&](std::size_t begin, std::size_t end) {
     for (int j = static_cast<int>(begin); j < static_cast<int>(end); ++j)
     {
@@ -106,7 +107,7 @@ void HoldBlockMeans(
     {
       missing.Values[n] = coarse.Values[n] - missing.Values[n];
     }
-    const GridSamples change = CubicRefinement(missing, factor, parallel);
+    const GridSamples change = CubicRefinement(missing, factor, parallel, poll);
     poll();
     parallel(fine.Values.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n)

@@ -14,7 +14,8 @@ namespace littoral
  * `factor` cells in each: quadratic surfaces stay what they are. Beyond its edge the grid goes on by reflection in the
  * points there, so planes stay planes. Two rows and columns or more, no missing values.
  */
-GridSamples CubicRefinement(const GridSamples& coarse, int factor, const ParallelFor& parallel = SerialFor);
+GridSamples CubicRefinement(
+  const GridSamples& coarse, int factor, const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
 
 /**
  * Brings the means of squares of `factor` times `factor` cells to those of coarse cells (back-projection): each pass

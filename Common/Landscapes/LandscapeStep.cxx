@@ -3,6 +3,7 @@
 #include "Landscapes/LandscapeStep.h"
 
 #include "Numerics/ParameterCheck.h"
+#include "Numerics/PolledMemory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,8 +54,10 @@ void StepLandscape(const PointMesh& mesh, const MeshDrainage& drainage, const La
   const std::vector<double>& hardness, double time, std::vector<double>& heights, const ParallelFor& parallel,
   const RockFactors& factors, const Poll& poll)
 {
-  std::vector<double> start(heights.size());
-  std::vector<double> incision(heights.size(), 0.0);
+  std::vector<double> start;
+  std::vector<double> incision;
+  Lengthen(start, heights.size(), poll);
+  Lengthen(incision, heights.size(), poll);
   parallel(heights.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)
     {

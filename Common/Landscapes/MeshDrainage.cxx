@@ -3,6 +3,7 @@
 #include "Landscapes/MeshDrainage.h"
 
 #include "Drainage/FlowRouting.h"
+#include "Numerics/PolledMemory.h"
 
 #include <algorithm>
 #include <atomic>
@@ -178,10 +179,10 @@ MeshDrainage DrainMesh(const PointMesh& mesh, const std::vector<double>& heights
   const MeshCourses& courses, const Poll& poll)
 {
   MeshDrainage drainage;
-  drainage.Link.resize(heights.size());
+  Lengthen(drainage.Link, heights.size(), poll);
   if (!FindLinks(mesh, heights, courses, parallel, drainage.Link))
   {
-    std::vector<double> filled = heights;
+    std::vector<double> filled = CopyOf(heights, poll);
     const std::vector<CellIndex> back =
       courses.IsEmpty() ? FloodMesh(mesh, filled, poll) : FloodCourses(mesh, courses, filled, poll);
     FindLinks(mesh, filled, courses, parallel, drainage.Link);
@@ -190,8 +191,8 @@ MeshDrainage DrainMesh(const PointMesh& mesh, const std::vector<double>& heights
       drainage.Link[n] = drainage.Link[n] < 0 ? back[n] : drainage.Link[n];
     }
   }
-  poll();
-  std::vector<CellIndex> receivers(heights.size());
+  std::vector<CellIndex> receivers;
+  Lengthen(receivers, heights.size(), poll);
   ForPolled(receivers.size(), poll, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)
     {
@@ -199,7 +200,7 @@ MeshDrainage DrainMesh(const PointMesh& mesh, const std::vector<double>& heights
     }
   });
   drainage.Order = StackOrder(receivers, poll);
-  drainage.Area = mesh.Area;
+  drainage.Area = CopyOf(mesh.Area, poll);
   ForPolled(drainage.Order.size(), poll, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k)
     {

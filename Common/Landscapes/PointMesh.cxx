@@ -4,6 +4,7 @@
 
 #include "Drainage/ValleySpreading.h"
 #include "Landscapes/VoronoiTiles.h"
+#include "Numerics/PolledMemory.h"
 #include "Numerics/RandomStream.h"
 
 #include <algorithm>
@@ -91,14 +92,6 @@ void ForEachLink(const PointMesh& mesh, const VoronoiTile& tile, const Visit& vi
   }
 }
 
-/// Makes a vector of zeros longer.
-template <typename Value>
-void Lengthen(std::vector<Value>& values, std::size_t count, const Poll& poll)
-{
-  values.reserve(count);
-  ForPolled(count, poll, [&](std::size_t, std::size_t end) { values.resize(end); });
-}
-
 void AddLinks(
   PointMesh& mesh, const std::vector<VoronoiTile>& tiles, double unit, const ParallelFor& parallel, const Poll& poll)
 {
@@ -124,7 +117,7 @@ void AddLinks(
   Lengthen(mesh.EdgeRatio, links, poll);
   Lengthen(mesh.Area, mesh.Points.size(), poll);
   const double cell = mesh.Spacing[0] * mesh.Spacing[1];
-  std::vector<CellIndex> next(mesh.First.begin(), mesh.First.end() - 1);
+  std::vector<CellIndex> next = CopyOf(mesh.First, poll);
   forLinks([&](CellIndex point, CellIndex neighbour, double distance, double edge) {
     const CellIndex link = next[point]++;
     mesh.Neighbour[link] = neighbour;

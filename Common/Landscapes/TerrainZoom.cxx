@@ -8,7 +8,9 @@
 #include "Landscapes/LandscapeMeasures.h"
 #include "Landscapes/LandscapeStep.h"
 #include "Landscapes/LongWaves.h"
+#include "Landscapes/VoronoiTiles.h"
 #include "Numerics/ParameterCheck.h"
+#include "Numerics/PolledMemory.h"
 
 #include <algorithm>
 #include <array>
@@ -80,16 +82,17 @@ void GrowWithin(GridSamples& fine, const GridSamples& coarse, int factor, const 
   const double time = parameters.Growth * measures.MeanSlope * MeanSpacing(coarse) / Steps;
   double done = 0.0;
   const Poll poll = [&] { progress(done); };
-  const PointMesh mesh =
-    JitteredMesh(fine.Width, fine.Height, fine.Spacing, parameters.Seed, factor, {}, parallel, poll);
-  GridSamples heights = fine; // of the points, each in its cell
+  PointMesh mesh = JitteredMesh(fine.Width, fine.Height, fine.Spacing, parameters.Seed, factor, {}, parallel, poll);
+  // heights of the points, each in its cell
+  GridSamples heights{ fine.Width, fine.Height, fine.Spacing, CopyOf(fine.Values, poll) };
   parallel(heights.Values.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)
     {
       heights.Values[n] = HeightAt(fine, mesh.Points[n]);
     }
   });
-  const std::vector<double> rock(heights.Values.size(), 1.0);
+  std::vector<double> rock = CopyOf(heights.Values, poll);
+  std::fill(rock.begin(), rock.end(), 1.0);
   for (int step = 0; step < Steps; ++step)
   {
     done = static_cast<double>(step) / Steps;
@@ -98,6 +101,10 @@ void GrowWithin(GridSamples& fine, const GridSamples& coarse, int factor, const 
     HoldBlockMeans(heights, coarse, factor, 1, parallel, poll);
   }
   fine = GridOf(mesh, heights.Values, parallel, poll);
+  GiveBack(mesh.Corners, poll);
+  GiveBack(mesh.EdgeRatio, poll);
+  GiveBack(mesh.Distance, poll);
+  GiveBack(mesh.Neighbour, poll);
 }
 
 /// Zooms by one factor a terrain without missing heights.
@@ -108,7 +115,7 @@ GridSamples ZoomOnce(const GridSamples& terrain, int factor, const ZoomParameter
   const Poll poll = [&] { progress(done); };
   const int margin = std::min({ Margin, terrain.Width - 1, terrain.Height - 1 });
   const GridSamples coarse = WithMargins(terrain, margin, margin, margin, poll);
-  GridSamples fine = CubicRefinement(coarse, factor, parallel);
+  GridSamples fine = CubicRefinement(coarse, factor, parallel, poll);
   HoldBlockMeans(fine, coarse, factor, FirstPasses, parallel, poll);
   Breach(fine, poll);
   if (parameters.Growth > 0.0)
@@ -185,9 +192,10 @@ std::string WhyInvalid(const GridSamples& coarse, const ZoomParameters& paramete
   return check.Reason();
 }
 
-double ZoomMemory(int width, int height, int factor)
+double ZoomMemory(int width, int height, int factor, const std::array<double, 2>& spacing)
 {
-  constexpr double bytesPerPoint = 900.0; // as in GrowthMemory()
+  // of long cells Boost's diagram is of all points, as in GrowthMemory()
+  const double bytesPerPoint = AreTiled(spacing) ? 350.0 : 900.0;
   return bytesPerPoint * factor * factor * (width + 2.0 * Margin) * (height + 2.0 * Margin);
 }
 

@@ -9,6 +9,7 @@
 #include "Numerics/Parallel.h"
 #include "Terrain/GridSamples.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,8 @@ std::string WhyInvalid(const ZoomParameters& parameters);
 /// Why a terrain cannot be zoomed with these parameters; empty when it can.
 std::string WhyInvalid(const GridSamples& coarse, const ZoomParameters& parameters);
 
-/// Memory that a zoom takes beside the coarse terrain [bytes].
-double ZoomMemory(int width, int height, int factor);
+/// Memory that a zoom takes beside the coarse terrain of a spacing [bytes].
+double ZoomMemory(int width, int height, int factor, const std::array<double, 2>& spacing);
 
 /// Zoomed terrain, and how far the coarse heights, which are means of their cells, have moved.
 struct ZoomedTerrain

@@ -159,10 +159,15 @@ std::vector<int> EndsOf(int count, int side)
 
 }
 
+bool AreTiled(const std::array<double, 2>& cellSize)
+{
+  const auto [shorter, longer] = std::minmax(cellSize[0], cellSize[1]);
+  return longer <= LongestCell * shorter;
+}
+
 VoronoiCells VoronoiCellsOf(const CellPoints& points, const ParallelFor& parallel, const Poll& poll, int side)
 {
-  const auto [shorter, longer] = std::minmax(points.CellSize[0], points.CellSize[1]);
-  const int most = longer > LongestCell * shorter ? std::max(points.Width, points.Height) : side;
+  const int most = AreTiled(points.CellSize) ? side : std::max(points.Width, points.Height);
   const std::vector<int> columns = EndsOf(points.Width, most);
   const std::vector<int> rows = EndsOf(points.Height, most);
   VoronoiCells cells;

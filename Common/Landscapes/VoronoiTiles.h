@@ -38,6 +38,9 @@ struct VoronoiTile
   std::vector<VoronoiSide> Sides; ///< of all, counterclockwise
 };
 
+/// Whether cells of a size have tiles: those up to twice as long as wide have.
+bool AreTiled(const std::array<double, 2>& cellSize);
+
 struct VoronoiCells
 {
   std::vector<VoronoiTile> Tiles;
@@ -47,7 +50,7 @@ struct VoronoiCells
 /**
  * Cells of Voronoi by Boost.Polygon, exact on integers, tile by tile with a margin: a circle without points is smaller
  * than two diagonals of a cell. Tiles are `side` cells wide about; they change nothing (VoronoiTiles.ChangeNothing).
- * Cells more than twice as long as wide have one tile: circles at the border are larger there.
+ * Longer cells have one tile: circles at the border are larger there.
  */
 VoronoiCells VoronoiCellsOf(
   const CellPoints& points, const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll, int side = 128);
