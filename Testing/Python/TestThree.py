@@ -5,21 +5,18 @@
 examples in Chromium, where there is one. Needs node and the package three: `npm install three` somewhere; LITTORAL_THREE
 names its folder, node_modules/three."""
 
-import functools
-import http.server
 import json
 import os
 import shutil
 import subprocess
 import sys
 import tempfile
-import threading
 import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOImage import vtkPNGReader
 
+import in_chromium
 import littoral
 from TestSceneFiles import array, block, forest, linear, make, places, points_of, tree
 from littoral.glb import write_glb
@@ -28,9 +25,6 @@ THREE = os.environ.get("LITTORAL_THREE", "")
 HERE = os.path.dirname(os.path.abspath(__file__))
 SCRIPT = os.path.join(HERE, "three_scene.mjs")
 PAGE = os.path.join(HERE, "..", "..", "Examples", "Web", "scene.html")
-#: A window of Chromium without a display and a graphics card.
-CHROMIUM = ("chromium", "--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader",
-            "--enable-unsafe-swiftshader", "--window-size=320,240", "--virtual-time-budget=500")
 if not THREE or not shutil.which("node"):
     print("LITTORAL_THREE does not name the package three, or there is no node")
     sys.exit(125)
@@ -137,28 +131,7 @@ class Three(unittest.TestCase):
             np.testing.assert_allclose(z_up(meshes[0]["places"]), places(sea.GetOutput()), atol=1e-5)
 
 
-class Quiet(http.server.SimpleHTTPRequestHandler):
-    def log_message(self, *_):
-        pass
-
-
 class Page(unittest.TestCase):
-    def picture(self, folder):
-        """What the page shows of the scene of a folder: numbers [row, column, part]."""
-        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=folder))
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        name = os.path.join(folder, "page.png")
-        address = f"http://127.0.0.1:{server.server_port}/scene.html?scene.glb"
-        own = f"--user-data-dir={os.path.join(folder, 'browser')}"
-        subprocess.run([*CHROMIUM, own, f"--screenshot={name}", address], capture_output=True, check=True)
-        server.shutdown()
-        server.server_close()
-        reader = vtkPNGReader()
-        reader.SetFileName(name)
-        reader.Update()
-        columns, rows, _ = reader.GetOutput().GetDimensions()
-        return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(rows, columns, -1).astype(float)
-
     def test_in_chromium(self):
         if not shutil.which("chromium"):
             self.skipTest("there is no chromium")
@@ -168,7 +141,7 @@ class Page(unittest.TestCase):
             os.symlink(os.path.abspath(THREE), os.path.join(folder, "node_modules", "three"))
             write_glb(os.path.join(folder, "scene.glb"), {"Forest": forest([tree(Preset=2)])}, LevelForm=3, sun=(200, 35),
                       camera=((0, -60, 30), (0, 0, 5), (0, 0, 1), 50))
-            red, green, blue = np.moveaxis(self.picture(folder)[..., :3], -1, 0)
+            red, green, blue = np.moveaxis(in_chromium.picture(folder, "scene.html?scene.glb", 500)[..., :3], -1, 0)
         leaves = (green > 1.2 * blue) & (green > red)
         self.assertGreater(leaves.mean(), 0.02, "the page shows no trees")
         self.assertLess(leaves.mean(), 0.5)
