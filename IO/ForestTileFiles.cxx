@@ -93,6 +93,7 @@ struct TilePlaces
   EarthFrame Frame;
   std::map<int, std::vector<std::size_t>> Trees; ///< places in the order
   std::size_t Count = 0;
+  double Widening = 1.0; ///< of the trees, which cover the ground of those that are left out, too
   bool HasRotations = true;
 
   std::size_t BytesOfTree() const { return TranslationBytes + ScaleBytes + (this->HasRotations ? RotationBytes : 0); }
@@ -169,6 +170,13 @@ private:
 };
 
 //----------------------------------------------------------------------------
+/// Widening of trees, of which each s-th is shown: sqrt(s), so that crowns cover as much ground.
+double WideningOf(const ForestTile& tile)
+{
+  return std::sqrt(static_cast<double>(tile.Stride));
+}
+
+//----------------------------------------------------------------------------
 void TileWriter::PlaceTrees()
 {
   this->OnEarth = this->From.Feet;
@@ -213,7 +221,7 @@ void TileWriter::Enclose(int tile)
     const Vector3 foot = frame.ToLocal(this->OnEarth[tree]);
     const PlantExtent& extent = this->From.Extents.at(this->From.Species[tree]);
     const double height = static_cast<double>(this->From.Scales[3 * tree + 2]);
-    const double width = WidthOf(this->From, tree);
+    const double width = WideningOf(own) * WidthOf(this->From, tree);
     // Trees are upright in the frame of their places, whatever tile they are shown in.
     unite(foot + Vector3(-width, -width, height * extent.Low), foot + Vector3(width, width, height * extent.High));
   }
@@ -239,6 +247,7 @@ TilePlaces TileWriter::PlacesOf(int tile) const
   const ForestTile& own = this->Tiling.GetTiles()[tile];
   TilePlaces places;
   places.Frame = this->Frames[tile];
+  places.Widening = WideningOf(own);
   places.HasRotations = own.Stride == 1; // Low looks the same from all sides
   const std::size_t first = (own.First + own.Stride - 1) / own.Stride * own.Stride;
   for (std::size_t place = first; place < own.End; place += own.Stride)
@@ -271,7 +280,10 @@ std::string TileWriter::BytesOf(const TilePlaces& places) const
           static_cast<std::int16_t>(std::lround(32767.0 * static_cast<double>(this->From.Rotations[4 * tree + part])));
       }
       Append(rotations, turn, 4);
-      Append(scales, &this->From.Scales[3 * tree], 3);
+      const float* own = &this->From.Scales[3 * tree];
+      const auto widening = static_cast<float>(places.Widening);
+      const float wide[3] = { widening * own[0], widening * own[1], own[2] };
+      Append(scales, wide, 3);
     }
   }
   return translations + scales + (places.HasRotations ? rotations : std::string());

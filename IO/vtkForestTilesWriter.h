@@ -12,8 +12,9 @@
  * of trees (.bin) that several tiles share, and the prototypes of each level (.bin) that all tiles share. The tiles are
  * a quadtree over the feet whose halves have as many trees; children replace their parent. Finest tiles have at most
  * TreesPerTile trees, as High; those above them the same trees as Medium, then as Low; and further up each tile has a
- * quarter of the trees of its children, as Low. A file of places has 32 bytes a tree: translation, scales, and, where
- * all trees are shown, a rotation in 16 bits. Tints are left out, as no program shows them.
+ * quarter of the trees of its children, as Low and twice as wide, so that they cover as much ground. A file of places
+ * has 32 bytes a tree: translation, scales, and, where all trees are shown, a rotation in 16 bits. Tints are left out,
+ * as no program shows them.
  *
  * The geometric error of a tile [m] is 0 for High; for Medium and Low e = d 2 tan(30 degrees) 16 / 1080 with d =
  * NearDistance and FarDistance, so that they give way at these distances where a viewer allows 16 pixels of 1080 in a

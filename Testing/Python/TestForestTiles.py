@@ -218,6 +218,16 @@ class Tiles(unittest.TestCase):
         self.assertEqual(counts[:-3], [300])
         self.assertTrue(all(len(tile.feet()) <= 40 for tile in self.root.all() if not tile.children))
 
+    def test_fewer_trees_cover_as_much_ground(self):
+        def covered(tiles):
+            scales = np.concatenate([scales for tile in tiles for _, _, scales, _ in tile.gltf.instances()])
+            return (scales[:, 0] * scales[:, 1]).sum(), scales[:, 2].mean()
+
+        few, high = covered([self.root])
+        every, tall = covered([tile for tile in self.root.all() if not tile.children])
+        self.assertAlmostEqual(few / every, 1.0, delta=0.05)  # of 300 trees of 1200
+        self.assertAlmostEqual(high / tall, 1.0, delta=0.02)
+
     def test_boxes_hold_the_trees_and_the_tiles_below(self):
         corners = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
         for tile in self.root.all():
