@@ -205,7 +205,11 @@ void vtkPatternVerdictFilter::Judge(
   littoral::Require(littoral::WhyInvalid(points, window, littoral::FewestPatternPoints, this->AllowCoincidentPoints));
   littoral::RequireMemory(
     BytesOfPoint * static_cast<double>(points.size()), "The verdict on this pattern", "take a part of it");
-  if (!team.Agree(littoral::KeyOf(points)))
+  const std::vector<double> properties{ static_cast<double>(this->Contrast), static_cast<double>(this->TrendDegree),
+    this->MaximumDistance, static_cast<double>(this->Function), static_cast<double>(this->NumberOfSimulations),
+    this->Level, static_cast<double>(this->Seed), static_cast<double>(this->Quadrats[0]),
+    static_cast<double>(this->Quadrats[1]), this->Origin[0], this->Origin[1], this->Size[0], this->Size[1] };
+  if (!team.Agree(littoral::KeyOf(points, properties)))
   {
     return;
   }

@@ -26,8 +26,8 @@
  * by minimum contrast, with a trend of the K or g of points weighted by 1 / intensity; Strauss by pseudo-likelihood,
  * soft core and laws by maximum likelihood. g and L have the translation correction. Fewer than five points, points
  * outside of the window, two at one place unless AllowCoincidentPoints is on, and properties out of range are reported
- * as one error. Piece 0 holds the whole tables; ranks that have the same input share the simulations: the first one
- * gets a number for each step of each simulation of the others.
+ * as one error. Piece 0 holds the whole tables; ranks that have the same input and properties share the simulations:
+ * the first one gets a number for each step of each simulation of the others.
  *
  * @sa vtkPointProcessSource vtkQuadratAnalysisFilter
  */

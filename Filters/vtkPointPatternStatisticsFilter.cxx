@@ -341,7 +341,11 @@ void vtkPointPatternStatisticsFilter::Measure(
 {
   Pattern pattern;
   this->ReadPattern(inputVector, pattern);
-  if (!team.Agree(littoral::KeyOf(pattern.Points)))
+  const std::vector<double> properties{ static_cast<double>(this->Function), static_cast<double>(this->EdgeCorrection),
+    static_cast<double>(this->DistanceCorrection), this->MaximumDistance, static_cast<double>(this->NumberOfSteps),
+    this->Bandwidth, static_cast<double>(this->NumberOfSimulations), this->Level, static_cast<double>(this->Seed),
+    this->Origin[0], this->Origin[1], this->Size[0], this->Size[1] };
+  if (!team.Agree(littoral::KeyOf(pattern.Points, properties)))
   {
     return;
   }

@@ -32,8 +32,8 @@
  * Fewer points, two at one place unless AllowCoincidentPoints is on, one outside the window, a window whose polygon
  * crosses itself, missing or not positive marks, unknown species or a property out of range are reported as one error.
  * Baddeley, Rubak and Turner (2015), Spatial Point Patterns, chapters 7, 8, 10 and 14. Piece 0 holds the whole tables,
- * other pieces are empty; ranks that have the same input share the pairs and the simulations: the first one gets a
- * number for each step of each simulation of the others, and nine for each step of 256 points or more.
+ * other pieces are empty; ranks that have the same input and properties share the pairs and the simulations: the first
+ * one gets a number for each step of each simulation of the others, and nine for each step of 256 points or more.
  *
  * @sa vtkQuadratAnalysisFilter, vtkPatternVerdictFilter
  */

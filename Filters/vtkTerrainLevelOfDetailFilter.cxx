@@ -24,7 +24,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -37,6 +36,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -214,8 +214,8 @@ public:
     , Normals(New<vtkFloatArray>(frame, "Normals", 3, layout.Points))
     , Coordinates(New<vtkFloatArray>(frame, "TCoords", 2, layout.Points))
     , Levels(New<vtkIntArray>(frame, "Level", 1, layout.Triangles))
-    , Offsets(New<vtkIdTypeArray>(frame, "Offsets", 1, layout.Triangles + 1))
-    , Connectivity(New<vtkIdTypeArray>(frame, "Connectivity", 1, 3 * layout.Triangles))
+    , Offsets(New<vtkTypeInt64Array>(frame, "Offsets", 1, layout.Triangles + 1))
+    , Connectivity(New<vtkTypeInt64Array>(frame, "Connectivity", 1, 3 * layout.Triangles))
     , Colors(New<vtkUnsignedCharArray>(frame, "RGB", 3, painter ? layout.Points : 0))
     , Carried(NewCarriedArrays(image, heights, layout.Points))
     , Ranges(layout.Parts.size())
@@ -231,7 +231,7 @@ public:
     std::transform(corners.begin(), corners.end(), this->Connectivity->GetPointer(3 * part.FirstTriangle),
       [&part](int corner) { return part.FirstPoint + corner; });
     const auto triangles = static_cast<vtkIdType>(corners.size() / 3);
-    vtkIdType* offsets = this->Offsets->GetPointer(0);
+    vtkTypeInt64* offsets = this->Offsets->GetPointer(0);
     for (vtkIdType i = part.FirstTriangle; i < part.FirstTriangle + triangles; ++i)
     {
       offsets[i] = 3 * i;
@@ -367,8 +367,8 @@ private:
   vtkSmartPointer<vtkFloatArray> Normals;
   vtkSmartPointer<vtkFloatArray> Coordinates;
   vtkSmartPointer<vtkIntArray> Levels;
-  vtkSmartPointer<vtkIdTypeArray> Offsets;
-  vtkSmartPointer<vtkIdTypeArray> Connectivity;
+  vtkSmartPointer<vtkTypeInt64Array> Offsets; ///< VTK holds the memory of a vtkIdTypeArray, but not the array
+  vtkSmartPointer<vtkTypeInt64Array> Connectivity;
   vtkSmartPointer<vtkUnsignedCharArray> Colors;
   CarriedArrays Carried;
   std::vector<PartRanges> Ranges; ///< of parts
@@ -583,9 +583,10 @@ void vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataAr
     steps.Step();
     samples.Values[i] = static_cast<float>(heights->GetComponent(static_cast<vtkIdType>(i), 0));
   }
+  internals.Wetness = littoral::SpreadWetness(image, heights, littoral::AbortableFor(this));
+  // Last, for an abort must not leave it with the stamps of another image.
   internals.Pyramid.emplace(std::move(samples), this->TileSize, this->NumberOfLevels, littoral::AbortableFor(this));
   internals.Patches.resize(internals.Pyramid->GetTiles().size());
-  internals.Wetness = littoral::SpreadWetness(image, heights, littoral::AbortableFor(this));
   internals.Image = stamp;
   internals.Heights = heightsStamp;
   internals.TileSize = this->TileSize;

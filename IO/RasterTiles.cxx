@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RasterTiles.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <system_error>
+#include <vector>
 
 #include <cpl_conv.h>
 #include <cpl_minixml.h>
+#include <cpl_string.h>
 #include <gdal.h>
 
 namespace littoral
@@ -16,9 +20,16 @@ namespace littoral
 namespace
 {
 
+using Path = std::filesystem::path;
+
 struct DestroyNode
 {
   void operator()(CPLXMLNode* node) const { CPLDestroyXMLNode(node); }
+};
+
+struct CloseDataset
+{
+  void operator()(void* dataset) const { GDALClose(dataset); }
 };
 
 double NumberOf(const CPLXMLNode* node, const char* path, double otherwise)
@@ -36,35 +47,58 @@ bool IsSeen(const CPLXMLNode* tile, const PixelWindow& window)
     top + NumberOf(tile, "DstRect.ySize", window[3] + 1.0) > window[2];
 }
 
-std::string PathOf(const CPLXMLNode* tile, const std::string& mosaic)
+/// Pixels of a tile that the mosaic shows.
+PixelWindow ShownOf(const CPLXMLNode* tile, int columns, int rows)
 {
-  const std::filesystem::path name = CPLGetXMLValue(tile, "SourceFilename", "");
-  const bool isBeside = NumberOf(tile, "SourceFilename.relativeToVRT", 0.0) != 0.0;
-  return isBeside ? (std::filesystem::path(mosaic).parent_path() / name).string() : name.string();
+  const double left = NumberOf(tile, "SrcRect.xOff", 0.0);
+  const double top = NumberOf(tile, "SrcRect.yOff", 0.0);
+  const auto last = [](double end) { return static_cast<int>(std::ceil(end)) - 1; };
+  return { static_cast<int>(left), last(left + NumberOf(tile, "SrcRect.xSize", columns)), static_cast<int>(top),
+    last(top + NumberOf(tile, "SrcRect.ySize", rows)) };
 }
 
-std::string WhyOtherTile(const CPLXMLNode* tile, const std::string& mosaic)
+Path PathOf(const CPLXMLNode* tile, const Path& mosaic)
+{
+  const Path name = CPLGetXMLValue(tile, "SourceFilename", "");
+  const bool isBeside = NumberOf(tile, "SourceFilename.relativeToVRT", 0.0) != 0.0;
+  return isBeside ? mosaic.parent_path() / name : name;
+}
+
+/// Opens a tile with the options that the mosaic has for it, as for one of its overviews.
+std::unique_ptr<void, CloseDataset> Open(const CPLXMLNode* tile, const Path& path)
+{
+  CPLStringList options;
+  const CPLXMLNode* given = CPLGetXMLNode(tile, "OpenOptions");
+  for (const CPLXMLNode* node = given ? given->psChild : nullptr; node; node = node->psNext)
+  {
+    options.SetNameValue(CPLGetXMLValue(node, "key", ""), CPLGetXMLValue(node, "", ""));
+  }
+  return std::unique_ptr<void, CloseDataset>(
+    GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, options.List(), nullptr));
+}
+
+std::string WhyOtherTilesIn(void* dataset, int band, const PixelWindow& window, std::vector<Path> outer);
+
+/// Why a tile of the last of mosaics in mosaics is not what it says.
+std::string WhyOtherTile(const CPLXMLNode* tile, const std::vector<Path>& mosaics)
 {
   const auto columns = static_cast<int>(NumberOf(tile, "SourceProperties.RasterXSize", 0.0));
   const auto rows = static_cast<int>(NumberOf(tile, "SourceProperties.RasterYSize", 0.0));
-  const std::string path = PathOf(tile, mosaic);
-  if (columns == 0 || rows == 0 || path.empty())
-  {
-    return {};
-  }
-  const GDALDatasetH opened = GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr);
+  const Path path = PathOf(tile, mosaics.back());
+  const std::unique_ptr<void, CloseDataset> opened =
+    columns == 0 || rows == 0 || path.empty() ? nullptr : Open(tile, path);
   if (!opened)
   {
     return {};
   }
-  const int ownColumns = GDALGetRasterXSize(opened);
-  const int ownRows = GDALGetRasterYSize(opened);
-  GDALClose(opened);
+  const int ownColumns = GDALGetRasterXSize(opened.get());
+  const int ownRows = GDALGetRasterYSize(opened.get());
   const auto sizeOf = [](int width, int height) { return std::to_string(width) + " x " + std::to_string(height); };
   return ownColumns == columns && ownRows == rows
-    ? std::string()
-    : "build the mosaic anew: its tile " + std::filesystem::path(path).filename().string() + " has " +
-      sizeOf(ownColumns, ownRows) + " pixels and not " + sizeOf(columns, rows);
+    ? WhyOtherTilesIn(
+        opened.get(), static_cast<int>(NumberOf(tile, "SourceBand", 1.0)), ShownOf(tile, columns, rows), mosaics)
+    : "build the mosaic anew: its tile " + path.filename().string() + " has " + sizeOf(ownColumns, ownRows) +
+      " pixels and not " + sizeOf(columns, rows);
 }
 
 /// The element of a band of a mosaic; null for none.
@@ -83,26 +117,33 @@ const CPLXMLNode* BandOf(CPLXMLNode* file, int band)
   return nullptr;
 }
 
-}
-
-std::string WhyOtherTiles(void* dataset, int band, const PixelWindow& window)
+std::string WhyOtherTilesIn(void* dataset, int band, const PixelWindow& window, std::vector<Path> outer)
 {
   const char* driver = GDALGetDriverShortName(GDALGetDatasetDriver(dataset));
-  const std::string mosaic = GDALGetDescription(dataset);
   std::error_code error;
-  if (!driver || std::string(driver) != "VRT" || !std::filesystem::exists(mosaic, error))
+  const Path mosaic = std::filesystem::canonical(GDALGetDescription(dataset), error); // GDAL goes on from there, too
+  const bool isInItself = std::find(outer.begin(), outer.end(), mosaic) != outer.end();
+  if (!driver || std::string(driver) != "VRT" || error || isInItself)
   {
     return {};
   }
+  outer.push_back(mosaic);
   const std::unique_ptr<CPLXMLNode, DestroyNode> file(CPLParseXMLFile(mosaic.c_str()));
   const CPLXMLNode* tiles = BandOf(file.get(), band);
   std::string reason;
   for (const CPLXMLNode* tile = tiles ? tiles->psChild : nullptr; tile && reason.empty(); tile = tile->psNext)
   {
     const bool isTile = tile->eType == CXT_Element && CPLGetXMLNode(tile, "SourceFilename");
-    reason = isTile && IsSeen(tile, window) ? WhyOtherTile(tile, mosaic) : std::string();
+    reason = isTile && IsSeen(tile, window) ? WhyOtherTile(tile, outer) : std::string();
   }
   return reason;
+}
+
+}
+
+std::string WhyOtherTiles(void* dataset, int band, const PixelWindow& window)
+{
+  return WhyOtherTilesIn(dataset, band, window, {});
 }
 
 }

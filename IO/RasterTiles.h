@@ -15,8 +15,8 @@ namespace littoral
 using PixelWindow = std::array<int, 4>;
 
 /// Why the tiles of a band of a mosaic that are in a window are not those that the mosaic says; empty for a file of
-/// another kind and where nothing is wrong. GDAL has zeros where a tile is smaller. A tile that cannot be opened is
-/// left to who reads it.
+/// another kind and where nothing is wrong; tiles can be mosaics in turn. GDAL has zeros where a tile is smaller. A
+/// tile that cannot be opened is left to who reads it.
 std::string WhyOtherTiles(void* dataset, int band, const PixelWindow& window);
 
 }

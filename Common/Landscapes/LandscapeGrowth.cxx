@@ -652,6 +652,14 @@ std::string WhyNoPlace(const GridSamples& place)
   check.Require(Moments(field).Variance > 1e-12 * range * range
       ? ""
       : "The target is a plane; there are no valleys to learn from.");
+  if (check.IsGood())
+  {
+    GridSamples filled = place;
+    FillHoles(filled);
+    const std::vector<double> slopes = GradientsOf(filled);
+    const bool hasSlopes = std::any_of(slopes.begin(), slopes.end(), [](double slope) { return slope > 0.0; });
+    check.Require(hasSlopes ? "" : "The target goes up and down in turn from cell to cell; it has no slopes.");
+  }
   return check.Reason();
 }
 

@@ -118,9 +118,10 @@ GridSamples ZoomOnce(const GridSamples& terrain, int factor, const ZoomParameter
   GridSamples fine = CubicRefinement(coarse, factor, parallel, poll);
   HoldBlockMeans(fine, coarse, factor, FirstPasses, parallel, poll);
   Breach(fine, poll);
-  if (parameters.Growth > 0.0)
+  const LandscapeMeasures measures =
+    parameters.Growth > 0.0 ? MeasureLandscape(terrain, parallel, poll) : LandscapeMeasures();
+  if (measures.MeanSlope > 0.0) // rows that go up and down in turn have none
   {
-    const LandscapeMeasures measures = MeasureLandscape(terrain, parallel, poll);
     GrowWithin(fine, coarse, factor, parameters, measures, parallel, progress);
     HoldBlockMeans(fine, coarse, factor, LastPasses, parallel, poll);
   }

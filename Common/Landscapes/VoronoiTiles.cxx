@@ -110,14 +110,19 @@ public:
   {
     const std::array<double, 2> columns = LimitsOf(this->Tile, 0, this->All.Width, this->All.CellSize[0]);
     const std::array<double, 2> rows = LimitsOf(this->Tile, 1, this->All.Height, this->All.CellSize[1]);
+    // larger circles at the margin's border have points beyond it
+    const bool isWhole = this->Cells.num_cells() == this->All.Places.size();
+    const double largest = isWhole ? std::numeric_limits<double>::infinity()
+                                   : 0.5 * MarginDiagonals * std::hypot(this->All.CellSize[0], this->All.CellSize[1]);
     std::vector<SweptTriangle> triangles;
     for (const Diagram::vertex_type& vertex : this->Cells.vertices())
     {
       const Diagram::edge_type* first = vertex.incident_edge();
       const CellIndex corner = this->PointOf(*first->cell());
       const std::array<std::int32_t, 2>& place = this->All.Places[corner];
-      const double left = vertex.x() + std::hypot(vertex.x() - place[0], vertex.y() - place[1]);
-      if (!IsWithin(left, columns) || !IsWithin(vertex.y(), rows))
+      const double radius = std::hypot(vertex.x() - place[0], vertex.y() - place[1]);
+      const double left = vertex.x() + radius;
+      if (radius > largest || !IsWithin(left, columns) || !IsWithin(vertex.y(), rows))
       {
         continue;
       }

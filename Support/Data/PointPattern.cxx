@@ -35,10 +35,13 @@ std::vector<PlanePosition> PlanePositionsOf(vtkPointSet* points)
   return positions;
 }
 
-std::uint64_t KeyOf(const std::vector<PlanePosition>& points)
+std::uint64_t KeyOf(const std::vector<PlanePosition>& points, const std::vector<double>& properties)
 {
-  const std::string_view bytes(reinterpret_cast<const char*>(points.data()), points.size() * sizeof(PlanePosition));
-  return std::hash<std::string_view>()(bytes) | 1u;
+  const auto hashOf = [](const auto& values) {
+    const auto* bytes = reinterpret_cast<const char*>(values.data());
+    return std::hash<std::string_view>()({ bytes, values.size() * sizeof(values.front()) });
+  };
+  return (31 * hashOf(points) + hashOf(properties)) | 1u;
 }
 
 ObservationWindow ReadWindow(vtkPointSet* points, const double origin[2], const double size[2])

@@ -20,8 +20,8 @@ namespace littoral
 /// x and y of all points.
 std::vector<PlanePosition> PlanePositionsOf(vtkPointSet* points);
 
-/// A number other than 0 that tells patterns apart, by the bytes of their points.
-std::uint64_t KeyOf(const std::vector<PlanePosition>& points);
+/// A number other than 0 that tells patterns and what is asked of them apart, by the bytes of points and properties.
+std::uint64_t KeyOf(const std::vector<PlanePosition>& points, const std::vector<double>& properties);
 
 // Each of these throws InvalidInput.
 

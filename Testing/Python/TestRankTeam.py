@@ -86,6 +86,12 @@ def cases(rank):
     yield "statistics", statistics(points())
     yield "verdict", verdict(points(count=200))
     yield "other input", statistics(points(seed=3 if rank != 1 else 4))
+    unlike = statistics(points(count=60))
+    unlike.SetNumberOfSimulations(99 if rank != 1 else 39)
+    yield "other simulations", unlike
+    unlike = verdict(points(count=20))
+    unlike.SetSeed(5 if rank != 1 else 6)
+    yield "verdict of another seed", unlike
     yield "input on one rank", statistics(points() if rank == 0 else vtkPolyData())
     yield "bad input", statistics(points(count=3))
     aborted = statistics(points())

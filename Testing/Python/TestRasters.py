@@ -605,6 +605,39 @@ class BadFiles(Rasters):
         os.remove(self.path("tile1.tif"))
         self.refuses("tile1.tif: No such file", mosaic)
 
+    def test_mosaics_of_mosaics(self):
+        """Tiles of a mosaic in a mosaic are looked at, too, in the part that is shown, and beside the file of a link."""
+        names = [create(self.path(f"{number}.tif"), np.full((30, 20), 5.0 + number),
+                        (5e5 + 200.0 * number, 10.0, 0.0, 4e6, 0.0, -10.0)) for number in range(2)]
+        inner, outer, part, link = (self.path(name) for name in ("inner.vrt", "outer.vrt", "part.vrt", "link/link.vrt"))
+        gdal.BuildVRT(inner, names).FlushCache()
+        gdal.BuildVRT(outer, [inner]).FlushCache()
+        gdal.Translate(part, inner, format="VRT", srcWin=[0, 0, 20, 30]).FlushCache()
+        os.mkdir(self.path("link"))
+        os.symlink(os.path.join("..", "inner.vrt"), link)
+        create(names[1], np.full((15, 20), 6.0), (5e5 + 200.0, 10.0, 0.0, 4e6, 0.0, -10.0))
+        for name in inner, outer, link:
+            self.refuses("mosaic anew: its tile 1.tif has 20 x 15 pixels and not 20 x 30", name)
+        np.testing.assert_array_equal(array_from_image(read_elevation(part)), np.full((30, 20), 5.0))
+        with open(inner) as file:
+            text = file.read()
+        with open(self.path("itself.vrt"), "w") as file:
+            file.write(re.sub("[01][.]tif", "itself.vrt", text).replace('XSize="20"', 'XSize="40"'))
+        self.refuses("cut off or damaged", file.name)
+
+    def test_tiles_of_overviews(self):
+        """A mosaic of an overview has the overview's size, not the file's."""
+        name = create(self.path("whole.tif"), np.arange(200.0).reshape(10, 20))
+        raster = gdal.Open(name)
+        raster.BuildOverviews("NEAREST", [2])
+        raster = gdal.OpenEx(name, gdal.OF_RASTER, open_options=["OVERVIEW_LEVEL=0"])
+        wanted = raster.ReadAsArray()
+        mosaic = self.path("overview.vrt")
+        gdal.Translate(mosaic, raster, format="VRT").FlushCache()
+        with open(mosaic) as file:
+            self.assertIn("OVERVIEW_LEVEL", file.read())
+        np.testing.assert_array_equal(array_from_image(read_elevation(mosaic)), wanted[::-1])
+
     def test_sizes_beyond_memory(self):
         """Small files that claim much, and spacings that make much of little, are refused before memory is taken."""
         claims = self.path("claims.asc")

@@ -243,3 +243,13 @@ TEST(LandscapeGrowth, RefusesWhatCannotGrow)
   EXPECT_EQ(WhyInvalid(RandomGround(40, 30, { 50.0, 50.0 }, 5), parameters),
     "Smoothing is 0 cells; it must be positive and at most 100 cells.");
 }
+
+TEST(LandscapeGrowth, RefusesPlacesWithoutSlopes)
+{
+  const auto place = [](double period) {
+    return Ground(20, 16, { 10.0, 10.0 },
+      [=](double x, double y) { return std::fmod(x / 10.0, period) + std::fmod(y / 10.0, 2.0); });
+  };
+  EXPECT_EQ(WhyNoPlace(place(2.0)), "The target goes up and down in turn from cell to cell; it has no slopes.");
+  EXPECT_EQ(WhyNoPlace(place(3.0)), "");
+}

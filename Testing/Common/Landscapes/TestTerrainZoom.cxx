@@ -203,6 +203,19 @@ TEST(TerrainZoom, PlanesStayWithoutGrowth)
   }
 }
 
+TEST(TerrainZoom, NothingGrowsWithoutSlopes)
+{
+  const auto stripes = [](double x, double) { return 5.0 * std::fmod(std::round(x / 10.0), 2.0); };
+  const auto pit = [](double x, double y) { return x == 10.0 && y == 10.0 ? -100.0 : 5.0; };
+  for (const GridSamples& coarse : { Ground(7, 6, { 10.0, 10.0 }, stripes), Ground(3, 3, { 10.0, 10.0 }, pit) })
+  {
+    ZoomParameters parameters;
+    const GridSamples grown = ZoomTerrain(coarse, parameters).Heights;
+    parameters.Growth = 0.0;
+    EXPECT_EQ(grown.Values, ZoomTerrain(coarse, parameters).Heights.Values);
+  }
+}
+
 TEST(TerrainZoom, SameBytesOnAnyThreadsAndHolesStay)
 {
   GridSamples coarse = BlockMeans(Valleys(60, 48, 30.0), 3);

@@ -82,6 +82,16 @@ TEST(VoronoiTiles, ChangeNothing)
   }
 }
 
+TEST(VoronoiTiles, EachTriangleIsThereOnce)
+{
+  // Euler: n points of which b are on the border have 2n - 2 - b triangles
+  for (int seed = 0; seed < 60; ++seed)
+  {
+    const VoronoiCells cells = VoronoiCellsOf(RandomPoints(21, 38, { 4096.0, 4096.0 }, seed), SerialFor, NoPoll, 9);
+    EXPECT_EQ(cells.Triangles.size(), 2U * 20U * 37U) << seed;
+  }
+}
+
 TEST(VoronoiTiles, TrianglesPaveTheGroundAndTheirCirclesAreEmpty)
 {
   const CellPoints points = RandomPoints(30, 40, { 1024.0, 1024.0 }, 5);
