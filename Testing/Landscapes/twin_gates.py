@@ -6,9 +6,9 @@
 
 PLACE: of places.py; default, all that are not held back. Twins by seeds 1 to N, default 10, are fitted and made as
 by a user, by growth or quilting (default), with all properties as they are. A row has the place's number, the medians of
-Gaussian twins and of those, the one of them that is furthest off, how far off it is, how far off the place itself is when it
-is turned by a quarter or loses a rim of 2.5 %, how far a twin may be, and how many of the N are within that. --keep: a folder
-of twins that are not grown again. --brief: rows that are not met alone.
+Gaussian twins and of those, the one of them that is furthest off, how far off it is, how far off the place itself is in the
+median of nine windows with nine tenths of each side, how far a twin may be, and how many of the N are within that. --keep: a
+folder of twins that are not grown again. --brief: rows that are not met alone.
 """
 
 import argparse
@@ -56,11 +56,12 @@ def kept_twins(name, heights, spacing, seed, method, folder):
         return [file["random"], file["grown"]]
 
 
-def same_places(heights, spacing):
-    """Measures of the same place: turned by a quarter, and without its rim."""
-    rows, columns = (max(1, round(0.025 * size)) for size in heights.shape)
-    return (ground_measures(np.ascontiguousarray(heights[::-1].T), spacing[::-1]),
-            ground_measures(np.ascontiguousarray(heights[rows:-rows, columns:-columns]), spacing))
+def windows_of(heights, spacing):
+    """Measures of the same place: nine windows with nine tenths of each side."""
+    size = [round(0.9 * side) for side in heights.shape]
+    starts = [(0, (whole - part) // 2, whole - part) for whole, part in zip(heights.shape, size)]
+    return [ground_measures(np.ascontiguousarray(heights[row:row + size[0], column:column + size[1]]), spacing)
+            for row in starts[0] for column in starts[1]]
 
 
 def show_gates(heights, spacing, randoms, growns, brief):
@@ -68,7 +69,7 @@ def show_gates(heights, spacing, randoms, growns, brief):
     truth = ground_measures(heights, spacing)
     gaussians = [ground_measures(ground, spacing) for ground in randoms]
     grown = [ground_measures(ground, spacing) for ground in growns]
-    same = same_places(heights, spacing)
+    windows = windows_of(heights, spacing)
     print(f"  {'gate':26} {'place':>7} {'Gauss':>7} {'twin':>7} {'worst':>7} {'off by':>7} {'itself':>7} {'limit':>7}  met")
     all_met = median_met = count = 0
     for gate, number, off, limit in gates(heights, spacing, truth, gaussians):
@@ -79,7 +80,7 @@ def show_gates(heights, spacing, randoms, growns, brief):
         met = int((offs <= limit).sum())
         median = np.median(np.nan_to_num(offs, nan=np.inf))
         count, all_met, median_met = count + 1, all_met + (met == len(offs)), median_met + (median <= limit)
-        itself = max(np.nan_to_num(off(ground), nan=np.inf) for ground in same)
+        itself = np.median([np.nan_to_num(off(ground), nan=np.inf) for ground in windows])
         middle = [np.nanmedian([number(ground) for ground in grounds]) for grounds in (gaussians, grown)]
         if not brief or met < len(offs):
             print(f"  {gate:26} {number(truth):7.3f} {middle[0]:7.3f} {middle[1]:7.3f} {number(grown[worst]):7.3f} "
