@@ -67,10 +67,10 @@ def digest(algorithm):
     return f"{rows} {found.hexdigest()[:12]}"
 
 
-def statistics(pattern):
+def statistics(pattern, simulations=39):
     filter = littoral.vtkPointPatternStatisticsFilter()
     filter.SetInputData(pattern)
-    filter.SetNumberOfSimulations(99)
+    filter.SetNumberOfSimulations(simulations)
     return filter
 
 
@@ -83,12 +83,10 @@ def verdict(pattern):
 
 def cases(rank):
     """Names and filters of what each rank is asked for."""
-    yield "statistics", statistics(points())
+    yield "statistics", statistics(points(), 99)
     yield "verdict", verdict(points(count=200))
     yield "other input", statistics(points(seed=3 if rank != 1 else 4))
-    unlike = statistics(points(count=60))
-    unlike.SetNumberOfSimulations(99 if rank != 1 else 39)
-    yield "other simulations", unlike
+    yield "other simulations", statistics(points(count=60), 99 if rank != 1 else 39)
     unlike = verdict(points(count=20))
     unlike.SetSeed(5 if rank != 1 else 6)
     yield "verdict of another seed", unlike
