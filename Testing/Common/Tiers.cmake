@@ -25,6 +25,9 @@ set(standard_TestGardnerPlant
   Kinds/*/Tree Kinds/*/Bush GardnerTexture.ShellsAreAsOpaqueAsTheFunctionIsAboveTheirThreshold)
 set(all_TestGardnerPlant Kinds/*/Cypress Kinds/*/StonePine) # as tree and bush
 set(standard_TestGivenGround GivenGround.IsInTheGroundThatGrows)
+set(standard_TestGroundQuilt
+  LandscapeQuilting.AboutAsManyCellsAreSunkAsInThePlace
+  LandscapeQuilting.LandscapeDrainsAndIsLikeThePlace)
 set(standard_TestIntensityTrend IntensityTrend.WeightsTakeTheTrendOutOfPairs
   IntensityTrend.PointsAtADistanceHaveATrend IntensityTrend.ClustersAreFoundUnderATrend)
 # The fit is right by MeetsTheEquationsOfTheLikelihood too.
