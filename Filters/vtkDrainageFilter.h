@@ -25,9 +25,10 @@
  * are held: water runs along the rivers and over no ridge, and the ground goes through the heights as far as it drains.
  *
  * With Method Quilting the terrain becomes a quilt of overlapping pieces of the target, cut where they differ least,
- * that follow the terrain's long waves: valleys, slopes and textures are the target's own, in another order. About as
- * many cells lie in depressions as in the target; a quilt of a target without any drains everywhere. Of terrain of up
- * to 225000 cells several quilts are made, and the one whose streams are most like the target's is taken.
+ * that follow the terrain's long waves, or where both have 160 cells along a side and more, those of a coarse quilt of
+ * the target: valleys, slopes and textures are the target's own, in another order. About as many cells lie in
+ * depressions as in the target; a quilt of a target without any drains everywhere. Of terrain of up to 450000 cells
+ * several quilts are made, and the one whose streams are most like the target's is taken.
  *
  * Output 0: the vtkImageData with the point arrays of the input and `Elevation` double [m], `DrainageArea` double [m^2]
  * (flow accumulation times the area of a cell, the cell included), `FlowDirection` signed char (D8: the receiving

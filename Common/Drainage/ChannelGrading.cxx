@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drainage/ChannelGrading.h"
 
+#include "Numerics/PolledMemory.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -55,10 +57,8 @@ std::vector<double> GradeBy(const std::vector<double>& falls, const GridSamples&
   double cut, const ParallelFor& parallel, const Poll& poll)
 {
   SteppedPoll stepped(poll);
-  std::vector<double> lowered = heights.Values;
-  poll();
-  std::vector<double> graded = heights.Values;
-  poll();
+  std::vector<double> lowered = CopyOf(heights.Values, poll);
+  std::vector<double> graded = CopyOf(heights.Values, poll);
   // Both ways side by side: neither waits for the memory of the other.
   for (std::size_t n = 0; n < routing.Order.size(); ++n)
   {
@@ -92,8 +92,7 @@ std::vector<double> LimitAlong(const GridSamples& heights, const FlowRouting& ro
 {
   SteppedPoll stepped(poll);
   const CellLattice lattice(heights);
-  std::vector<double> limited = heights.Values;
-  poll();
+  std::vector<double> limited = CopyOf(heights.Values, poll);
   for (const CellIndex cell : routing.Order)
   {
     stepped.Step();

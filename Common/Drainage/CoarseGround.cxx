@@ -3,6 +3,7 @@
 #include "Drainage/CoarseGround.h"
 
 #include "Drainage/RingSpectrum.h"
+#include "Numerics/PolledMemory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,11 +20,12 @@ int HalfOf(int cells)
 }
 
 /// Puts the waves that both grids have into another of the same area: of orthonormal transforms c' = c sqrt(N' / N).
-void CopyWaves(const GridSamples& from, GridSamples& to)
+void CopyWaves(const GridSamples& from, GridSamples& to, const Poll& poll)
 {
   const double scale = std::sqrt(static_cast<double>(to.Values.size()) / static_cast<double>(from.Values.size()));
   for (int j = 0; j < std::min(from.Height, to.Height); ++j)
   {
+    poll();
     for (int i = 0; i < std::min(from.Width, to.Width); ++i)
     {
       to.At(i, j) = scale * from.At(i, j);
@@ -49,10 +51,10 @@ OutletMask CoarseMask(const OutletMask& mask, const GridSamples& ground)
 
 }
 
-GridSamples CoarseGround(const GridSamples& ground, const ParallelFor& parallel)
+GridSamples CoarseGround(const GridSamples& ground, const ParallelFor& parallel, const Poll& poll)
 {
-  GridSamples field = ground;
-  const PlaneTrend plane = RemovePlane(field);
+  GridSamples field{ ground.Width, ground.Height, ground.Spacing, CopyOf(ground.Values, poll) };
+  const PlaneTrend plane = RemovePlane(field, poll);
   CosineTransform(field, parallel);
   GridSamples coarse;
   coarse.Width = HalfOf(ground.Width);
@@ -60,35 +62,39 @@ GridSamples CoarseGround(const GridSamples& ground, const ParallelFor& parallel)
   coarse.Spacing = { ground.Spacing[0] * ground.Width / coarse.Width,
     ground.Spacing[1] * ground.Height / coarse.Height };
   coarse.Values.resize(static_cast<std::size_t>(coarse.Width) * coarse.Height);
-  CopyWaves(field, coarse);
+  CopyWaves(field, coarse, poll);
   InverseCosineTransform(coarse, parallel);
   AddPlane(coarse, plane, parallel);
   return coarse;
 }
 
-void TakeLongWaves(GridSamples& ground, const GridSamples& coarse, const ParallelFor& parallel)
+void TakeLongWaves(GridSamples& ground, const GridSamples& coarse, const ParallelFor& parallel, const Poll& poll)
 {
   // Changes of the plane are added as a plane, those of the rest as waves.
-  GridSamples before = CoarseGround(ground, parallel);
+  GridSamples before = CoarseGround(ground, parallel, poll);
   GridSamples waves = coarse;
-  PlaneTrend plane = RemovePlane(waves);
-  const PlaneTrend old = RemovePlane(before);
+  PlaneTrend plane = RemovePlane(waves, poll);
+  const PlaneTrend old = RemovePlane(before, poll);
   plane.Mean -= old.Mean;
   plane.Slope = { plane.Slope[0] - old.Slope[0], plane.Slope[1] - old.Slope[1] };
-  for (std::size_t n = 0; n < waves.Values.size(); ++n)
-  {
-    waves.Values[n] -= before.Values[n];
-  }
+  parallel(waves.Values.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      waves.Values[n] -= before.Values[n];
+    }
+  });
   CosineTransform(waves, parallel);
-  GridSamples change = ground;
-  std::fill(change.Values.begin(), change.Values.end(), 0.0);
-  CopyWaves(waves, change);
+  GridSamples change{ ground.Width, ground.Height, ground.Spacing, {} };
+  Lengthen(change.Values, ground.Values.size(), poll);
+  CopyWaves(waves, change, poll);
   InverseCosineTransform(change, parallel);
   AddPlane(change, plane, parallel);
-  for (std::size_t n = 0; n < ground.Values.size(); ++n)
-  {
-    ground.Values[n] += change.Values[n];
-  }
+  parallel(ground.Values.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      ground.Values[n] += change.Values[n];
+    }
+  });
 }
 
 DrainageOutlets CoarseOutlets(const DrainageOutlets& outlets, const GridSamples& ground)

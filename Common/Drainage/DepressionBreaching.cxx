@@ -66,11 +66,11 @@ public:
   }
 
   /// Lowest pits first, so that higher ones find their channels.
-  void CutAtLeastCost(std::size_t maximumVisits, const std::vector<std::uint8_t>& dry)
+  void CutAtLeastCost(std::size_t maximumVisits)
   {
     const std::vector<double> uncut = CopyOf(this->Heights, this->Called);
     this->Called();
-    if (!this->FindClearPits(dry))
+    if (!this->FindClearPits())
     {
       this->Flood(uncut);
       this->SortPits();
@@ -118,8 +118,8 @@ private:
   };
 
   /// Finds pits without a flood, the lowest first; whether none lies on a flat or is as high as another, where the
-  /// order of the flood decides. It comes to a dry flat from below, so that this has no pit.
-  bool FindClearPits(const std::vector<std::uint8_t>& dry)
+  /// order of the flood decides.
+  bool FindClearPits()
   {
     for (CellIndex cell = 0; cell < this->Lattice.Count(); ++cell)
     {
@@ -132,7 +132,7 @@ private:
       double lowest = std::numeric_limits<double>::infinity();
       this->Lattice.ForEachNeighbour(
         cell, [&](CellIndex neighbour, int) { lowest = std::min(lowest, this->Heights[neighbour]); });
-      if (lowest == height && (dry.empty() || !dry[cell]))
+      if (lowest == height)
       {
         return false;
       }
@@ -316,13 +316,13 @@ private:
 
 }
 
-BreachCount BreachDepressions(GridSamples& heights, const OutletMask& outlets, BreachPath path, const Poll& poll,
-  std::size_t maximumVisits, const std::vector<std::uint8_t>& dry)
+BreachCount BreachDepressions(
+  GridSamples& heights, const OutletMask& outlets, BreachPath path, const Poll& poll, std::size_t maximumVisits)
 {
   Breacher breacher(heights, outlets, poll);
   if (path == BreachPath::LeastCost)
   {
-    breacher.CutAtLeastCost(maximumVisits, dry);
+    breacher.CutAtLeastCost(maximumVisits);
   }
   else
   {

@@ -37,11 +37,10 @@ constexpr std::size_t MostBreachVisits = 131072;
  * Breaches depressions: cuts a channel from each pit to the next lower cell, or to an outlet, so that every cell has a
  * path downhill (complete breaching, Lindsay 2016). No cell is raised. The bed of a channel falls evenly to its end;
  * where that is an outlet that is not lower, the outlet is lowered to just below the pit. LeastCost visits at most
- * `maximumVisits` cells for a pit, and then takes the path of FloodOrder. It need not look for the pits of flats by a
- * flood where `dry` marks the cells that are no lower than their spill elevation, if these are known.
+ * `maximumVisits` cells for a pit, and then takes the path of FloodOrder.
  */
 BreachCount BreachDepressions(GridSamples& heights, const OutletMask& outlets, BreachPath path,
-  const Poll& poll = NoPoll, std::size_t maximumVisits = MostBreachVisits, const std::vector<std::uint8_t>& dry = {});
+  const Poll& poll = NoPoll, std::size_t maximumVisits = MostBreachVisits);
 
 }
 

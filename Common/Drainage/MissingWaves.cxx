@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drainage/MissingWaves.h"
 
+#include "Numerics/PolledMemory.h"
 #include "Numerics/RandomStream.h"
 
 #include <algorithm>
@@ -36,7 +37,7 @@ std::vector<double> MissingSizes(const RingSpectrum& spectrum, const RingSpectru
 void AddMissingWaves(
   GridSamples& terrain, const RingSpectrum& wanted, int seed, const ParallelFor& parallel, const Poll& poll)
 {
-  GridSamples field = terrain;
+  GridSamples field{ terrain.Width, terrain.Height, terrain.Spacing, CopyOf(terrain.Values, poll) };
   RemovePlane(field, poll);
   CosineTransform(field, parallel);
   const RingSpectrum spectrum = SpectrumOfCoefficients(field, parallel);

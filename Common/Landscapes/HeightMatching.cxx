@@ -3,6 +3,7 @@
 #include "Landscapes/HeightMatching.h"
 
 #include "Numerics/Constants.h"
+#include "Numerics/PolledMemory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -97,7 +98,7 @@ double MapHeight(const std::vector<Knot>& knots, double height)
 void MatchHeights(
   std::vector<double>& heights, const HeightQuantiles& quantiles, const ParallelFor& parallel, const Poll& poll)
 {
-  std::vector<Knot> knots = KnotsOf(heights, quantiles, poll);
+  std::vector<Knot> knots = KnotsOf(CopyOf(heights, poll), quantiles, poll);
   if (knots.size() < 2)
   {
     return;

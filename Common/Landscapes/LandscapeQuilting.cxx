@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Landscapes/LandscapeQuilting.h"
 
-#include "Drainage/ChannelGrading.h"
-#include "Drainage/DepressionBreaching.h"
+#include "Drainage/CoarseGround.h"
 #include "Drainage/DepressionFilling.h"
 #include "Drainage/FlowRouting.h"
 #include "Drainage/GroundStatistics.h"
@@ -11,10 +10,12 @@
 #include "Landscapes/GroundQuilt.h"
 #include "Landscapes/LongWaves.h"
 #include "Landscapes/PlaceMatching.h"
+#include "Landscapes/QuiltDrainage.h"
 #include "Landscapes/RiverSteepness.h"
 #include "Landscapes/ShallowDepressions.h"
 #include "Landscapes/StreamLikeness.h"
 #include "Numerics/ParameterCheck.h"
+#include "Numerics/PolledMemory.h"
 #include "Terrain/GridHoles.h"
 
 #include <algorithm>
@@ -38,8 +39,13 @@ constexpr double SteepnessTolerance = 0.15;
 
 /// Quilts of small ground from which the one with the place's streams is taken: as many as have so many cells, but one
 /// at least and not more than these.
-constexpr double DrawnCells = 450000.0;
-constexpr int MostDraws = 8;
+constexpr double DrawnCells = 900000.0;
+constexpr int MostDraws = 16;
+
+/// Least side of a coarse place and of coarse ground [cells], and the part of the work of a quilt that is done when the
+/// coarse one is made.
+constexpr int LeastSide = 80;
+constexpr double CoarseWork = 0.3;
 
 /// Cells of ground whose streams have 1000 cells and more, and not 100.
 constexpr std::size_t LargeGround = 100000;
@@ -50,18 +56,12 @@ constexpr double QuiltWork = 0.5;
 /// Least slope of rivers over the place's mean slope.
 constexpr double LeastSlopeFactor = 0.002;
 
-/// Deviations over which cuts fade, from the widest valley by halves to the bed [cells], and the part of what is to be
-/// cut that each but the last takes.
-constexpr double ValleyWidth = 8.0;
-constexpr double BedWidth = 1.0;
-constexpr double ValleyPart = 0.5;
-
 /// Part of a depression that is cut at first, and its correction over what the mean slope lacks.
 constexpr double FirstCut = 0.75;
 constexpr double CutGain = 2.0;
 
-/// Height by which a pass costs e times as much, over the deviation of heights.
-constexpr double PassHeight = 0.25;
+/// Greatest roughness of the ground by which water finds its way, over the place's mean fall from cell to cell.
+constexpr double RoughnessFactor = 0.1;
 
 /// Limit of the slopes of rivers over the place's: the greatest, which is the first, and the least one.
 constexpr double GreatestLimit = 4.0;
@@ -142,71 +142,6 @@ double ShareBelow(const GridSamples& ground, const GridSamples& other, const Pol
   return static_cast<double>(below) / static_cast<double>(ground.Values.size());
 }
 
-/// Cells no lower than the spill elevations of a ground that is filled by depths; empty where rounding keeps it from
-/// them.
-std::vector<std::uint8_t> DryCells(
-  const GridSamples& filled, const std::vector<double>& levels, const std::vector<double>& depths, const Poll& poll)
-{
-  std::vector<std::uint8_t> dry(levels.size());
-  bool isKept = true;
-  ForPolled(levels.size(), poll, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n)
-    {
-      dry[n] = filled.Values[n] == levels[n];
-      isKept = isKept && (dry[n] || !(depths[n] > 0.0));
-    }
-  });
-  return isKept ? dry : std::vector<std::uint8_t>();
-}
-
-/// Ground whose heights z are exp(z / h), so that the way of least cut from a depression leads through low passes and
-/// along valleys; else it is straight through whatever is in between.
-GridSamples WithHighPasses(GridSamples ground, const ParallelFor& parallel, const Poll& poll)
-{
-  const SampleMoments moments = Moments(ground, poll);
-  const double growth = PassHeight * std::sqrt(moments.Variance);
-  parallel(ground.Values.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n)
-    {
-      ground.Values[n] = std::exp((ground.Values[n] - moments.Mean) / growth);
-    }
-  });
-  return ground;
-}
-
-/// Takes depressions away along the ways of least cut: a part is cut there, the rest is filled. Rivers that are steeper
-/// than a limit are cut down to it. Cuts fade to the sides over valleys that are the deeper the narrower they are, so
-/// that no dam is opened by a slot. The flow paths are returned.
-FlowRouting Drain(GridSamples& ground, const std::vector<std::uint8_t>& dry, double leastSlope, double cut,
-  const ChannelLaw& limit, const ParallelFor& parallel, const Poll& poll)
-{
-  const OutletMask outlets = BorderOutlets(ground.Width, ground.Height);
-  GridSamples breached = WithHighPasses(ground, parallel, poll);
-  BreachDepressions(breached, outlets, BreachPath::LeastCost, poll, MostBreachVisits, dry);
-  FlowRouting routing = RouteFlow(breached, outlets, parallel, poll);
-  breached.Values = std::vector<double>();
-  const std::vector<CellIndex> areas = FlowAccumulation(routing, poll);
-  const std::vector<double> falls = FallsAlong(ground, routing, areas, EvenLaw(leastSlope), parallel);
-  const auto grade = [&] { return GradeBy(falls, ground, routing, cut, parallel, poll); };
-  for (double width = ValleyWidth; width >= BedWidth; width *= 0.5)
-  {
-    const GridSamples bed = WithHeights(ground, grade());
-    std::vector<double> cuts = LimitAlong(bed, routing, areas, limit, leastSlope, poll);
-    std::vector<double> weights(cuts.size());
-    parallel(cuts.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n)
-      {
-        cuts[n] = std::min(0.0, cuts[n] - ground.Values[n]);
-        weights[n] = cuts[n] < 0.0 ? 1.0 : 0.0;
-      }
-    });
-    SpreadChanges(cuts, weights, ground.Width, ground.Height, width, parallel);
-    Add(ground.Values, cuts, width > BedWidth ? ValleyPart : 1.0, parallel);
-  }
-  ground.Values = grade();
-  return routing;
-}
-
 /// A quilt that is drained.
 struct Quilted
 {
@@ -260,6 +195,8 @@ Quilted Quilting::Draw(const GridSamples& terrain, int draw, const CarvingProgre
     [&](double part) { progress(QuiltWork * part); }, draw);
   done = QuiltWork;
   const GridSamples smooth = Smooth(quilt, this->Smoothing, parallel);
+  const double greatest = RoughnessFactor * this->SlopeOfPlace * std::sqrt(terrain.Spacing[0] * terrain.Spacing[1]);
+  const std::vector<float> roughness = WayRoughness(quilt.Values.size(), greatest, this->Seed, draw, parallel);
   double least = std::numeric_limits<double>::infinity();
   double cut = FirstCut;
   double limit = GreatestLimit;
@@ -278,10 +215,10 @@ Quilted Quilting::Draw(const GridSamples& terrain, int draw, const CarvingProgre
                             : SpillElevationsBy(routing, ground, poll));
     std::vector<double> pits = ShallowDepressions(ground, filled.Values, letBe, poll);
     Add(ground.Values, pits, 1.0, parallel);
-    const std::vector<std::uint8_t> dry = DryCells(ground, filled.Values, pits, poll);
     filled.Values = std::vector<double>();
     routing = {};
-    routing = Drain(ground, dry, LeastSlopeFactor * this->SlopeOfPlace, cut, this->Rivers.Law(limit), parallel, poll);
+    routing = DrainQuilt(
+      ground, roughness, LeastSlopeFactor * this->SlopeOfPlace, cut, this->Rivers.Law(limit), parallel, poll);
     Add(ground.Values, pits, -1.0, parallel);
     pits = std::vector<double>();
     if (this->Rivers.IsKnown())
@@ -362,6 +299,29 @@ int DrawsOf(const GridSamples& terrain)
   return static_cast<int>(std::clamp(DrawnCells / cells, 1.0, static_cast<double>(MostDraws)));
 }
 
+/// Terrain with the long waves of a coarse quilt, of the place with half as many cells along each side, whose pieces
+/// are longer: trunk valleys and ranges come first.
+GridSamples WithCoarseQuilt(
+  GridSamples terrain, const GridSamples& place, int seed, const ParallelFor& parallel, const CarvingProgress& progress)
+{
+  if (std::min({ terrain.Width, terrain.Height, place.Width, place.Height }) < 2 * LeastSide)
+  {
+    return terrain;
+  }
+  double done = 0.0;
+  const Poll poll = [&] { progress(done); };
+  const GridSamples coarsePlace = BlockMeans(place, 2, poll);
+  const GridSamples coarse = WithCoarseQuilt(CoarseGround(terrain, parallel, poll), coarsePlace, seed, parallel,
+    [&](double part) { progress(CoarseWork * part); });
+  done = CoarseWork;
+  const Quilting quilting(coarsePlace, seed, parallel, poll);
+  const Quilted likest = LikestOf(DrawsOf(coarse), quilting, coarsePlace, coarse, parallel,
+    [&](double part) { progress(CoarseWork + (1.0 - CoarseWork) * part); });
+  done = 1.0;
+  TakeLongWaves(terrain, likest.Ground, parallel, poll);
+  return terrain;
+}
+
 }
 
 std::string WhyNoQuilt(const GridSamples& terrain, const GridSamples& place)
@@ -384,14 +344,17 @@ CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& measured, 
 {
   double done = 0.0;
   const Poll poll = [&] { progress(done); };
-  GridSamples place = measured;
+  GridSamples place = WithHeights(measured, CopyOf(measured.Values, poll));
   FillHoles(place, poll);
-  const GridSamples given = terrain;
-  poll();
+  const GridSamples given = WithHeights(terrain, CopyOf(terrain.Values, poll));
   const OutletMask rim = RimOutlets(given);
   FillHoles(terrain, poll);
+  terrain =
+    WithCoarseQuilt(std::move(terrain), place, seed, parallel, [&](double part) { progress(CoarseWork * part); });
+  done = CoarseWork;
   const Quilting quilting(place, seed, parallel, poll);
-  Quilted likest = LikestOf(DrawsOf(terrain), quilting, place, terrain, parallel, progress);
+  Quilted likest = LikestOf(DrawsOf(terrain), quilting, place, terrain, parallel,
+    [&](double part) { progress(CoarseWork + (1.0 - CoarseWork) * part); });
   done = 1.0;
   terrain = std::move(likest.Ground);
   TakeHoles(given, terrain, poll);

@@ -3,6 +3,7 @@
 #include "Landscapes/LongWaves.h"
 
 #include "Drainage/MissingWaves.h"
+#include "Numerics/PolledMemory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -140,7 +141,7 @@ void LongWaves::Correct(
   {
     wanted[n] = target.SemivarianceAt(spacing * lags[n]) / wanted[n];
   }
-  GridSamples field = landscape;
+  GridSamples field{ landscape.Width, landscape.Height, landscape.Spacing, CopyOf(landscape.Values, poll) };
   const PlaneTrend plane = RemovePlane(field, poll);
   CosineTransform(field, parallel);
   const SemivarianceBands bands(field, this->Step, this->Gains.Rings.size(), plane, parallel);

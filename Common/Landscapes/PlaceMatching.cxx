@@ -3,6 +3,7 @@
 #include "Landscapes/PlaceMatching.h"
 
 #include "Landscapes/HeightMatching.h"
+#include "Numerics/PolledMemory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,8 +35,7 @@ PlaceMatching::PlaceMatching(const GridSamples& place, const CarvingTarget& targ
 
 void PlaceMatching::Match(GridSamples& ground, double most, const ParallelFor& parallel, const Poll& poll) const
 {
-  std::vector<double> matched = ground.Values;
-  poll();
+  std::vector<double> matched = CopyOf(ground.Values, poll);
   MatchHeights(matched, this->Quantiles, parallel, poll);
   const SampleShape is = ShapeOf(ground.Values, poll);
   const double mean = this->Heights.Mean;
@@ -48,7 +48,7 @@ void PlaceMatching::Match(GridSamples& ground, double most, const ParallelFor& p
     });
   };
   scaleAbout(is.Mean, this->Heights.StandardDeviation / is.StandardDeviation);
-  const std::vector<double> line = ground.Values;
+  const std::vector<double> line = CopyOf(ground.Values, poll);
   for (double part = most * PartStep; part <= 1.0; part += PartStep)
   {
     parallel(line.size(), [&](std::size_t begin, std::size_t end) {

@@ -3,6 +3,7 @@
 #include "Landscapes/ShallowDepressions.h"
 
 #include "Drainage/ConnectedCells.h"
+#include "Numerics/PolledMemory.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -44,7 +45,8 @@ std::vector<Depression> DepressionsOf(const CellLattice& lattice, const std::vec
 std::vector<double> ShallowDepressions(
   const GridSamples& ground, const std::vector<double>& levels, double share, const Poll& poll)
 {
-  std::vector<double> depths(levels.size());
+  std::vector<double> depths;
+  Lengthen(depths, levels.size(), poll);
   ForPolled(levels.size(), poll, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)
     {
@@ -55,7 +57,8 @@ std::vector<double> ShallowDepressions(
   std::stable_sort(depressions.begin(), depressions.end(),
     [](const Depression& one, const Depression& other) { return one.Depth < other.Depth; });
   poll();
-  std::vector<double> shallow(depths.size(), 0.0);
+  std::vector<double> shallow;
+  Lengthen(shallow, depths.size(), poll);
   double left = share * static_cast<double>(depths.size());
   for (const Depression& depression : depressions)
   {

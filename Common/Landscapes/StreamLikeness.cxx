@@ -7,6 +7,7 @@
 #include "Drainage/DrainageOutlets.h"
 #include "Drainage/FlowRouting.h"
 #include "Drainage/GroundStatistics.h"
+#include "Drainage/TrunkValleys.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,8 @@ constexpr double SteepnessTolerance = 0.15;
 constexpr double DensityTolerance = 0.2;
 constexpr double ReliefTolerance = 0.2;
 constexpr double HackTolerance = 0.05;
+constexpr double TrunkTolerance = 0.25;
+constexpr double LeastTrunkTolerance = 0.1;
 constexpr double IntegralTolerance = 0.03;
 constexpr double SkewTolerance = 0.15;
 constexpr double SunkTolerance = 0.05;
@@ -72,6 +75,7 @@ StreamMeasures MeasureStreams(
   routing = RouteFlow(filled, border, parallel, poll, FlatWays::Shortest);
   cells = FlowAccumulation(routing, poll);
   measures.Density = ChannelsOf(filled, routing, cells).Density;
+  measures.Trunks = TrunkValleyLength(filled, cells);
   return measures;
 }
 
@@ -98,6 +102,7 @@ std::vector<double> StreamMisfits(const StreamMeasures& ground, const StreamMeas
     add(ReliefOff(ground, place), 0.0, ReliefTolerance);
   }
   add(ground.Hack, place.Hack, HackTolerance);
+  add(ground.Trunks, place.Trunks, std::max(TrunkTolerance * place.Trunks, LeastTrunkTolerance));
   add(ground.Heights.HypsometricIntegral, place.Heights.HypsometricIntegral, IntegralTolerance);
   add(ground.Heights.ElevationSkewness, place.Heights.ElevationSkewness, SkewTolerance);
   add(ground.Heights.DepressionFraction, 0.0, std::max(SunkTolerance, place.Heights.DepressionFraction));

@@ -20,6 +20,7 @@ struct StreamMeasures
   GroundMeasures Filled;                 ///< of filled ground
   double Density = 0.0;                  ///< of channels on filled ground [1/m]; NaN without a break of slopes
   double Hack = 0.0;                     ///< exponent of Hack's law; NaN without a stream
+  double Trunks = 0.0;                   ///< TrunkValleyLength() of filled ground
   std::vector<StreamDistanceBin> Relief; ///< heights above streams, 1 to 10 cells off them
 };
 
@@ -30,8 +31,9 @@ StreamMeasures MeasureStreams(
 /**
  * Distances of the measures of a ground from those of a place, each over its tolerance: 0.1 of concavity, 0.05 of
  * Hack's exponent, 0.03 of the hypsometric integral, 0.15 of the skewness of heights, and over those of the place 0.15
- * of steepness, 0.2 of drainage density and of relief off streams; and the share of sunk cells over the place's, or
- * over 0.05. What the place does not tell is left out; what the ground lacks is infinite.
+ * of steepness, 0.2 of drainage density and of relief off streams and 0.25 of trunk valleys, or 0.1; and the share of
+ * sunk cells over the place's, or over 0.05. What the place does not tell is left out; what the ground lacks is
+ * infinite.
  */
 std::vector<double> StreamMisfits(const StreamMeasures& ground, const StreamMeasures& place);
 

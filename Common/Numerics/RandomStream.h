@@ -54,6 +54,7 @@ enum class RandomPurpose : std::uint32_t
   LandscapePoints = 81,
   LandscapeRoughness = 82,
   LandscapePieces = 83,
+  LandscapeChannels = 84,
   StandDiameters = 90,
   StandHeights = 91,
   SitePreferences = 92,

@@ -27,7 +27,8 @@ set(all_TestGardnerPlant Kinds/*/Cypress Kinds/*/StonePine) # as tree and bush
 set(standard_TestGivenGround GivenGround.IsInTheGroundThatGrows)
 set(standard_TestGroundQuilt
   LandscapeQuilting.AboutAsManyCellsAreSunkAsInThePlace
-  LandscapeQuilting.LandscapeDrainsAndIsLikeThePlace)
+  LandscapeQuilting.LandscapeDrainsAndIsLikeThePlace
+  LandscapeQuilting.LongWavesAreThoseOfACoarseQuilt)
 set(standard_TestIntensityTrend IntensityTrend.WeightsTakeTheTrendOutOfPairs
   IntensityTrend.PointsAtADistanceHaveATrend IntensityTrend.ClustersAreFoundUnderATrend)
 # The fit is right by MeetsTheEquationsOfTheLikelihood too.

@@ -194,31 +194,6 @@ TEST(DepressionFilling, SpillElevationsByAnyFlowPaths)
   }
 }
 
-TEST(DepressionBreaching, DryFlatsNeedNoFlood)
-{
-  for (int seed = 0; seed < 8; ++seed)
-  {
-    // a pit in ground whose flats are dry
-    const OutletMask outlets = BorderOutlets(31, 22);
-    GridSamples ground = RandomGround(31, 22, { 2.0, 3.0 }, seed);
-    ground.Values = RelaxedLevels(ground, outlets);
-    ground.At(15, 11) -= 20.0;
-    std::vector<std::uint8_t> dry(ground.Values.size(), 1);
-    dry[11 * 31 + 15] = 0;
-    if (seed % 2 == 1) // with a flat, of which a flood tells the pit
-    {
-      ground.At(16, 11) = ground.At(15, 11);
-      dry[11 * 31 + 16] = 0;
-    }
-    GridSamples other = ground;
-    const BreachCount count = BreachDepressions(ground, outlets, BreachPath::LeastCost, NoPoll, 16384, dry);
-    const BreachCount counted = BreachDepressions(other, outlets, BreachPath::LeastCost, NoPoll, 16384);
-    EXPECT_EQ(count.Pits, 1u);
-    EXPECT_EQ(counted.Pits, 1u);
-    EXPECT_EQ(ground.Values, other.Values);
-  }
-}
-
 TEST(DepressionBreaching, LeavesNoSunkCellAndRaisesNone)
 {
   for (const BreachPath path : { BreachPath::FloodOrder, BreachPath::LeastCost })

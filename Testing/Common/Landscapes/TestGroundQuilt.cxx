@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../Drainage/RandomGround.h"
 #include "../OnThreads.h"
+#include "Drainage/CoarseGround.h"
 #include "Drainage/DepressionFilling.h"
 #include "Drainage/DrainageOutlets.h"
 #include "Drainage/ValleySpreading.h"
 #include "Landscapes/GroundQuilt.h"
 #include "Landscapes/LandscapeQuilting.h"
+#include "Landscapes/LongWaves.h"
 #include "Landscapes/PlaceMatching.h"
 #include "Landscapes/StandingWater.h"
 
@@ -346,6 +348,31 @@ TEST(LandscapeQuilting, AboutAsManyCellsAreSunkAsInThePlace)
     QuiltLandscape(twin, pits, seed);
     EXPECT_LT(sunk(twin), 1.2 * sunk(pits));
     EXPECT_GT(sunk(twin), 0.5 * sunk(pits));
+  }
+}
+
+TEST(LandscapeQuilting, LongWavesAreThoseOfACoarseQuilt)
+{
+  const GridSamples place = Hills(160, 160, 1);
+  const auto waves = [](GridSamples ground) { // as long as the guide's or shorter than twice these
+    RemovePlane(ground);
+    GridSamples band = Smooth(ground, 7.0);
+    const GridSamples longer = Smooth(ground, 14.0);
+    for (std::size_t n = 0; n < band.Values.size(); ++n)
+    {
+      band.Values[n] -= longer.Values[n];
+    }
+    return band;
+  };
+  for (const int seed : { 2, 3 })
+  {
+    const GridSamples terrain = Hills(161, 160, seed);
+    GridSamples coarse = CoarseGround(terrain);
+    QuiltLandscape(coarse, BlockMeans(place, 2), seed);
+    GridSamples twin = terrain;
+    QuiltLandscape(twin, place, seed);
+    const GridSamples is = waves(CoarseGround(twin));
+    EXPECT_GT(Correlation(is, waves(coarse)), Correlation(is, waves(CoarseGround(terrain))) + 0.05);
   }
 }
 

@@ -31,6 +31,7 @@ StreamMeasures Streams(double concavity, double steepness, double most)
   }
   measures.Density = 1e-3;
   measures.Hack = 0.55;
+  measures.Trunks = 0.6;
   measures.Relief = { { 10.0, 5.0, 100.0 }, { 20.0, 9.0, 90.0 } };
   measures.Heights.StandardDeviation = 50.0;
   measures.Heights.HypsometricIntegral = 0.4;
@@ -55,17 +56,23 @@ TEST(StreamLikeness, MisfitsAreOfToleranceLength)
   ground.Filled.Concavity = 0.5;
   ground.Density = 1.1e-3;
   ground.Hack = 0.5;
+  ground.Trunks = 0.3;
   ground.Relief[1].Height = 18.0;
   ground.Heights.HypsometricIntegral = 0.46;
   ground.Heights.ElevationSkewness = 0.05;
   ground.Heights.DepressionFraction = 0.05;
   const std::vector<double> misfits = StreamMisfits(ground, place);
-  const std::vector<double> expected{ 1.0, 0.5 / 0.15, 0.5, 5.0, 1.0, 2.0, 1.0, 1.0 };
+  const std::vector<double> expected{ 1.0, 0.5 / 0.15, 0.5, 5.0, 1.0, 2.0, 2.0, 1.0, 1.0 };
   ASSERT_EQ(misfits.size(), expected.size());
   for (std::size_t n = 0; n < expected.size(); ++n)
   {
     EXPECT_NEAR(misfits[n], expected[n], 1e-9);
   }
+  // a small map's trunk valley is a short one
+  StreamMeasures flat = place;
+  flat.Trunks = 0.1;
+  ground.Trunks = 0.3;
+  EXPECT_NEAR(StreamMisfits(ground, flat)[5], 2.0, 1e-9);
   // relief is over the deviation of heights
   ground.Relief = place.Relief;
   ground.Heights.StandardDeviation = 25.0;
@@ -80,7 +87,7 @@ TEST(StreamLikeness, WhatThePlaceDoesNotTellIsLeftOut)
   ground.Density = none;
   EXPECT_TRUE(std::isinf(StreamMisfits(ground, place)[2]));
   place.Density = none;
-  EXPECT_EQ(StreamMisfits(ground, place).size(), 7U);
+  EXPECT_EQ(StreamMisfits(ground, place).size(), 8U);
   EXPECT_NEAR(SumOfMisfits({ 0.0, 1.0, 2.0, std::numeric_limits<double>::infinity() }), 0.5 + 0.8 + 1.0, 1e-12);
 }
 
