@@ -68,6 +68,8 @@ def gates(heights, spacing, place, gaussians):
         return most_apart(ground["horton"] / place["horton"])
 
     rows.append(("Horton's ratios", horton, horton, 0.15))
+    rows.append(("trunk valleys", number("trunks"), apart("trunks"), max(0.25 * place["trunks"], 0.1)))
+    rows.append(("straight streams", number("straight"), number("straight"), place["straight"] + 0.01))
     rows.append(("Hack's exponent", number("hack"), apart("hack"), 0.05))
     rows.append(("sunk cells", number("sunk"), number("sunk"), max(0.05, place["sunk"])))
     rows.append(("hypsometric integral", number("integral"), apart("integral"), 0.03))

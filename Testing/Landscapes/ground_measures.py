@@ -18,6 +18,8 @@ CURVATURE_SCALES = (1, 2, 4)  # cells
 SEARCHES = (3, 10, 30)  # cells
 FINE_STREAMS = 20  # cells; of 100 small grids have too few streams for ratios that stay when they are turned
 HORTON = ("BifurcationRatio", "LengthRatio", "AreaRatio")
+DIRECTIONS = ((0, 1), (1, 1), (1, 0), (1, -1), (0, -1), (-1, -1), (-1, 0), (-1, 1))  # rows and columns
+STRAIGHT_RUN = 12  # cells
 
 
 def slopes_of(heights, spacing):
@@ -71,9 +73,13 @@ def curvature(heights, spacing, cells, rim=None):
     return bent[rim:-rim, rim:-rim]
 
 
-def semivariances(heights):
-    """Along x and y, at lags from 1 to 100 cells or half the shorter side."""
-    lags = np.unique(np.geomspace(1, min(100, min(heights.shape) // 2), 24).astype(int))
+def lags_of(heights):
+    """From 1 to 100 cells or half the shorter side."""
+    return np.unique(np.geomspace(1, min(100, min(heights.shape) // 2), 24).astype(int))
+
+
+def semivariances(heights, lags):
+    """Along x and y."""
     pairs = [((heights[:, lag:] - heights[:, :-lag]), (heights[lag:] - heights[:-lag])) for lag in lags]
     return np.array([0.5 * np.mean(np.concatenate([x.ravel() ** 2, y.ravel() ** 2])) for x, y in pairs])
 
@@ -88,13 +94,53 @@ def statistics(heights, spacing, threshold=100, search=10):
     return filter_
 
 
-def filled(heights, spacing):
-    """Heights to which water fills depressions."""
+def drained(heights, spacing):
+    """Heights to which water fills depressions, and drainage areas [cells]."""
     drainage = vtkDrainageFilter()
     drainage.SetInputData(image_from_array(heights, spacing))
     drainage.CarveOff()
     drainage.Update()
-    return heights + array_from_image(drainage.GetOutput(), "DepressionDepth")
+    depths, areas = (array_from_image(drainage.GetOutput(), name) for name in ("DepressionDepth", "DrainageArea"))
+    return heights + depths, areas / (spacing[0] * spacing[1])
+
+
+def shifted(values, rows, columns, outside):
+    """Values of the cells so many rows and columns on."""
+    result = np.full_like(values, outside)
+    here, there = (tuple(slice(max(0, way * step), size + min(0, way * step))
+                         for step, size in zip((rows, columns), values.shape)) for way in (-1, 1))
+    result[here] = values[there]
+    return result
+
+
+def trunk_valleys(heights, areas):
+    """Cells of rivers of a fiftieth of the map with its highest quarter within a twelfth of its side, six ways."""
+    high = heights >= np.quantile(heights, 0.75)
+    ways = np.zeros(heights.shape, int)
+    for row, column in DIRECTIONS:
+        reach = round(min(heights.shape) / 12 / np.hypot(row, column))
+        ways += np.any([shifted(high, n * row, n * column, False) for n in range(1, reach + 1)], axis=0)
+    return ((areas >= heights.size / 50) & (ways >= 6)).sum() / np.sqrt(heights.size)
+
+
+def straight_streams(heights, areas, spacing):
+    """Share of the cells of streams of 100 cells and more in straight runs between banks.
+
+    Banks are two cells off and higher by a tenth of the mean slope.
+    """
+    falls = np.array([(heights - shifted(heights, *step, np.inf)) / np.hypot(step[0] * spacing[1], step[1] * spacing[0])
+                      for step in DIRECTIONS])
+    streams = (areas >= 100) & (falls.max(0) > 0)
+    bank = 0.2 * np.abs(slopes_of(heights, spacing)).mean() * np.sqrt(spacing[0] * spacing[1])
+    found = 0
+    for way, (row, column) in enumerate(DIRECTIONS):
+        along = streams & (falls.argmax(0) == way)
+        starts = np.all([shifted(along, n * row, n * column, False) for n in range(STRAIGHT_RUN)], axis=0)
+        runs = np.any([shifted(starts, -n * row, -n * column, False) for n in range(STRAIGHT_RUN)], axis=0)
+        for side in (-2, 2):
+            runs &= shifted(heights, side * column, -side * row, np.inf) > heights + bank
+        found += runs.sum()
+    return found / max(1, streams.sum())
 
 
 def form_shares(heights, spacing, search):
@@ -110,15 +156,15 @@ def halves(heights):
     return heights[:middle], heights[middle:]
 
 
-def ground_measures(heights, spacing):
-    """A dictionary of numbers and arrays."""
+def ground_measures(heights, spacing, lags=None):
+    """A dictionary of numbers and arrays; semivariances at lags [cells], default lags_of() it."""
     slopes = slopes_of(heights, spacing)
     sizes = np.abs(slopes)
     result = {
         "four": aspect_share(slopes, 4), "eight": aspect_share(slopes, 8), "slopes": sizes.ravel(),
         "gentle": (sizes < 0.25 * sizes.mean()).mean(), "blocks": block_variation(sizes),
         "integral": (heights.mean() - heights.min()) / np.ptp(heights), "skew": skew(heights),
-        "semivariance": semivariances(heights)}
+        "semivariance": semivariances(heights, lags_of(heights) if lags is None else lags)}
     for cells in CURVATURE_SCALES:
         bent = curvature(heights, spacing, cells)
         result[f"curved{cells}"], result[f"bent{cells}"] = bent.std(), skew(bent)
@@ -131,7 +177,9 @@ def ground_measures(heights, spacing):
     threshold = 1000 if heights.size >= 100000 else 100
     relief = statistics(heights, spacing, threshold).GetOutput(5)
     result["relief"] = np.array(column(relief, "Height")) / heights.std()
-    full = statistics(filled(heights, spacing), spacing)
+    full, areas = drained(heights, spacing)
+    result["trunks"], result["straight"] = trunk_valleys(full, areas), straight_streams(full, areas, spacing)
+    full = statistics(full, spacing)
     first = full.GetOutput(0)
     result["concavity"], result["density"] = (column(first, name)[0] for name in ("Concavity", "DrainageDensity"))
     profile = full.GetOutput(1)

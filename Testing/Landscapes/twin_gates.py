@@ -16,7 +16,7 @@ import os
 
 import numpy as np
 from ground_gates import gates
-from ground_measures import ground_measures
+from ground_measures import ground_measures, lags_of
 from patch_features import RIM, SIDE
 from places import NAMES, place
 
@@ -59,8 +59,9 @@ def kept_twins(name, heights, spacing, seed, method, folder):
 def windows_of(heights, spacing):
     """Measures of the same place: nine windows with nine tenths of each side."""
     size = [round(0.9 * side) for side in heights.shape]
+    lags = lags_of(heights)
     starts = [(0, (whole - part) // 2, whole - part) for whole, part in zip(heights.shape, size)]
-    return [ground_measures(np.ascontiguousarray(heights[row:row + size[0], column:column + size[1]]), spacing)
+    return [ground_measures(np.ascontiguousarray(heights[row:row + size[0], column:column + size[1]]), spacing, lags)
             for row in starts[0] for column in starts[1]]
 
 

@@ -26,7 +26,7 @@ from littoral.tables import column
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "Landscapes"))
 from ground_gates import steepness_ratio  # noqa: E402
-from ground_measures import aspect_share, block_variation, distance, filled, slopes_of, statistics  # noqa: E402
+from ground_measures import aspect_share, block_variation, distance, drained, slopes_of, statistics  # noqa: E402
 
 WINDOW = sys.argv[1:] == ["window"]
 SEEDS = [1] if WINDOW else [int(seed) for seed in sys.argv[1:]] or [1, 2, 3]
@@ -60,7 +60,7 @@ def semivariances(heights):
 
 def rivers(heights):
     """Concavity, and mean slopes by drainage area."""
-    full = statistics(filled(heights, spacing), spacing)
+    full = statistics(drained(heights, spacing)[0], spacing)
     return {"concavity": column(full.GetOutput(0), "Concavity")[0],
             "profile": np.array([column(full.GetOutput(1), name) for name in ("DrainageArea", "Slope")])}
 
