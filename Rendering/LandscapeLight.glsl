@@ -25,17 +25,36 @@ uniform vec2 landscapeClouds;           // part of the sky that they cover, and 
 
 const float landscapePi = 3.14159265;
 
+// Luminance of the sky by the angle from the sun's azimuth, and the sine of the elevation.
+vec3 landscapeDomeAt(float angle, float rise)
+{
+  vec2 size = vec2(textureSize(landscapeDome, 0));
+  float half_ = 0.5 * size.y;
+  float t = (half_ - 1.0) * sqrt(abs(asin(clamp(rise, -1.0, 1.0))) / (0.5 * landscapePi));
+  float row = rise >= 0.0 ? half_ + t : half_ - 1.0 - t;
+  float column = sqrt(angle / landscapePi) * (size.x - 1.0);
+  return texture(landscapeDome, (vec2(column, row) + 0.5) / size).rgb;
+}
+
+// Angle of a direction from the sun's azimuth.
+float landscapeFromSun(vec3 d)
+{
+  float angle = abs(atan(d.y, d.x) - atan(landscapeSun.y, landscapeSun.x));
+  return angle > landscapePi ? 2.0 * landscapePi - angle : angle;
+}
+
 // Luminance of the sky in a direction.
 vec3 landscapeSkyAt(vec3 d)
 {
-  float angle = abs(atan(d.y, d.x) - atan(landscapeSun.y, landscapeSun.x));
-  angle = angle > landscapePi ? 2.0 * landscapePi - angle : angle;
-  vec2 size = vec2(textureSize(landscapeDome, 0));
-  float half_ = 0.5 * size.y;
-  float t = (half_ - 1.0) * sqrt(abs(asin(clamp(d.z, -1.0, 1.0))) / (0.5 * landscapePi));
-  float row = d.z >= 0.0 ? half_ + t : half_ - 1.0 - t;
-  float column = sqrt(angle / landscapePi) * (size.x - 1.0);
-  return texture(landscapeDome, (vec2(column, row) + 0.5) / size).rgb;
+  return landscapeDomeAt(landscapeFromSun(d), d.z);
+}
+
+// Luminance of the sky at the horizon before which a direction is. A steep one is before all of it, for which stands the
+// horizon at right angles to the sun.
+vec3 landscapeHorizonAt(vec3 d)
+{
+  float steep = 1.0 - smoothstep(0.0, 0.5, length(d.xy) / max(length(d), 1e-6));
+  return landscapeDomeAt(mix(landscapeFromSun(d), 0.5 * landscapePi, steep), 1e-3);
 }
 
 // A normal on the unfolded octahedron.
@@ -211,7 +230,7 @@ vec3 landscapeBehindFog(vec3 luminance, vec3 d)
   float above = landscapeFog.y - landscapeFogBelow(landscapeFog.z);
   float through = d.z > 0.0 ? exp(-landscapeFog.x * above / max(d.z, 1e-6)) : landscapeThroughFog(
     landscapeFog.z, landscapeEyeHeight / max(-d.z, 1e-6), -landscapeEyeHeight);
-  return mix(landscapeSkyAt(normalize(vec3(d.xy, 1e-3))), luminance, through);
+  return mix(landscapeHorizonAt(d), luminance, through);
 }
 
 // Luminance of the sky in a direction, or of the earth behind the air before it.
@@ -223,7 +242,7 @@ vec3 landscapeBeyond(vec3 d)
   }
   float through = exp(-landscapeBareExtinction * landscapeEyeHeight / max(-d.z, 1e-6));
   vec3 earth = landscapeBare.x < 0.0 ? landscapeSkyAt(d) : landscapeBare;
-  return mix(landscapeSkyAt(normalize(vec3(d.xy, 1e-3))), earth, through);
+  return mix(landscapeHorizonAt(d), earth, through);
 }
 
 // Part of the light that clouds hold back at a place of their layer, relative to the eye; soft: as rough water mirrors
@@ -274,7 +293,7 @@ vec4 landscapeCloudsIn(vec3 d, float soft)
   vec3 light = forward * (1.0 - 0.65 * before * density) * landscapeSunLight + landscapeSkyLightOn(vec3(0.0, 0.0, 1.0));
   vec3 luminance = 0.8 / landscapePi * light;
   float through = exp(-landscapeExtinction * length(vec3(place, landscapeClouds.y)));
-  vec3 horizon = landscapeSkyAt(normalize(vec3(d.xy, 1e-3)));
+  vec3 horizon = landscapeHorizonAt(d);
   return vec4(mix(horizon, luminance, through), density * smoothstep(0.015, 0.09, d.z));
 }
 
@@ -291,8 +310,7 @@ vec3 landscapeBehindAir(vec3 luminance, vec3 eyeV, vec3 placeV)
   float way = length(d);
   float through = exp(-landscapeExtinction * way) *
     landscapeThroughFog(landscapeFog.z + (landscapeToWorld * eyeV).z, way, d.z);
-  vec3 horizon = landscapeSkyAt(normalize(vec3(d.xy, 1e-3 * length(d.xy) + 1e-6)));
-  return mix(horizon, luminance, through);
+  return mix(landscapeHorizonAt(d), luminance, through);
 }
 
 // Light on a surface of an albedo and of a transmittance: of the sky, open in part, of the sun at right angles to it, and

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Beside what is shown the earth below the horizon is lost in haze, within the size of what is shown: it is a meadow
+// The haze before what is straight below has no side. Beside what is shown the earth below the horizon is lost in haze, within the size of what is shown: it is a meadow
 // around a ground, and the sky's earth around other things.
 #include "LandscapePicture.h"
 
@@ -77,11 +77,35 @@ struct Afar : Picture
   }
 };
 
+/// Largest over least luminance of what is straight below a low sun's haze, a few pixels around the middle.
+double ContrastBelow()
+{
+  Picture picture;
+  picture.Pass->SetVisibility(200.0);
+  picture.Pass->SetSunElevation(10.0);
+  picture.Pass->SetExposureCompensation(-1.0);
+  picture.Add(Level(500.0), 0.2);
+  picture.Look({ 0.0, 0.0, 150.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
+  picture.Draw();
+  double least = 1e9;
+  double largest = 0.0;
+  for (int n = 0; n < 16; ++n)
+  {
+    const double around = 2.0 * vtkMath::Pi() * n / 16.0;
+    const int x = Width / 2 + static_cast<int>(std::lround(4.0 * std::cos(around)));
+    const int y = Height / 2 + static_cast<int>(std::lround(4.0 * std::sin(around)));
+    const double green = picture.LinearAt(x, y)[1];
+    least = std::min(least, green);
+    largest = std::max(largest, green);
+  }
+  return largest / least;
+}
+
 }
 
 int TestLandscapeHorizon(int, char*[])
 {
-  bool good = true;
+  bool good = Check(ContrastBelow() < 1.05, "Haze has a side straight below");
   for (const double down : { 3.0, 12.0, 60.0 })
   {
     const std::string where = ", " + std::to_string(down) + " degrees below the horizon";
