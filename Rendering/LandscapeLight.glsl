@@ -53,8 +53,12 @@ vec3 landscapeSkyAt(vec3 d)
 // horizon at right angles to the sun.
 vec3 landscapeHorizonAt(vec3 d)
 {
-  float steep = 1.0 - smoothstep(0.0, 0.5, length(d.xy) / max(length(d), 1e-6));
-  return landscapeDomeAt(mix(landscapeFromSun(d), 0.5 * landscapePi, steep), 1e-3);
+  float angle = 0.5 * landscapePi;
+  if (d.x != 0.0 || d.y != 0.0) // else it has no azimuth
+  {
+    angle = mix(angle, landscapeFromSun(d), smoothstep(0.0, 0.5, length(d.xy) / length(d)));
+  }
+  return landscapeDomeAt(angle, 1e-3);
 }
 
 // A normal on the unfolded octahedron.

@@ -53,7 +53,7 @@ OutletMask CoarseMask(const OutletMask& mask, const GridSamples& ground)
 
 GridSamples CoarseGround(const GridSamples& ground, const ParallelFor& parallel, const Poll& poll)
 {
-  GridSamples field{ ground.Width, ground.Height, ground.Spacing, CopyOf(ground.Values, poll) };
+  GridSamples field = CopyOf(ground, poll);
   const PlaneTrend plane = RemovePlane(field, poll);
   CosineTransform(field, parallel);
   GridSamples coarse;

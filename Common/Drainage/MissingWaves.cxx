@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drainage/MissingWaves.h"
 
-#include "Numerics/PolledMemory.h"
 #include "Numerics/RandomStream.h"
 
 #include <algorithm>
@@ -37,7 +36,7 @@ std::vector<double> MissingSizes(const RingSpectrum& spectrum, const RingSpectru
 void AddMissingWaves(
   GridSamples& terrain, const RingSpectrum& wanted, int seed, const ParallelFor& parallel, const Poll& poll)
 {
-  GridSamples field{ terrain.Width, terrain.Height, terrain.Spacing, CopyOf(terrain.Values, poll) };
+  GridSamples field = CopyOf(terrain, poll);
   RemovePlane(field, poll);
   CosineTransform(field, parallel);
   const RingSpectrum spectrum = SpectrumOfCoefficients(field, parallel);

@@ -27,29 +27,34 @@ double HeightOfHighest(std::vector<double> heights, double part)
   return heights[rank];
 }
 
-/// Directions in which there is ground of a height and more within a reach [cells].
+/// Whether there is ground of a height and more in a direction from a cell, within a reach [cells].
+bool IsHighTowards(int direction, const GridSamples& ground, CellIndex cell, double high, double reach)
+{
+  const int stepX = CellLattice::StepX[direction];
+  const int stepY = CellLattice::StepY[direction];
+  const int steps = static_cast<int>(std::round(reach / std::hypot(stepX, stepY)));
+  for (int n = 1; n <= steps; ++n)
+  {
+    const int i = cell % ground.Width + n * stepX;
+    const int j = cell / ground.Width + n * stepY;
+    if (i < 0 || j < 0 || i >= ground.Width || j >= ground.Height)
+    {
+      return false;
+    }
+    if (ground.At(i, j) >= high)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 int DirectionsWithin(const GridSamples& ground, CellIndex cell, double high, double reach)
 {
   int directions = 0;
   for (int d = 0; d < CellLattice::Directions; ++d)
   {
-    const int stepX = CellLattice::StepX[d];
-    const int stepY = CellLattice::StepY[d];
-    int steps = static_cast<int>(std::round(reach / std::hypot(stepX, stepY)));
-    int i = cell % ground.Width;
-    int j = cell / ground.Width;
-    bool isHigh = false;
-    for (; steps > 0 && !isHigh; --steps)
-    {
-      i += stepX;
-      j += stepY;
-      if (i < 0 || j < 0 || i >= ground.Width || j >= ground.Height)
-      {
-        break;
-      }
-      isHigh = ground.At(i, j) >= high;
-    }
-    directions += isHigh ? 1 : 0;
+    directions += IsHighTowards(d, ground, cell, high, reach) ? 1 : 0;
   }
   return directions;
 }

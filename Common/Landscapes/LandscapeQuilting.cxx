@@ -15,7 +15,6 @@
 #include "Landscapes/ShallowDepressions.h"
 #include "Landscapes/StreamLikeness.h"
 #include "Numerics/ParameterCheck.h"
-#include "Numerics/PolledMemory.h"
 #include "Terrain/GridHoles.h"
 
 #include <algorithm>
@@ -257,10 +256,17 @@ Quilted Quilting::Draw(const GridSamples& terrain, int draw, const CarvingProgre
   }
 }
 
+int DrawsOf(const GridSamples& terrain)
+{
+  const auto cells = static_cast<double>(terrain.Values.size());
+  return static_cast<int>(std::clamp(DrawnCells / cells, 1.0, static_cast<double>(MostDraws)));
+}
+
 /// The first draw whose streams are the place's, or the one whose misfits are least.
-Quilted LikestOf(int draws, const Quilting& quilting, const GridSamples& place, const GridSamples& terrain,
+Quilted LikestOf(const Quilting& quilting, const GridSamples& place, const GridSamples& terrain,
   const ParallelFor& parallel, const CarvingProgress& progress)
 {
+  const int draws = DrawsOf(terrain);
   double done = 0.0;
   const Poll poll = [&] { progress(done); };
   const auto drawn = [&](int draw) {
@@ -293,12 +299,6 @@ Quilted LikestOf(int draws, const Quilting& quilting, const GridSamples& place, 
   return likest;
 }
 
-int DrawsOf(const GridSamples& terrain)
-{
-  const auto cells = static_cast<double>(terrain.Values.size());
-  return static_cast<int>(std::clamp(DrawnCells / cells, 1.0, static_cast<double>(MostDraws)));
-}
-
 /// Terrain with the long waves of a coarse quilt, of the place with half as many cells along each side, whose pieces
 /// are longer: trunk valleys and ranges come first.
 GridSamples WithCoarseQuilt(
@@ -315,8 +315,8 @@ GridSamples WithCoarseQuilt(
     [&](double part) { progress(CoarseWork * part); });
   done = CoarseWork;
   const Quilting quilting(coarsePlace, seed, parallel, poll);
-  const Quilted likest = LikestOf(DrawsOf(coarse), quilting, coarsePlace, coarse, parallel,
-    [&](double part) { progress(CoarseWork + (1.0 - CoarseWork) * part); });
+  const Quilted likest = LikestOf(
+    quilting, coarsePlace, coarse, parallel, [&](double part) { progress(CoarseWork + (1.0 - CoarseWork) * part); });
   done = 1.0;
   TakeLongWaves(terrain, likest.Ground, parallel, poll);
   return terrain;
@@ -344,17 +344,17 @@ CarvingReport QuiltLandscape(GridSamples& terrain, const GridSamples& measured, 
 {
   double done = 0.0;
   const Poll poll = [&] { progress(done); };
-  GridSamples place = WithHeights(measured, CopyOf(measured.Values, poll));
+  GridSamples place = CopyOf(measured, poll);
   FillHoles(place, poll);
-  const GridSamples given = WithHeights(terrain, CopyOf(terrain.Values, poll));
+  const GridSamples given = CopyOf(terrain, poll);
   const OutletMask rim = RimOutlets(given);
   FillHoles(terrain, poll);
   terrain =
     WithCoarseQuilt(std::move(terrain), place, seed, parallel, [&](double part) { progress(CoarseWork * part); });
   done = CoarseWork;
   const Quilting quilting(place, seed, parallel, poll);
-  Quilted likest = LikestOf(DrawsOf(terrain), quilting, place, terrain, parallel,
-    [&](double part) { progress(CoarseWork + (1.0 - CoarseWork) * part); });
+  Quilted likest = LikestOf(
+    quilting, place, terrain, parallel, [&](double part) { progress(CoarseWork + (1.0 - CoarseWork) * part); });
   done = 1.0;
   terrain = std::move(likest.Ground);
   TakeHoles(given, terrain, poll);

@@ -28,8 +28,8 @@ double QuiltMemory(int width, int height);
  * 2. Heights are matched (PlaceMatching). The shallowest depressions stay, with about as many cells as in the place;
  *    the others are taken away along the ways by which least is cut, partly by cutting and partly by filling. Water
  *    finds its way on ground that is rougher by a tenth of the mean fall from cell to cell, so that it wanders in
- * plains. Rivers of a large place are cut down to its slopes by drainage area (RiverSteepness), times a limit, and
- * heights are matched again.
+ *    plains. Rivers of a large place are cut down to its slopes by drainage area (RiverSteepness), times a limit, and
+ *    heights are matched again.
  * 3. The long waves are corrected by the semivariances that are missing, the part of cuts by the mean slope, the limit
  *    by the slopes of rivers, and the depressions that stay by those that are there. After at most eight rounds of 2
  *    and 3 the best ground is taken.

@@ -3,7 +3,6 @@
 #include "Landscapes/LongWaves.h"
 
 #include "Drainage/MissingWaves.h"
-#include "Numerics/PolledMemory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -141,7 +140,7 @@ void LongWaves::Correct(
   {
     wanted[n] = target.SemivarianceAt(spacing * lags[n]) / wanted[n];
   }
-  GridSamples field{ landscape.Width, landscape.Height, landscape.Spacing, CopyOf(landscape.Values, poll) };
+  GridSamples field = CopyOf(landscape, poll);
   const PlaneTrend plane = RemovePlane(field, poll);
   CosineTransform(field, parallel);
   const SemivarianceBands bands(field, this->Step, this->Gains.Rings.size(), plane, parallel);

@@ -4,7 +4,6 @@
 
 #include "Drainage/DepressionBreaching.h"
 #include "Drainage/ValleySpreading.h"
-#include "Numerics/PolledMemory.h"
 #include "Numerics/RandomStream.h"
 
 #include <algorithm>
@@ -33,7 +32,7 @@ GridSamples GroundOfWays(
   const GridSamples& heights, const std::vector<float>& roughness, const ParallelFor& parallel, const Poll& poll)
 {
   const SampleMoments moments = Moments(heights, poll);
-  GridSamples ground{ heights.Width, heights.Height, heights.Spacing, CopyOf(heights.Values, poll) };
+  GridSamples ground = CopyOf(heights, poll);
   const double growth = PassHeight * std::sqrt(moments.Variance);
   parallel(ground.Values.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)

@@ -84,7 +84,7 @@ void GrowWithin(GridSamples& fine, const GridSamples& coarse, int factor, const 
   const Poll poll = [&] { progress(done); };
   PointMesh mesh = JitteredMesh(fine.Width, fine.Height, fine.Spacing, parameters.Seed, factor, {}, parallel, poll);
   // heights of the points, each in its cell
-  GridSamples heights{ fine.Width, fine.Height, fine.Spacing, CopyOf(fine.Values, poll) };
+  GridSamples heights = CopyOf(fine, poll);
   parallel(heights.Values.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)
     {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Terrain/GridSamples.h"
 
+#include "Numerics/PolledMemory.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -35,6 +37,11 @@ void ForEachValue(Samples& samples, const Poll& poll, Visit visit)
     }
   }
 }
+}
+
+GridSamples CopyOf(const GridSamples& samples, const Poll& poll)
+{
+  return { samples.Width, samples.Height, samples.Spacing, CopyOf(samples.Values, poll) };
 }
 
 std::vector<double> PresentValues(const std::vector<double>& values)

@@ -24,6 +24,9 @@ struct GridSamples
   double At(int i, int j) const { return this->Values[static_cast<std::size_t>(j) * this->Width + i]; }
 };
 
+/// A copy, which polls: memory that is used for the first time takes long.
+GridSamples CopyOf(const GridSamples& samples, const Poll& poll);
+
 /// The values that are not missing, in their order.
 std::vector<double> PresentValues(const std::vector<double>& values);
 

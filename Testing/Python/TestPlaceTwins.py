@@ -26,7 +26,8 @@ from littoral.tables import column
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "Landscapes"))
 from ground_gates import steepness_ratio  # noqa: E402
-from ground_measures import aspect_share, block_variation, distance, drained, slopes_of, statistics  # noqa: E402
+from ground_measures import (  # noqa: E402
+    aspect_share, block_variation, distance, drained, lags_of, semivariances, skew, slopes_of, statistics)
 
 WINDOW = sys.argv[1:] == ["window"]
 SEEDS = [1] if WINDOW else [int(seed) for seed in sys.argv[1:]] or [1, 2, 3]
@@ -52,22 +53,11 @@ def curvature_deviation(heights, spacing):
     return np.fft.ifft2(waves).real[4:heights.shape[0] - 4, 4:heights.shape[1] - 4].std()
 
 
-def semivariances(heights):
-    lags = np.unique(np.geomspace(1, min(100, min(heights.shape) // 2), 24).astype(int))
-    pairs = [((heights[:, lag:] - heights[:, :-lag]), (heights[lag:] - heights[:-lag])) for lag in lags]
-    return np.array([0.5 * np.mean(np.concatenate([x.ravel() ** 2, y.ravel() ** 2])) for x, y in pairs])
-
-
 def rivers(heights):
     """Concavity, and mean slopes by drainage area."""
     full = statistics(drained(heights, spacing)[0], spacing)
     return {"concavity": column(full.GetOutput(0), "Concavity")[0],
             "profile": np.array([column(full.GetOutput(1), name) for name in ("DrainageArea", "Slope")])}
-
-
-def skew(values):
-    rest = values - values.mean()
-    return (rest**3).mean() / (rest**2).mean() ** 1.5
 
 
 place = read_elevation()
@@ -100,7 +90,7 @@ for seed, method in product(SEEDS, METHODS):
     gentle = [(ground < 0.25 * ground.mean()).mean() for ground in (got, sizes)]
     blocks = block_variation(got) / block_variation(sizes)
     curved = curvature_deviation(grown, spacing) / curvature_deviation(heights, spacing)
-    ratios = semivariances(grown) / semivariances(heights)
+    ratios = semivariances(grown, lags_of(heights)) / semivariances(heights, lags_of(heights))
     integral = [(ground.mean() - ground.min()) / np.ptp(ground) for ground in (grown, heights)]
     sunk = drainage.GetOutput().GetFieldData().GetArray("DepressionFraction").GetComponent(0, 1)
     print(f"{method}, seed {seed}: aspects {shares[0]:.3f} {shares[1]:.3f} ({aspect_share(slopes, 4):.3f} "
