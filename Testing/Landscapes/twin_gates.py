@@ -5,7 +5,7 @@
     ./littoral run python3 Testing/Landscapes/twin_gates.py [--method METHOD] [--seeds N] [--keep FOLDER] [--brief] [PLACE]...
 
 PLACE: of places.py; default, all that are not held back. Twins by seeds 1 to N, default 10, are fitted and made as
-by a user, by growth or quilting (default), with all properties as they are. A row has the place's number, the medians of
+by a user, by carving, growth or quilting (default), with all properties as they are. A row has the place's number, the medians of
 Gaussian twins and of those, the one of them that is furthest off, how far off it is, how far off the place itself is in the
 median of nine windows with nine tenths of each side, how far a twin may be, and how many of the N are within that. --keep: a
 folder of twins that are not grown again. --brief: rows that are not met alone.
@@ -28,7 +28,7 @@ try:
 except ImportError:
     accuracy = None
 
-METHODS = {"growth": vtkDrainageFilter.Growth, "quilting": vtkDrainageFilter.Quilting}
+METHODS = {"carving": vtkDrainageFilter.Carving, "growth": vtkDrainageFilter.Growth, "quilting": vtkDrainageFilter.Quilting}
 
 
 def twins_of(heights, spacing, seed, method):
